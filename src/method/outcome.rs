@@ -1,0 +1,127 @@
+//! What a method answers. It holds no time, so no time can reach a snapshot.
+
+use crate::mechanism::{Crack, Mechanism};
+
+/// What a result may be used for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Status {
+    /// Proved to a residual of 1e-8 by the judge.
+    Verified,
+    /// λ lies between lower and upper by the method's own evidence, the width is not negligible.
+    Bracketed,
+    /// A number with no proof behind it.
+    Estimate,
+    /// No multiplier is too large.
+    Stands,
+    /// The scene does not stand under its own weight.
+    Falls,
+    /// The scene is outside the method's limits of validity.
+    NotApplicable,
+    /// No honest answer; the reason says why.
+    Undecided,
+    /// The method broke, or the judge refutes it.
+    Failed,
+}
+
+impl Status {
+    /// The word that tables, CSV and JSON use.
+    pub fn name(self) -> &'static str {
+        match self {
+            Status::Verified => "verified",
+            Status::Bracketed => "bracketed",
+            Status::Estimate => "estimate",
+            Status::Stands => "stands",
+            Status::Falls => "falls",
+            Status::NotApplicable => "not-applicable",
+            Status::Undecided => "undecided",
+            Status::Failed => "failed",
+        }
+    }
+}
+
+/// Lower and upper value of a collapse multiplier; what each means is the method's to say.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bracket {
+    /// Lower value.
+    pub lower: f64,
+    /// Upper value.
+    pub upper: f64,
+}
+
+impl Bracket {
+    /// Both ends at one value.
+    pub fn point(lambda: f64) -> Self {
+        Self {
+            lower: lambda,
+            upper: lambda,
+        }
+    }
+
+    /// Width relative to max(|λ|, 1e-3).
+    pub fn relative_width(&self) -> f64 {
+        (self.upper - self.lower) / self.upper.abs().max(1e-3)
+    }
+
+    /// Largest distance of either end from a reference, relative to max(|reference|, 1e-3).
+    pub fn error(&self, reference: f64) -> f64 {
+        let distance = |end: f64| (end - reference).abs();
+        distance(self.lower).max(distance(self.upper)) / reference.abs().max(1e-3)
+    }
+}
+
+/// Forces of one joint, in the case's force unit.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct JointForce {
+    /// Normal force at each end of the joint, compression positive.
+    pub normal: [f64; 2],
+    /// Shear on the block that the normal points into, along the joint's tangent.
+    pub shear: f64,
+}
+
+/// Effort in counts that do not depend on the machine's speed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Work {
+    /// Linear programs solved.
+    pub programs: usize,
+    /// Interior-point iterations over all programs.
+    pub iterations: usize,
+    /// Time steps of the pushover, times the blocks that can move.
+    pub block_steps: usize,
+}
+
+/// The answer of one method for one scene.
+#[derive(Clone, Debug)]
+pub struct Outcome {
+    /// What the answer is worth; the judge may lower it.
+    pub status: Status,
+    /// The multiplier, where there is one to vouch for.
+    pub bracket: Option<Bracket>,
+    /// Crack slope of a closed form (no mechanism behind it) or of the mechanism.
+    pub crack: Option<Crack>,
+    /// Velocities of every block at collapse.
+    pub mechanism: Option<Mechanism>,
+    /// Forces of every joint at the multiplier `bracket.lower`.
+    pub forces: Option<Vec<JointForce>>,
+    /// Effort.
+    pub work: Work,
+    /// Self-checks that ran, with their figures, in words.
+    pub checks: Vec<String>,
+    /// Why this status, in words; may be empty when all went as hoped.
+    pub reason: String,
+}
+
+impl Outcome {
+    /// An answer without a number.
+    pub fn without_number(status: Status, reason: impl Into<String>) -> Self {
+        Self {
+            status,
+            bracket: None,
+            crack: None,
+            mechanism: None,
+            forces: None,
+            work: Work::default(),
+            checks: Vec::new(),
+            reason: reason.into(),
+        }
+    }
+}

@@ -1,0 +1,142 @@
+//! What every method gets: convex blocks with forces, joints, friction, and nothing else.
+
+mod joints;
+mod polygon;
+mod wall;
+
+pub use joints::{Joint, JointClass, Side, find_joints};
+pub use polygon::{Point, Polygon, PolygonError, Vector};
+pub use wall::{Course, Irregularity, Piece, RegularWall, Wall, WallError};
+
+/// Which way the live load pushes the wall.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Push {
+    /// Towards +x: the toe is the lower right corner.
+    Right,
+    /// Towards −x.
+    Left,
+}
+
+impl Push {
+    /// +1 for a push to the right, −1 to the left.
+    pub fn sign(self) -> f64 {
+        match self {
+            Push::Right => 1.0,
+            Push::Left => -1.0,
+        }
+    }
+}
+
+/// What the head joints (perpends) of a scene carry.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum HeadJoints {
+    /// Coulomb contact.
+    Contact,
+    /// Nothing: dry-laid, the state before pushing.
+    Open,
+}
+
+impl HeadJoints {
+    /// The word that cases and the command line use.
+    pub fn name(self) -> &'static str {
+        match self {
+            HeadJoints::Contact => "contact",
+            HeadJoints::Open => "open",
+        }
+    }
+}
+
+/// What the crack slope of a coursed wall is measured with.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Coursing {
+    /// Wall height H.
+    pub height: f64,
+    /// Overlap s = l/2.
+    pub overlap: f64,
+    /// Number of courses.
+    pub courses: usize,
+}
+
+/// A force on a block at a point that moves with it: constant part `dead`, and `λ · live`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Load {
+    /// Where both parts act.
+    pub point: Point,
+    /// Dead force.
+    pub dead: Vector,
+    /// Live force for a multiplier of 1.
+    pub live: Vector,
+}
+
+/// A rigid block.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Block {
+    /// Outline.
+    pub shape: Polygon,
+    /// The block's own weight with its live part first, then what it carries.
+    pub loads: Vec<Load>,
+}
+
+/// Force x, force y and moment (counter-clockwise) about a block's centroid.
+pub type Wrench = [f64; 3];
+
+impl Block {
+    /// Resultant of the dead forces about the centroid.
+    pub fn dead(&self) -> Wrench {
+        self.resultant(|load| load.dead)
+    }
+
+    /// Resultant of the live forces about the centroid, for a multiplier of 1.
+    pub fn live(&self) -> Wrench {
+        self.resultant(|load| load.live)
+    }
+
+    fn resultant(&self, part: impl Fn(&Load) -> Vector) -> Wrench {
+        let centroid = self.shape.centroid();
+        self.loads.iter().fold([0.0; 3], |[x, y, m], load| {
+            let force = part(load);
+            let arm = load.point - centroid;
+            [x + force.x, y + force.y, m + arm.perp(&force)]
+        })
+    }
+}
+
+/// The scene that all methods share. Forces, not masses; no g, no velocities.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    /// Blocks that may move.
+    pub blocks: Vec<Block>,
+    /// Shapes that never move: the ground, springers.
+    pub supports: Vec<Polygon>,
+    /// Every joint that can carry a force. With open head joints, those are not here.
+    pub joints: Vec<Joint>,
+    /// What the head joints carry.
+    pub head_joints: HeadJoints,
+    /// Direction of the live load.
+    pub push: Push,
+    /// Height and overlap of a staggered wall, which the crack slope is measured with.
+    pub coursed: Option<Coursing>,
+    /// The wall's closed-form description, or why it has none. Only the macro-block needs it.
+    pub regular: Result<RegularWall, Irregularity>,
+}
+
+impl Scene {
+    /// Sum of the magnitudes of all dead forces: the force unit of residuals.
+    pub fn total_weight(&self) -> f64 {
+        let loads = self.blocks.iter().flat_map(|block| &block.loads);
+        loads.map(|load| load.dead.norm()).sum()
+    }
+
+    /// Lower-left and upper-right corner of all blocks.
+    pub fn bounds(&self) -> (Point, Point) {
+        let mut boxes = self.blocks.iter().map(|block| block.shape.bounds());
+        let first = boxes.next().unwrap_or((Point::origin(), Point::origin()));
+        boxes.fold(first, |(low, high), (l, h)| (low.inf(&l), high.sup(&h)))
+    }
+
+    /// Height of the blocks above their lowest point: the length unit of residuals.
+    pub fn height(&self) -> f64 {
+        let (low, high) = self.bounds();
+        high.y - low.y
+    }
+}

@@ -1,0 +1,280 @@
+//! Coursed walls: laying courses into blocks, the overburden, the closed-form description.
+
+use super::joints::{JointClass, find_joints};
+use super::polygon::{Point, Polygon, PolygonError, Vector};
+use super::{Block, Coursing, HeadJoints, Load, Push, Scene};
+
+/// One piece of a course.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Piece {
+    /// A full unit.
+    Unit,
+    /// Half a unit long.
+    Half,
+    /// Nothing, one unit wide.
+    Gap,
+}
+
+/// Pieces from left to right.
+pub type Course = Vec<Piece>;
+
+/// A wall of equal units in courses, on level ground.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Wall {
+    /// Length l of a full unit.
+    pub unit_length: f64,
+    /// Height h of every course.
+    pub unit_height: f64,
+    /// Thickness b of the wall.
+    pub thickness: f64,
+    /// Weight of one full unit; the specific weight γ is this over l·h·b.
+    pub unit_weight: f64,
+    /// Courses from bottom to top.
+    pub courses: Vec<Course>,
+    /// Coefficient of friction μ of every joint.
+    pub friction: f64,
+    /// Overburden ratio r = p / (γ H).
+    pub overburden: f64,
+    /// Direction of the live load.
+    pub push: Push,
+}
+
+/// The regular wall of the closed form (paper, Figs. 1-3).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RegularWall {
+    /// Height H.
+    pub height: f64,
+    /// Width L.
+    pub length: f64,
+    /// Overlap s of units in adjacent courses.
+    pub overlap: f64,
+    /// Height h of a unit.
+    pub unit_height: f64,
+    /// Thickness b.
+    pub thickness: f64,
+    /// Specific weight γ.
+    pub specific_weight: f64,
+    /// Overburden p, force per area.
+    pub overburden: f64,
+    /// Coefficient of friction f.
+    pub friction: f64,
+}
+
+/// Why a wall is not a regular one.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum Irregularity {
+    /// One course has no stagger.
+    #[error("a single course has no stagger line")]
+    SingleCourse,
+    /// The course (from 1, bottom to top) breaks the running bond.
+    #[error("course {0} is not laid in regular running bond")]
+    NotRunningBond(usize),
+    /// Courses of different widths.
+    #[error("course {0} is not as wide as the first")]
+    Width(usize),
+    /// Not made of courses.
+    #[error("the scene is not a coursed wall")]
+    NotCoursed,
+}
+
+/// Why a wall cannot be laid. Courses and pieces count from 1.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum WallError {
+    /// No course at all.
+    #[error("the wall has no courses")]
+    NoCourses,
+    /// A course without a block.
+    #[error("course {course} holds no block")]
+    EmptyCourse {
+        /// The course.
+        course: usize,
+    },
+    /// No block of the course lies on a block of the course below.
+    #[error("course {course} has nothing under it")]
+    Unsupported {
+        /// The course.
+        course: usize,
+    },
+    /// A block that touches nothing, even with head joints in contact.
+    #[error("course {course}: the block at piece {piece} touches no other block")]
+    Floating {
+        /// The course.
+        course: usize,
+        /// The piece.
+        piece: usize,
+    },
+    /// The dimensions give no usable block.
+    #[error("a block of this size cannot be laid: {0}")]
+    Shape(#[from] PolygonError),
+}
+
+/// A laid block and where it came from.
+struct Laid {
+    shape: Polygon,
+    course: usize,
+    piece: usize,
+}
+
+impl Wall {
+    /// Height H.
+    pub fn height(&self) -> f64 {
+        self.courses.len() as f64 * self.unit_height
+    }
+
+    fn width(&self, piece: Piece) -> f64 {
+        match piece {
+            Piece::Unit | Piece::Gap => self.unit_length,
+            Piece::Half => self.unit_length / 2.0,
+        }
+    }
+
+    fn course_width(&self, course: &Course) -> f64 {
+        course.iter().map(|&piece| self.width(piece)).sum()
+    }
+
+    /// Blocks, ground, joints and forces of this wall.
+    ///
+    /// # Errors
+    /// [`WallError`] where the courses do not make a wall.
+    pub fn scene(&self, head_joints: HeadJoints) -> Result<Scene, WallError> {
+        let laid = self.lay()?;
+        let ground = self.ground()?;
+        let shapes: Vec<&Polygon> = laid.iter().map(|block| &block.shape).collect();
+        let mut joints = find_joints(&shapes, std::slice::from_ref(&ground), |_| self.friction);
+        let mut touched = vec![false; laid.len()];
+        for joint in &joints {
+            touched[joint.to] = true;
+            if let super::Side::Block(from) = joint.from {
+                touched[from] = true;
+            }
+        }
+        if let Some(i) = touched.iter().position(|t| !t) {
+            let (course, piece) = (laid[i].course + 1, laid[i].piece + 1);
+            return Err(WallError::Floating { course, piece });
+        }
+        if head_joints == HeadJoints::Open {
+            joints.retain(|joint| joint.class != JointClass::Head);
+        }
+        Ok(Scene {
+            blocks: laid.into_iter().map(|block| self.load(block)).collect(),
+            supports: vec![ground],
+            joints,
+            head_joints,
+            push: self.push,
+            coursed: self.coursing(),
+            regular: self.regular(),
+        })
+    }
+
+    fn lay(&self) -> Result<Vec<Laid>, WallError> {
+        if self.courses.is_empty() {
+            return Err(WallError::NoCourses);
+        }
+        let mut laid = Vec::new();
+        let mut below: Vec<(f64, f64)> = Vec::new();
+        for (course, pieces) in self.courses.iter().enumerate() {
+            let mut spans = Vec::new();
+            // Positions as counts of half units: no sum of rounded widths along a long course.
+            let mut halves = 0u32;
+            for (piece, &kind) in pieces.iter().enumerate() {
+                let start = halves;
+                halves += if kind == Piece::Half { 1 } else { 2 };
+                if kind == Piece::Gap {
+                    continue;
+                }
+                let at = |count: u32| f64::from(count) * (self.unit_length / 2.0);
+                let (x0, x1) = (at(start), at(halves));
+                let level = |n: usize| n as f64 * self.unit_height;
+                let shape = Polygon::rectangle(x0, x1, level(course), level(course + 1))?;
+                laid.push(Laid {
+                    shape,
+                    course,
+                    piece,
+                });
+                spans.push((x0, x1));
+            }
+            if spans.is_empty() {
+                return Err(WallError::EmptyCourse { course: course + 1 });
+            }
+            let rests =
+                |&(x0, x1): &(f64, f64)| below.iter().any(|&(b0, b1)| x0.max(b0) < x1.min(b1));
+            if course > 0 && !spans.iter().any(rests) {
+                return Err(WallError::Unsupported { course: course + 1 });
+            }
+            below = spans;
+        }
+        Ok(laid)
+    }
+
+    /// Level ground that reaches one wall height beyond the wall on both sides.
+    fn ground(&self) -> Result<Polygon, PolygonError> {
+        let widths = self.courses.iter().map(|course| self.course_width(course));
+        let reach = self.height();
+        let right = widths.fold(0.0, f64::max) + reach;
+        Polygon::rectangle(-reach, right, -self.unit_height, 0.0)
+    }
+
+    /// Weight with its live part at the centroid; the overburden p·b·width, dead downwards and
+    /// live sideways (as λPH in Eq. 4), at the middle of a top-course block's top face.
+    fn load(&self, block: Laid) -> Block {
+        let shape = block.shape;
+        let pressure = self.unit_weight / (self.unit_length * self.unit_height);
+        let carried = |weight: f64, point: Point| Load {
+            point,
+            dead: Vector::new(0.0, -weight),
+            live: Vector::new(self.push.sign() * weight, 0.0),
+        };
+        let mut loads = vec![carried(pressure * shape.area(), shape.centroid())];
+        if self.overburden > 0.0 && block.course + 1 == self.courses.len() {
+            let (low, high) = shape.bounds();
+            let weight = self.overburden * self.height() * pressure * (high.x - low.x);
+            loads.push(carried(weight, Point::new((low.x + high.x) / 2.0, high.y)));
+        }
+        Block { shape, loads }
+    }
+
+    /// `None` without stagger: a crack slope is measured against the overlap of the units.
+    fn coursing(&self) -> Option<Coursing> {
+        let staggered = self.courses.windows(2).any(|pair| pair[0] != pair[1]);
+        staggered.then(|| Coursing {
+            height: self.height(),
+            overlap: self.unit_length / 2.0,
+            courses: self.courses.len(),
+        })
+    }
+
+    /// The wall as the closed form sees it.
+    fn regular(&self) -> Result<RegularWall, Irregularity> {
+        if self.courses.len() < 2 {
+            return Err(Irregularity::SingleCourse);
+        }
+        let length = self.course_width(&self.courses[0]);
+        let starts_whole = self.courses[0].first() == Some(&Piece::Unit);
+        for (i, course) in self.courses.iter().enumerate() {
+            if (self.course_width(course) - length).abs() > 1e-9 * length {
+                return Err(Irregularity::Width(i + 1));
+            }
+            let whole = starts_whole == (i % 2 == 0);
+            let last = course.len() - 1;
+            let in_bond = course.iter().enumerate().all(|(k, &piece)| {
+                let half = !whole && (k == 0 || k == last);
+                piece == if half { Piece::Half } else { Piece::Unit }
+            });
+            if !in_bond {
+                return Err(Irregularity::NotRunningBond(i + 1));
+            }
+        }
+        let specific_weight =
+            self.unit_weight / (self.unit_length * self.unit_height * self.thickness);
+        Ok(RegularWall {
+            height: self.height(),
+            length,
+            overlap: self.unit_length / 2.0,
+            unit_height: self.unit_height,
+            thickness: self.thickness,
+            specific_weight,
+            overburden: self.overburden * specific_weight * self.height(),
+            friction: self.friction,
+        })
+    }
+}
