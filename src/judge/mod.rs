@@ -1,0 +1,96 @@
+//! The judge: recomputes every residual from forces and mechanism, outside the methods, and says
+//! what holds between methods and against published values.
+
+mod cross_check;
+mod residual;
+
+pub use cross_check::{Check, Verdict, computed, cross_check, open_never_raises, reference_checks};
+pub use residual::{CollapseResidual, StaticResidual, kinematic_multiplier};
+
+use crate::method::{Outcome, Status};
+use crate::scene::Scene;
+
+/// Largest residual of a verified result, with total weight, height and live power scaled to 1.
+pub const VERIFIED_RESIDUAL: f64 = 1e-8;
+
+/// Recomputes the residual of an outcome and sets its status to what that proves.
+///
+/// Returns the residual where forces or a mechanism were given; `None` means that there is nothing
+/// to vouch for.
+pub fn judge(scene: &Scene, method: &str, outcome: &mut Outcome) -> Option<f64> {
+    let (Some(bracket), Some(forces), Some(mechanism)) =
+        (outcome.bracket, &outcome.forces, &outcome.mechanism)
+    else {
+        if outcome.status == Status::Verified {
+            refute(
+                outcome,
+                "claims a proof without forces and mechanism".to_owned(),
+            );
+        }
+        return None;
+    };
+    let statics = StaticResidual::of(scene, forces, bracket.lower);
+    if method == "associative" {
+        let slack = residual::associative_violation(scene, mechanism);
+        let upper = kinematic_multiplier(scene, mechanism);
+        let residual = statics.largest().max(slack);
+        let crossed = bracket.lower > upper + 1e-9 * upper.abs().max(1e-3);
+        // Written so that a NaN refutes.
+        let holds = residual <= VERIFIED_RESIDUAL && bracket.upper >= upper && !crossed;
+        if !holds {
+            let text = format!(
+                "refuted by the judge: {statics}, flow rule violated by {slack:.1e}, \
+                 mechanism's own multiplier {upper:.6}"
+            );
+            refute(outcome, text);
+        }
+        return Some(residual);
+    }
+    let collapse = CollapseResidual::of(scene, forces, mechanism);
+    let residual = statics.largest().max(collapse.largest());
+    if residual <= VERIFIED_RESIDUAL {
+        outcome.status = Status::Verified;
+        append(&mut outcome.reason, "a true collapse state");
+    } else if outcome.status == Status::Verified {
+        refute(
+            outcome,
+            format!("refuted by the judge: {statics}, {collapse}"),
+        );
+    } else {
+        append(
+            &mut outcome.reason,
+            &format!("no proof: {}", worst(&statics, &collapse)),
+        );
+    }
+    Some(residual)
+}
+
+fn worst(statics: &StaticResidual, collapse: &CollapseResidual) -> &'static str {
+    let named = [
+        (statics.equilibrium, "equilibrium is violated"),
+        (statics.tension, "a joint is in tension"),
+        (statics.friction, "friction exceeds μN"),
+        (collapse.penetration, "blocks interpenetrate"),
+        (collapse.open_contact, "an opening joint carries a force"),
+        (
+            collapse.idle_friction,
+            "a slipping joint carries less than μN",
+        ),
+    ];
+    let worst = named.iter().max_by(|a, b| a.0.total_cmp(&b.0));
+    worst.expect("the list is not empty").1
+}
+
+fn refute(outcome: &mut Outcome, reason: String) {
+    outcome.status = Status::Failed;
+    outcome.bracket = None;
+    outcome.crack = None;
+    append(&mut outcome.reason, &reason);
+}
+
+fn append(reason: &mut String, more: &str) {
+    if !reason.is_empty() {
+        reason.push_str("; ");
+    }
+    reason.push_str(more);
+}

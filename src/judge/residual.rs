@@ -1,0 +1,189 @@
+//! Residuals of force states and mechanisms, scaled: total weight, height and live power are 1.
+
+use std::fmt;
+
+use crate::mechanism::Mechanism;
+use crate::method::JointForce;
+use crate::scene::{Point, Scene, Side, Vector, Wrench};
+
+/// Violations of static admissibility, as fractions of the total weight.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct StaticResidual {
+    /// Largest unbalanced force, or moment over the height.
+    pub equilibrium: f64,
+    /// Largest tensile corner force.
+    pub tension: f64,
+    /// Largest excess of |t| over μ(n1 + n2).
+    pub friction: f64,
+}
+
+impl StaticResidual {
+    /// Violations of a force state at the multiplier `lambda`.
+    pub fn of(scene: &Scene, forces: &[JointForce], lambda: f64) -> Self {
+        let weight = scene.total_weight();
+        let units = [weight, weight, weight * scene.height()];
+        let mut out = Self::default();
+        for balance in balances(scene, forces, lambda) {
+            for (value, unit) in balance.iter().zip(units) {
+                out.equilibrium = larger(out.equilibrium, value.abs() / unit);
+            }
+        }
+        for (joint, force) in scene.joints.iter().zip(forces) {
+            let [n1, n2] = force.normal;
+            out.tension = larger(out.tension, -n1 / weight);
+            out.tension = larger(out.tension, -n2 / weight);
+            let excess = force.shear.abs() - joint.friction * (n1 + n2);
+            out.friction = larger(out.friction, excess / weight);
+        }
+        out
+    }
+
+    /// The largest of all.
+    pub fn largest(&self) -> f64 {
+        self.equilibrium.max(self.tension).max(self.friction)
+    }
+}
+
+impl fmt::Display for StaticResidual {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "equilibrium {:.1e}, tension {:.1e}, friction {:.1e}",
+            self.equilibrium, self.tension, self.friction
+        )
+    }
+}
+
+/// Unbalanced wrench of every block.
+fn balances(scene: &Scene, forces: &[JointForce], lambda: f64) -> Vec<Wrench> {
+    let mut sums: Vec<Wrench> = Vec::with_capacity(scene.blocks.len());
+    for block in &scene.blocks {
+        let (dead, live) = (block.dead(), block.live());
+        sums.push(std::array::from_fn(|k| dead[k] + lambda * live[k]));
+    }
+    for (joint, force) in scene.joints.iter().zip(forces) {
+        let tangential = joint.tangent() * force.shear;
+        let parts: [(Point, Vector); 3] = [
+            (joint.ends[0], joint.normal * force.normal[0]),
+            (joint.ends[1], joint.normal * force.normal[1]),
+            (joint.ends[0], tangential),
+        ];
+        for (point, part) in parts {
+            add(scene, &mut sums, joint.to, point, part);
+            if let Side::Block(from) = joint.from {
+                add(scene, &mut sums, from, point, -part);
+            }
+        }
+    }
+    sums
+}
+
+fn add(scene: &Scene, sums: &mut [Wrench], block: usize, point: Point, force: Vector) {
+    let arm = point - scene.blocks[block].shape.centroid();
+    let sum = &mut sums[block];
+    sum[0] += force.x;
+    sum[1] += force.y;
+    sum[2] += arm.perp(&force);
+}
+
+/// Power of the live load (λ = 1) and of the dead load on a mechanism.
+fn powers(scene: &Scene, mechanism: &Mechanism) -> (f64, f64) {
+    let mut sums = (0.0, 0.0);
+    for (block, motion) in scene.blocks.iter().zip(&mechanism.motions) {
+        for load in &block.loads {
+            let velocity = motion.at(load.point - block.shape.centroid());
+            sums.0 += load.live.dot(&velocity);
+            sums.1 += load.dead.dot(&velocity);
+        }
+    }
+    sums
+}
+
+/// −f_D·u / f_L·u: an upper bound of λ_A where the mechanism is admissible and the live load does
+/// positive work on it; NaN where it does none.
+pub fn kinematic_multiplier(scene: &Scene, mechanism: &Mechanism) -> f64 {
+    let (live, dead) = powers(scene, mechanism);
+    if live > 0.0 { -dead / live } else { f64::NAN }
+}
+
+/// Factor on rates that makes the live power equal the total weight; NaN, so that every residual
+/// fails, where the live load does no positive work.
+fn rate_unit(scene: &Scene, mechanism: &Mechanism) -> f64 {
+    let live = powers(scene, mechanism).0;
+    if live > 0.0 {
+        scene.total_weight() / live
+    } else {
+        f64::NAN
+    }
+}
+
+/// The larger of a running maximum and a value, where `f64::max` would pass over a NaN.
+fn larger(maximum: f64, value: f64) -> f64 {
+    if value.is_nan() {
+        f64::INFINITY
+    } else {
+        maximum.max(value)
+    }
+}
+
+/// Largest violation of opening ≥ μ|slip|, the associative flow rule.
+pub fn associative_violation(scene: &Scene, mechanism: &Mechanism) -> f64 {
+    let unit = rate_unit(scene, mechanism);
+    let rates = mechanism.joint_rates(scene);
+    let violations = scene.joints.iter().zip(&rates).flat_map(|(joint, rate)| {
+        let opening = rate.opening;
+        opening.map(|opening| (joint.friction * rate.slip.abs() - opening) * unit)
+    });
+    violations.fold(0.0, larger)
+}
+
+/// Violations of the zero-dilatancy collapse conditions, beyond static admissibility.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct CollapseResidual {
+    /// Largest closing rate.
+    pub penetration: f64,
+    /// Largest n · opening at a corner.
+    pub open_contact: f64,
+    /// Largest μN|slip| − (power that the joint's shear takes out).
+    pub idle_friction: f64,
+}
+
+impl CollapseResidual {
+    /// Violations of a force state together with a mechanism.
+    pub fn of(scene: &Scene, forces: &[JointForce], mechanism: &Mechanism) -> Self {
+        let unit = rate_unit(scene, mechanism);
+        let weight = scene.total_weight();
+        let mut out = Self::default();
+        let rates = mechanism.joint_rates(scene);
+        for ((joint, force), rate) in scene.joints.iter().zip(forces).zip(&rates) {
+            for corner in 0..2 {
+                let opening = rate.opening[corner] * unit;
+                let normal = force.normal[corner] / weight;
+                out.penetration = larger(out.penetration, -opening);
+                out.open_contact = larger(out.open_contact, (normal * opening).abs());
+            }
+            let capacity = joint.friction * (force.normal[0] + force.normal[1]) / weight;
+            let slip = rate.slip * unit;
+            let idle = capacity * slip.abs() + force.shear / weight * slip;
+            out.idle_friction = larger(out.idle_friction, idle.abs());
+        }
+        out
+    }
+
+    /// The largest of all.
+    pub fn largest(&self) -> f64 {
+        self.penetration
+            .max(self.open_contact)
+            .max(self.idle_friction)
+    }
+}
+
+impl fmt::Display for CollapseResidual {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "penetration {:.1e}, force at an opening {:.1e}, idle friction {:.1e}",
+            self.penetration, self.open_contact, self.idle_friction
+        )
+    }
+}

@@ -1,0 +1,10 @@
+//! Limit analysis of the rigid blocks by linear programming.
+
+mod admissible;
+mod associative;
+mod program;
+mod sequential;
+
+pub use associative::Associative;
+pub use program::{Ending, Friction, Program, Scale, Solution};
+pub use sequential::{Sequential, SequentialSettings, sequential};

@@ -1,0 +1,311 @@
+//! The one linear program of the limit analysis, assembled once and solved by Clarabel.
+//!
+//! Variables: two corner forces n1, n2 and one shear t a joint, then λ. Rows: three equilibrium
+//! equations a block, A q + λ f_L = −f_D, then four inequalities a joint,
+//!
+//! ```text
+//! n1 ≥ 0,  n2 ≥ 0,  ±t ≤ slope · (n1 + n2) + intercept
+//! ```
+//!
+//! with slope μ and intercept 0 for Coulomb's law. Every method of this folder differs only in
+//! slope, intercept and cost, so an iteration changes numbers and never the pattern.
+
+use clarabel::algebra::CscMatrix;
+use clarabel::solver::{
+    DefaultSettings, DefaultSolver, IPSolver, SolverStatus,
+    SupportedConeT::{NonnegativeConeT, ZeroConeT},
+};
+
+use crate::mechanism::{Mechanism, Motion};
+use crate::method::JointForce;
+use crate::scene::{Scene, Side, Vector};
+
+/// Friction law of one joint: |t| ≤ slope · (n1 + n2) + intercept, the intercept in units of the
+/// scene's total weight.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Friction {
+    /// Slope; the coefficient of friction for Coulomb's law, negative for a contractant one.
+    pub slope: f64,
+    /// Shear that the joint carries without compression.
+    pub intercept: f64,
+}
+
+/// How a program ended.
+#[derive(Clone, Debug)]
+pub enum Ending {
+    /// The solver reports an optimum. That is its word, not a proof.
+    Solved(Solution),
+    /// No force state satisfies the rows, for any λ.
+    Infeasible,
+    /// λ can grow without limit.
+    Unbounded,
+    /// The solver gave up; its own word for why.
+    GaveUp(String),
+}
+
+/// A force state and the mechanism dual to it, in dimensionless form: total weight 1, wall height
+/// 1, and a mechanism on which the live load for λ = 1 does unit work.
+#[derive(Clone, Debug)]
+pub struct Solution {
+    /// Multiplier of the force state.
+    pub lambda: f64,
+    /// Corner forces and shear of every joint.
+    pub forces: Vec<JointForce>,
+    /// Velocities (fx, fy about the centroid, rotation times height), three a block.
+    pub velocity: Vec<f64>,
+    /// Interior-point iterations.
+    pub iterations: usize,
+}
+
+/// The program of one scene.
+pub struct Program {
+    solver: DefaultSolver<f64>,
+    values: Vec<f64>,
+    right: Vec<f64>,
+    /// Where a joint's four friction coefficients stand in `values`: rows ±t, columns n1 and n2.
+    friction_at: Vec<[usize; 4]>,
+    rows_of_blocks: usize,
+    scale: Scale,
+}
+
+/// Units of the dimensionless program. Without them Clarabel reports "solved" far from the
+/// optimum: on paper-3 1 % away at tolerance 1e-6 (measured: total weight 1 cures it, weight of
+/// each block 1 does not).
+#[derive(Clone, Copy, Debug)]
+pub struct Scale {
+    /// Force unit: the scene's total weight.
+    pub force: f64,
+    /// Length unit: the height of the blocks.
+    pub length: f64,
+}
+
+impl Scale {
+    /// The units of a scene.
+    pub fn of(scene: &Scene) -> Self {
+        Self {
+            force: scene.total_weight(),
+            length: scene.height(),
+        }
+    }
+
+    /// Forces back in the case's unit.
+    pub fn forces(&self, forces: &[JointForce]) -> Vec<JointForce> {
+        let back = |force: &JointForce| JointForce {
+            normal: force.normal.map(|n| n * self.force),
+            shear: force.shear * self.force,
+        };
+        forces.iter().map(back).collect()
+    }
+
+    /// Velocities as a mechanism in the case's length unit.
+    pub fn mechanism(&self, velocity: &[f64]) -> Mechanism {
+        let motion = |u: &[f64]| Motion {
+            velocity: Vector::new(u[0], u[1]),
+            rotation: u[2] / self.length,
+        };
+        Mechanism {
+            motions: velocity.chunks_exact(3).map(motion).collect(),
+        }
+    }
+}
+
+/// Relative tolerance of all programs. 1e-8 leaves 9e-8 of λ on a wall of 915 blocks, 1e-10 less
+/// than 1e-9, for a fifth more iterations.
+const TOLERANCE: f64 = 1e-10;
+
+impl Program {
+    /// Assembles the associative program of a scene: Coulomb's law in every joint, λ to be largest.
+    pub fn new(scene: &Scene) -> Self {
+        let scale = Scale::of(scene);
+        let rows_of_blocks = 3 * scene.blocks.len();
+        let joints = scene.joints.len();
+        let (columns, rows) = (3 * joints + 1, rows_of_blocks + 4 * joints);
+        let mut entries = Entries::default();
+        let mut friction_at = Vec::with_capacity(joints);
+        for (j, joint) in scene.joints.iter().enumerate() {
+            let first = rows_of_blocks + 4 * j;
+            let mut at = [0; 4];
+            for corner in 0..2 {
+                equilibrium_column(scene, &scale, j, corner, &mut entries);
+                entries.push(first + corner, -1.0);
+                at[corner] = entries.push(first + 2, -joint.friction);
+                at[2 + corner] = entries.push(first + 3, -joint.friction);
+                entries.close_column();
+            }
+            equilibrium_column(scene, &scale, j, 2, &mut entries);
+            entries.push(first + 2, 1.0);
+            entries.push(first + 3, -1.0);
+            entries.close_column();
+            friction_at.push(at);
+        }
+        let mut right = vec![0.0; rows];
+        for (i, block) in scene.blocks.iter().enumerate() {
+            let units = [scale.force, scale.force, scale.force * scale.length];
+            let (dead, live) = (block.dead(), block.live());
+            for k in 0..3 {
+                right[3 * i + k] = -dead[k] / units[k];
+                if live[k] != 0.0 {
+                    entries.push(3 * i + k, live[k] / units[k]);
+                }
+            }
+        }
+        entries.close_column();
+        let matrix = CscMatrix::new(rows, columns, entries.starts, entries.rows, entries.values);
+        let mut cost = vec![0.0; columns];
+        cost[columns - 1] = -1.0;
+        let cones = [ZeroConeT(rows_of_blocks), NonnegativeConeT(4 * joints)];
+        let solver = DefaultSolver::new(
+            &CscMatrix::zeros((columns, columns)),
+            &cost,
+            &matrix,
+            &right,
+            &cones,
+            settings(),
+        )
+        .expect("dimensions agree by construction");
+        Self {
+            values: matrix.nzval,
+            right,
+            solver,
+            friction_at,
+            rows_of_blocks,
+            scale,
+        }
+    }
+
+    /// Units of this program.
+    pub fn scale(&self) -> Scale {
+        self.scale
+    }
+
+    /// Changes the friction law of every joint; one law a joint, in the scene's order.
+    pub fn set_friction(&mut self, laws: &[Friction]) {
+        for (j, law) in laws.iter().enumerate() {
+            for at in self.friction_at[j] {
+                self.values[at] = -law.slope;
+            }
+            let first = self.rows_of_blocks + 4 * j;
+            self.right[first + 2] = law.intercept;
+            self.right[first + 3] = law.intercept;
+        }
+        let updated = self.solver.update_A(&self.values);
+        updated.expect("presolve is off, so updates are allowed");
+        let updated = self.solver.update_b(&self.right);
+        updated.expect("presolve is off, so updates are allowed");
+    }
+
+    /// Changes the cost: `lambda` · λ − Σ `normal`[j] · (n1 + n2) is to be largest.
+    pub fn set_cost(&mut self, lambda: f64, normal: &[f64]) {
+        let mut cost = vec![0.0; 3 * normal.len() + 1];
+        for (j, price) in normal.iter().enumerate() {
+            cost[3 * j] = *price;
+            cost[3 * j + 1] = *price;
+        }
+        cost[3 * normal.len()] = -lambda;
+        let updated = self.solver.update_q(&cost);
+        updated.expect("presolve is off, so updates are allowed");
+    }
+
+    /// Solves the program as it stands.
+    pub fn solve(&mut self) -> Ending {
+        self.solver.solve();
+        let solution = &self.solver.solution;
+        match solution.status {
+            SolverStatus::Solved | SolverStatus::AlmostSolved => Ending::Solved(self.read()),
+            SolverStatus::PrimalInfeasible | SolverStatus::AlmostPrimalInfeasible => {
+                Ending::Infeasible
+            }
+            SolverStatus::DualInfeasible | SolverStatus::AlmostDualInfeasible => Ending::Unbounded,
+            status @ (SolverStatus::Unsolved
+            | SolverStatus::MaxIterations
+            | SolverStatus::MaxTime
+            | SolverStatus::NumericalError
+            | SolverStatus::InsufficientProgress
+            | SolverStatus::CallbackTerminated) => Ending::GaveUp(format!("{status:?}")),
+        }
+    }
+
+    fn read(&self) -> Solution {
+        let solution = &self.solver.solution;
+        let (lambda, corners) = solution.x.split_last().expect("λ is always a variable");
+        let forces = corners.chunks_exact(3).map(|q| JointForce {
+            normal: [q[0], q[1]],
+            shear: q[2],
+        });
+        Solution {
+            lambda: *lambda,
+            forces: forces.collect(),
+            velocity: solution.z[..self.rows_of_blocks].to_vec(),
+            iterations: solution.iterations as usize,
+        }
+    }
+}
+
+fn settings() -> DefaultSettings<f64> {
+    DefaultSettings {
+        verbose: false,
+        max_threads: 1,
+        direct_solve_method: "qdldl".to_owned(),
+        // Presolve would drop rows and forbid data updates.
+        presolve_enable: false,
+        tol_gap_abs: TOLERANCE,
+        tol_gap_rel: TOLERANCE,
+        tol_feas: TOLERANCE,
+        ..DefaultSettings::default()
+    }
+}
+
+/// Force of one variable of a joint (0, 1: corner forces; 2: shear) in the equilibrium rows.
+fn equilibrium_column(scene: &Scene, scale: &Scale, j: usize, kind: usize, out: &mut Entries) {
+    let joint = &scene.joints[j];
+    let (point, direction) = match kind {
+        2 => (joint.ends[0], joint.tangent()),
+        corner => (joint.ends[corner], joint.normal),
+    };
+    let mut bodies = [(Some(joint.to), 1.0), (None, -1.0)];
+    if let Side::Block(from) = joint.from {
+        bodies[1].0 = Some(from);
+    }
+    // Rows of a column must ascend.
+    bodies.sort_by_key(|body| body.0);
+    for (block, sign) in bodies {
+        let Some(block) = block else { continue };
+        let arm = (point - scene.blocks[block].shape.centroid()) / scale.length;
+        let wrench = [direction.x, direction.y, arm.perp(&direction)];
+        for (k, value) in wrench.into_iter().enumerate() {
+            if value != 0.0 {
+                out.push(3 * block + k, sign * value);
+            }
+        }
+    }
+}
+
+/// Compressed columns under construction.
+struct Entries {
+    starts: Vec<usize>,
+    rows: Vec<usize>,
+    values: Vec<f64>,
+}
+
+impl Default for Entries {
+    fn default() -> Self {
+        Self {
+            starts: vec![0],
+            rows: Vec::new(),
+            values: Vec::new(),
+        }
+    }
+}
+
+impl Entries {
+    /// Adds to the open column; returns the position of the value.
+    fn push(&mut self, row: usize, value: f64) -> usize {
+        self.rows.push(row);
+        self.values.push(value);
+        self.values.len() - 1
+    }
+
+    fn close_column(&mut self) {
+        self.starts.push(self.rows.len());
+    }
+}
