@@ -1,0 +1,228 @@
+//! Complaints about input, in rustc's look: file, line, the offending text, what to write instead.
+
+use std::fmt;
+use std::ops::Range;
+use std::sync::Arc;
+
+use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet, normalize_untrusted_str};
+
+/// What is wrong with the input, where, and what to write instead.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Complaint {
+    title: String,
+    place: Option<Box<Place>>,
+    help: Option<String>,
+}
+
+/// The offending text in its file.
+#[derive(Clone, Debug, PartialEq)]
+struct Place {
+    document: Document,
+    span: Range<usize>,
+    label: String,
+}
+
+/// A file's path, as the user wrote it, and its text.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Document {
+    pub path: String,
+    pub text: Arc<str>,
+}
+
+/// Longest title and help line; a value of any length can stand in them.
+const LONGEST: usize = 400;
+
+impl Complaint {
+    /// A complaint that no text can be shown for.
+    pub(super) fn new(title: impl Into<String>) -> Self {
+        Self {
+            title: title.into(),
+            place: None,
+            help: None,
+        }
+    }
+
+    /// Adds what to write instead.
+    pub(super) fn help(mut self, help: impl Into<String>) -> Self {
+        self.help = Some(help.into());
+        self
+    }
+
+    /// What is wrong, in one line.
+    pub fn title(&self) -> &str {
+        &self.title
+    }
+
+    /// The file and the line (from 1), where the complaint is about a text.
+    pub fn line(&self) -> Option<(&str, usize)> {
+        let place = self.place.as_deref()?;
+        let before = &place.document.text.as_bytes()[..place.span.start];
+        let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
+        Some((&place.document.path, line))
+    }
+
+    /// The complaint as the terminal shows it, without a final newline.
+    pub fn render(&self, colour: bool) -> String {
+        let renderer = if colour {
+            Renderer::styled()
+        } else {
+            Renderer::plain()
+        };
+        let printable = |text: &str| normalize_untrusted_str(&shorten(text, LONGEST));
+        let mut report = Group::with_title(Level::ERROR.primary_title(printable(&self.title)));
+        if let Some(place) = &self.place {
+            let mark = AnnotationKind::Primary
+                .span(place.span.clone())
+                .label(printable(&place.label));
+            report = report.element(
+                Snippet::source(&*place.document.text)
+                    .path(printable(&place.document.path))
+                    .annotation(mark),
+            );
+        }
+        if let Some(help) = &self.help {
+            report = report.element(Level::HELP.message(printable(help)));
+        }
+        renderer.render(&[report])
+    }
+}
+
+impl fmt::Display for Complaint {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.render(false))
+    }
+}
+
+impl std::error::Error for Complaint {}
+
+impl Document {
+    /// A complaint about the text in `span`, of which at most the first line is marked.
+    pub fn complain(
+        &self,
+        span: Range<usize>,
+        title: impl Into<String>,
+        label: impl Into<String>,
+    ) -> Complaint {
+        let start = floor_boundary(&self.text, span.start);
+        let end = floor_boundary(&self.text, span.end).max(start);
+        let line = self.text[start..end].split(['\n', '\r']).next();
+        let span = start..start + line.map_or(0, str::len);
+        Complaint {
+            title: title.into(),
+            place: Some(Box::new(Place {
+                document: self.clone(),
+                span,
+                label: label.into(),
+            })),
+            help: None,
+        }
+    }
+
+    /// The text in `span`; empty where the span is not one of this text.
+    pub fn at(&self, span: Range<usize>) -> &str {
+        self.text.get(span).unwrap_or_default()
+    }
+}
+
+/// The last character boundary at or before `index`.
+fn floor_boundary(text: &str, index: usize) -> usize {
+    let index = index.min(text.len());
+    (0..=index)
+        .rev()
+        .find(|&i| text.is_char_boundary(i))
+        .unwrap_or(0)
+}
+
+/// The first `longest` characters of a text, with an ellipsis where some are left out.
+pub(super) fn shorten(text: &str, longest: usize) -> String {
+    match text.char_indices().nth(longest) {
+        Some((end, _)) => format!("{}…", &text[..end]),
+        None => text.to_owned(),
+    }
+}
+
+/// The known word nearest to `word`, if it is near enough to be a slip of the keyboard.
+pub(super) fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    let word = shorten(word, 60).to_lowercase();
+    let allowed = 1 + word.chars().count() / 3;
+    known
+        .into_iter()
+        .map(|candidate| (distance(&word, candidate), candidate))
+        .filter(|&(distance, _)| distance <= allowed.min(3))
+        .min_by_key(|&(distance, _)| distance)
+        .map(|(_, candidate)| candidate)
+}
+
+/// Levenshtein distance, a swap of neighbours counting as one.
+fn distance(a: &str, b: &str) -> usize {
+    let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
+    let mut rows = vec![vec![0; b.len() + 1]; a.len() + 1];
+    rows[0] = (0..=b.len()).collect();
+    for i in 1..=a.len() {
+        rows[i][0] = i;
+        for j in 1..=b.len() {
+            let change = usize::from(a[i - 1] != b[j - 1]);
+            let mut best = (rows[i - 1][j - 1] + change)
+                .min(rows[i - 1][j] + 1)
+                .min(rows[i][j - 1] + 1);
+            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
+                best = best.min(rows[i - 2][j - 2] + 1);
+            }
+            rows[i][j] = best;
+        }
+    }
+    rows[a.len()][b.len()]
+}
+
+/// Words in backticks with commas between, for help lines.
+pub(super) fn listed<'a>(words: impl IntoIterator<Item = &'a str>) -> String {
+    let quoted: Vec<String> = words.into_iter().map(|word| format!("`{word}`")).collect();
+    quoted.join(", ")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_complaint_looks_like_the_compilers() {
+        let document = Document {
+            path: "walls/a.toml".into(),
+            text: "title = \"a\"\nfrction = 0.65\n".into(),
+        };
+        let complaint = document
+            .complain(12..19, "unknown key `frction`", "no such key")
+            .help("write `friction`");
+        let expected = "\
+error: unknown key `frction`
+ --> walls/a.toml:2:1
+  |
+2 | frction = 0.65
+  | ^^^^^^^ no such key
+  |
+  = help: write `friction`";
+        assert_eq!(complaint.to_string(), expected);
+        assert_eq!(complaint.line(), Some(("walls/a.toml", 2)));
+    }
+
+    #[test]
+    fn a_span_outside_the_text_or_inside_a_letter_is_harmless() {
+        let document = Document {
+            path: "a.toml".into(),
+            text: "é\n".into(),
+        };
+        for span in [0..1, 1..2, 1..9, 7..9, 3..3, Range { start: 2, end: 1 }] {
+            let shown = document.complain(span, "title", "label").to_string();
+            assert!(shown.contains("a.toml:"), "{shown}");
+        }
+    }
+
+    #[test]
+    fn slips_find_their_word_and_nonsense_does_not() {
+        let known = ["friction", "overburden", "push"];
+        assert_eq!(nearest("frction", known), Some("friction"));
+        assert_eq!(nearest("psuh", known), Some("push"));
+        assert_eq!(nearest("Overburden", known), Some("overburden"));
+        assert_eq!(nearest("mortar", known), None);
+    }
+}

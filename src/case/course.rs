@@ -1,0 +1,198 @@
+//! Courses as people write them: `h` half a unit, `1` a unit, `g` a gap, `1*24` twenty-four units.
+
+use std::ops::Range;
+
+use crate::scene::{Course, Piece};
+
+/// Most pieces in one course.
+pub(super) const MOST_PIECES: usize = 10_000;
+
+/// Most pieces in one wall.
+pub(super) const MOST_BLOCKS: usize = 100_000;
+
+/// A course with the place in its text that each piece was read from.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Written {
+    /// Pieces from left to right.
+    pub pieces: Course,
+    /// For each piece, the letter with its count.
+    pub places: Vec<Range<usize>>,
+}
+
+/// What is wrong with a course string, and where in it (bytes).
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct CourseError {
+    /// The offending part of the string; all of it where that is empty.
+    pub place: Range<usize>,
+    /// What is wrong.
+    pub title: String,
+    /// What to write instead.
+    pub help: String,
+}
+
+/// The pieces, for help lines.
+const PIECES: &str = "write `1` for a unit, `h` for half a unit and `g` for a gap one unit wide";
+
+impl Written {
+    /// Reads a course string.
+    pub fn read(text: &str) -> Result<Self, CourseError> {
+        let mut written = Written {
+            pieces: Vec::new(),
+            places: Vec::new(),
+        };
+        let mut at = 0;
+        while let Some(letter) = text[at..].chars().next() {
+            let start = at;
+            at += letter.len_utf8();
+            if letter == ' ' {
+                continue;
+            }
+            let piece = piece(letter).ok_or_else(|| unknown(letter, start))?;
+            let mut count = 1;
+            if text[at..].starts_with('*') {
+                (count, at) = read_count(text, at)?;
+            }
+            if written.pieces.len() + count > MOST_PIECES {
+                return Err(CourseError {
+                    place: start..at,
+                    title: format!("a course of more than {MOST_PIECES} pieces"),
+                    help: format!("keep a course to {MOST_PIECES} pieces"),
+                });
+            }
+            written.pieces.extend((0..count).map(|_| piece));
+            written.places.extend((0..count).map(|_| start..at));
+        }
+        if written.pieces.is_empty() {
+            return Err(CourseError {
+                place: 0..text.len(),
+                title: "a course without pieces".into(),
+                help: PIECES.into(),
+            });
+        }
+        Ok(written)
+    }
+}
+
+fn piece(letter: char) -> Option<Piece> {
+    match letter {
+        '1' => Some(Piece::Unit),
+        'h' => Some(Piece::Half),
+        'g' => Some(Piece::Gap),
+        _ => None,
+    }
+}
+
+fn unknown(letter: char, start: usize) -> CourseError {
+    let help = match letter {
+        '*' => "write the piece, then `*`, then the count, without spaces: `1*24`".into(),
+        '0' | '2'..='9' => format!("{PIECES}; a count stands behind a `*`, as in `1*24`"),
+        '\t' | '\n' | '\r' => "part pieces with spaces, or with nothing".into(),
+        'H' | 'G' => format!("write a small letter: `{}`", letter.to_ascii_lowercase()),
+        _ => PIECES.into(),
+    };
+    CourseError {
+        place: start..start + letter.len_utf8(),
+        title: format!("unknown piece `{}` in a course", letter.escape_debug()),
+        help,
+    }
+}
+
+/// Reads `*24` at byte `star`: the count, and where the text goes on.
+fn read_count(text: &str, star: usize) -> Result<(usize, usize), CourseError> {
+    let digits = &text[star + 1..];
+    let digits = &digits[..digits.len()
+        - digits
+            .trim_start_matches(|c: char| c.is_ascii_digit())
+            .len()];
+    let end = star + 1 + digits.len();
+    let complain = |title: &str, help: String| CourseError {
+        place: if digits.is_empty() {
+            star..end
+        } else {
+            star + 1..end
+        },
+        title: title.into(),
+        help,
+    };
+    if digits.is_empty() {
+        let help = "write a whole number right behind the `*`, as in `1*24`".into();
+        return Err(complain("a `*` without a count", help));
+    }
+    match digits.parse() {
+        Ok(0) => Err(complain(
+            "a count of zero",
+            "write a count of 1 or more, or leave the piece out".into(),
+        )),
+        Ok(count) if count <= MOST_PIECES => Ok((count, end)),
+        _ => Err(complain(
+            "an absurd count",
+            format!("write a count up to {MOST_PIECES}"),
+        )),
+    }
+}
+
+/// The regular patterns that need no course strings.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Bond {
+    /// Every course is half a unit out of step with the one below.
+    Running,
+    /// Units stand directly above each other.
+    Stack,
+}
+
+/// Lays `courses` courses, each `units` wide, from the bottom. `half_first` is about running bond:
+/// whether the lowest course begins with a half unit.
+pub(super) fn lay_bond(bond: Bond, courses: usize, units: usize, half_first: bool) -> Vec<Course> {
+    let whole = vec![Piece::Unit; units];
+    let mut halved = vec![Piece::Unit; units + 1];
+    halved[0] = Piece::Half;
+    halved[units] = Piece::Half;
+    let half = |i: usize| bond == Bond::Running && i.is_multiple_of(2) == half_first;
+    (0..courses)
+        .map(|i| {
+            if half(i) {
+                halved.clone()
+            } else {
+                whole.clone()
+            }
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use Piece::{Gap, Half, Unit};
+
+    #[test]
+    fn pieces_counts_and_spaces() {
+        let written = Written::read("h 1*3g  1*1h").unwrap();
+        assert_eq!(written.pieces, [Half, Unit, Unit, Unit, Gap, Unit, Half]);
+        assert_eq!(written.places[2], 2..5);
+        assert_eq!(written.places[6], 11..12);
+    }
+
+    #[test]
+    fn mistakes_are_placed_in_the_string() {
+        let place = |text: &str| Written::read(text).unwrap_err().place;
+        assert_eq!(place("h1x1h"), 2..3);
+        assert_eq!(place("h1*0h"), 3..4);
+        assert_eq!(place("1*"), 1..2);
+        assert_eq!(place("*3"), 0..1);
+        assert_eq!(place("1 *3"), 2..3);
+        assert_eq!(place("1*99999999999999999999999"), 2..25);
+        assert_eq!(place("1*10000 1"), 8..9);
+        assert_eq!(place("1é"), 1..3);
+        assert_eq!(place("  "), 0..2);
+    }
+
+    #[test]
+    fn bonds_are_what_the_strings_say() {
+        let read = |text| Written::read(text).unwrap().pieces;
+        let running = lay_bond(Bond::Running, 3, 5, true);
+        assert_eq!(running, [read("h1111h"), read("11111"), read("h1111h")]);
+        let whole_first = lay_bond(Bond::Running, 2, 1, false);
+        assert_eq!(whole_first, [read("1"), read("hh")]);
+        assert_eq!(lay_bond(Bond::Stack, 2, 2, true), [read("11"), read("11")]);
+    }
+}

@@ -1,0 +1,267 @@
+//! What the TOML reader found wrong, in our words where we have better ones.
+//!
+//! Only the help lines depend on the wording of `toml` and serde: a message that is not recognised
+//! is passed on as it is, with its place.
+
+use std::ops::Range;
+
+use super::complaint::{Complaint, Document, listed, nearest};
+use super::file::CASE_KEYS;
+
+/// A complaint for an error of the TOML reader.
+pub(super) fn explain(document: &Document, error: &toml::de::Error) -> Complaint {
+    let message = error.message();
+    let span = error.span().unwrap_or(0..0);
+    if let Some(key) = message.strip_prefix("missing field ") {
+        missing_key(document, span, unquote(key))
+    } else if message.starts_with("unknown field ") {
+        unknown_key(document, span, message)
+    } else if message == "duplicate key" {
+        let title = format!("the key `{}` is written twice", document.at(span.clone()));
+        document
+            .complain(span, title, "the second time here")
+            .help("remove one of the two")
+    } else if let Some(types) = message.strip_prefix("invalid type: ") {
+        wrong_type(document, span, types)
+    } else {
+        syntax(document, span, message)
+    }
+}
+
+fn unquote(word: &str) -> &str {
+    word.trim_matches('`')
+}
+
+/// The span of line 1, for a complaint about the whole file.
+fn first_line(document: &Document) -> Range<usize> {
+    0..document.text.lines().next().map_or(0, str::len)
+}
+
+fn missing_key(document: &Document, span: Range<usize>, key: &str) -> Complaint {
+    let span = if span.is_empty() {
+        first_line(document)
+    } else {
+        span
+    };
+    let example = match key {
+        "unit" => "unit = { length = 4.0, height = 1.75, weight = 1.0 }",
+        "courses" => "courses = [\"h1111h\", \"11111\"]",
+        "friction" => "friction = 0.65",
+        "length" => "length = 4.0",
+        "height" => "height = 1.75",
+        "weight" => "weight = 1.0",
+        "method" => "method = \"associative\"",
+        "quantity" => "quantity = \"lambda\"",
+        "value" => "value = 0.6429",
+        "tolerance" => "tolerance = 0.00005",
+        "source" => "source = \"Table 1\"",
+        "kind" => "kind = \"published\"",
+        _ => key,
+    };
+    document
+        .complain(span, format!("missing key `{key}`"), "not in here")
+        .help(format!("add `{example}`"))
+}
+
+fn unknown_key(document: &Document, span: Range<usize>, message: &str) -> Complaint {
+    // unknown field `a`, expected one of `b`, `c`: every second piece is a word.
+    let words: Vec<&str> = message.split('`').skip(1).step_by(2).collect();
+    let (key, known) = words.split_first().unwrap_or((&"", &[]));
+    let help = if CASE_KEYS.contains(key) {
+        format!("move `{key}` up, above the first line that begins with `[`")
+    } else if let Some(near) = nearest(key, known.iter().copied()) {
+        format!("did you mean `{near}`?")
+    } else {
+        format!("the keys here are {}", listed(known.iter().copied()))
+    };
+    document
+        .complain(span, format!("unknown key `{key}`"), "no such key here")
+        .help(help)
+}
+
+/// `types` is `string "0.65", expected a number`.
+fn wrong_type(document: &Document, span: Range<usize>, types: &str) -> Complaint {
+    let (found, expected) = types.rsplit_once(", expected ").unwrap_or((types, ""));
+    let expected = match expected {
+        "a sequence" => "a list",
+        other => other,
+    };
+    // The value itself is underlined below the title, so its type is enough.
+    let found = match found.split(' ').next().unwrap_or_default() {
+        "map" => "a table",
+        "sequence" => "a list",
+        "integer" => "a whole number",
+        "floating" => "a number with decimals",
+        "boolean" => "true or false",
+        "string" => "a text in quotes",
+        _ => "something else",
+    };
+    let help = type_help(document.at(span.clone()), expected);
+    document
+        .complain(
+            span,
+            format!("expected {expected}, found {found}"),
+            format!("expected {expected}"),
+        )
+        .help(help)
+}
+
+/// What to write instead of `written` where `expected` is wanted.
+fn type_help(written: &str, expected: &str) -> String {
+    let bare = written.trim_matches(['"', '\'']);
+    match expected {
+        "a number" | "a whole number" => number_help(written, bare, expected == "a whole number"),
+        "a string" => format!("put it in quotes: `\"{bare}\"`"),
+        "courses" => {
+            "write `courses = [\"h1111h\", \"11111\"]`, or `courses = 6` with `bond`".into()
+        }
+        "a list" => "write `[[references]]`, with two brackets, above each reference".into(),
+        "a table of the unit's size" => {
+            "write `unit = { length = 4.0, height = 1.75, weight = 1.0 }`".into()
+        }
+        _ => format!("write {expected}"),
+    }
+}
+
+fn number_help(written: &str, bare: &str, whole: bool) -> String {
+    let point = bare.replace(',', ".");
+    match point.parse::<f64>() {
+        Ok(_) if bare.contains(',') => format!("write a decimal point and no quotes: `{point}`"),
+        Ok(value) if whole && (bare == written || value.fract() != 0.0) => {
+            format!(
+                "write a whole number, such as `{:.0}`",
+                value.clamp(1.0, 1e4)
+            )
+        }
+        Ok(_) => format!("write the number without quotes: `{bare}`"),
+        Err(_) if whole => "write a whole number, such as `3`".into(),
+        Err(_) => "write a number, such as `0.65`".into(),
+    }
+}
+
+fn syntax(document: &Document, span: Range<usize>, message: &str) -> Complaint {
+    if let Some(comma) = decimal_comma(&document.text, span.start) {
+        let point = document.at(comma.clone()).replace(',', ".");
+        return document
+            .complain(
+                comma,
+                "a number with a decimal comma",
+                "a comma parts values",
+            )
+            .help(format!("write a decimal point: `{point}`"));
+    }
+    let rest = document.at(span.start..document.text.len());
+    let written = rest.lines().next().unwrap_or_default().trim();
+    let word = document.at(span.clone()).trim();
+    let unquoted = message.starts_with("string values must be quoted");
+    if unquoted && (written.is_empty() || written.starts_with('#')) {
+        return document
+            .complain(span, "a key without a value", "nothing behind the `=`")
+            .help("write a value behind the `=`, such as `friction = 0.65`");
+    }
+    let help = if unquoted && !word.contains([' ', '"', '\'']) {
+        format!("put words in quotes: `\"{word}\"`")
+    } else {
+        let help = SYNTAX.iter().find(|(part, _)| message.contains(part));
+        help.map_or(ANY_SYNTAX, |(_, help)| help).into()
+    };
+    document
+        .complain(span, format!("not TOML: {message}"), "here")
+        .help(help)
+}
+
+/// What to write, by a part of the reader's message.
+const SYNTAX: [(&str, &str); 6] = [
+    (
+        "must be quoted",
+        "write one value a line, and words in quotes",
+    ),
+    (
+        "mantissa",
+        "write digits on both sides of the decimal point, as in `0.5`",
+    ),
+    (
+        "fraction",
+        "write digits on both sides of the decimal point, as in `0.5`",
+    ),
+    ("overflow", "write a number up to 1e12"),
+    (
+        "escape",
+        "write two backslashes for one, or put the text in 'single quotes'",
+    ),
+    (
+        "basic string",
+        "end the text with a quotation mark in the same line",
+    ),
+];
+
+const ANY_SYNTAX: &str =
+    "write one `key = value` a line: words in \"quotes\", lists in [ ], remarks behind #";
+
+/// A number with a decimal comma, `= 0,65`, in the line of byte `at` and not behind it.
+fn decimal_comma(text: &str, at: usize) -> Option<Range<usize>> {
+    let before = text.get(..at)?;
+    let start = before.rfind('\n').map_or(0, |newline| newline + 1);
+    let line = text[start..].lines().next()?;
+    let digit = |byte: Option<&u8>| byte.is_some_and(u8::is_ascii_digit);
+    let bytes = line.as_bytes();
+    let commas = line.match_indices(',').map(|(comma, _)| comma);
+    commas
+        .filter(|&comma| start + comma <= at && comma > 0)
+        .filter(|&comma| digit(bytes.get(comma - 1)) && digit(bytes.get(comma + 1)))
+        .filter_map(|comma| {
+            let number = |c: char| c.is_ascii_digit() || "+-._".contains(c);
+            let head = line[..comma].trim_end_matches(number);
+            let tail = line[comma + 1..].trim_start_matches(|c: char| c.is_ascii_digit());
+            head.trim_end()
+                .ends_with('=')
+                .then(|| start + head.len()..start + line.len() - tail.len())
+        })
+        .next_back()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::case::file::parse;
+
+    fn shown(text: &str) -> String {
+        let document = Document {
+            path: "a.toml".into(),
+            text: text.into(),
+        };
+        parse(&document).unwrap_err().to_string()
+    }
+
+    #[test]
+    fn decimal_commas_are_found_in_tables_too() {
+        let text = "unit = { length = 4,0, height = 1.75 }";
+        assert!(shown(text).contains("write a decimal point: `4.0`"));
+        let text = "unit = { length = 4.0, height = 1,75 }";
+        assert!(shown(text).contains("write a decimal point: `1.75`"));
+        assert!(shown("friction = 0,65").contains("`0.65`"));
+        assert!(shown("friction = \"0,65\"").contains("no quotes: `0.65`"));
+        assert!(!shown("courses = [1,2\nunit = {}").contains("decimal"));
+    }
+
+    #[test]
+    fn common_slips_get_help() {
+        for (text, help) in [
+            ("push = right", "put words in quotes: `\"right\"`"),
+            ("friction =", "write a value behind the `=`"),
+            ("friction = .5", "both sides of the decimal point"),
+            ("friction = 1e999", "up to 1e12"),
+            ("repeat = 3.0", "such as `3`"),
+            ("[references]\nmethod = 'a'", "write `[[references]]`"),
+            ("unit = 4", "write `unit = {"),
+            ("title = 4", "put it in quotes: `\"4\"`"),
+            ("[[references]]\npush = 'left'", "move `push` up"),
+            ("[unit]\nlenght = 1", "did you mean `length`?"),
+            ("[unit]\nlength = 1", "add `height = 1.75`"),
+            ("", "add `unit = {"),
+        ] {
+            let shown = shown(text);
+            assert!(shown.contains(help), "{text:?} gives\n{shown}");
+        }
+    }
+}

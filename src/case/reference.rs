@@ -1,0 +1,102 @@
+//! Values that results are compared with.
+
+use crate::scene::HeadJoints;
+
+/// A value that a result is compared with.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reference {
+    /// Name of the method, one of [`METHOD_NAMES`].
+    pub method: String,
+    /// The setting it holds for; `None` stands for every setting of the case.
+    pub head_joints: Option<HeadJoints>,
+    /// Which number of the result.
+    pub quantity: Quantity,
+    /// The number; not negative.
+    pub value: f64,
+    /// Absolute; positive.
+    pub tolerance: f64,
+    /// Where the value was printed, or which code computed it.
+    pub source: String,
+    /// What kind of source that is.
+    pub kind: Kind,
+    /// Free text; may be empty.
+    pub note: String,
+    /// Set on a known deviation: the reason why the value is expected *not* to be met.
+    pub deviation: Option<String>,
+}
+
+/// The methods that a reference can name, the planned ones included.
+pub const METHOD_NAMES: [&str; 6] = [
+    "macro-block",
+    "associative",
+    "sequential",
+    "interval",
+    "pushover",
+    "auto",
+];
+
+/// A number of a result.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Quantity {
+    /// The collapse multiplier: both ends of the bracket.
+    Lambda,
+    /// The lower end of the bracket.
+    Lower,
+    /// The upper end of the bracket.
+    Upper,
+    /// Slope of the crack.
+    TanBeta,
+    /// Width that moves as one rigid body along the top, in the case's unit of length.
+    C,
+    /// Width that moves at all along the top.
+    E,
+}
+
+impl Quantity {
+    /// Every quantity.
+    pub const ALL: [Quantity; 6] = [
+        Quantity::Lambda,
+        Quantity::Lower,
+        Quantity::Upper,
+        Quantity::TanBeta,
+        Quantity::C,
+        Quantity::E,
+    ];
+
+    /// The word in case files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Quantity::Lambda => "lambda",
+            Quantity::Lower => "lower",
+            Quantity::Upper => "upper",
+            Quantity::TanBeta => "tan_beta",
+            Quantity::C => "c",
+            Quantity::E => "e",
+        }
+    }
+}
+
+/// What stands behind a reference; ordered as tables prefer them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Kind {
+    /// Printed in the literature.
+    Published,
+    /// An exact answer.
+    Analytic,
+    /// Computed by another code.
+    Independent,
+}
+
+impl Kind {
+    /// Every kind.
+    pub const ALL: [Kind; 3] = [Kind::Published, Kind::Analytic, Kind::Independent];
+
+    /// The word in case files.
+    pub fn name(self) -> &'static str {
+        match self {
+            Kind::Published => "published",
+            Kind::Analytic => "analytic",
+            Kind::Independent => "independent",
+        }
+    }
+}
