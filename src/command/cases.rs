@@ -1,0 +1,99 @@
+//! `trilith list`, `trilith show`, `trilith new`.
+
+use std::fmt::Write;
+use std::path::Path;
+
+use trilith::case::{self, Case};
+use trilith::method::METHODS;
+use trilith::report::write_whole;
+
+use super::{Stop, print};
+
+pub(super) fn list() -> Result<u8, Stop> {
+    let mut text = String::from("cases built in:\n");
+    for (path, file) in case::embedded() {
+        let case = Case::read(path, file.as_bytes());
+        let case = case.map_err(|complaint| Stop::bad_input(complaint.to_string()))?;
+        let _ = writeln!(text, "  {:<16} {:<32} {}", case.name, path, case.title);
+    }
+    text.push_str("\nmethods:\n");
+    for method in METHODS {
+        let _ = writeln!(text, "  {}", method.name());
+    }
+    print(&text)?;
+    Ok(0)
+}
+
+pub(super) fn show(argument: &str) -> Result<u8, Stop> {
+    let cases = case::find(argument).map_err(|complaint| Stop::bad_input(complaint.to_string()))?;
+    for case in &cases {
+        print(&description(case))?;
+    }
+    Ok(0)
+}
+
+fn description(case: &Case) -> String {
+    let mut text = format!("{}: {}\nsource: {}\n", case.name, case.title, case.source);
+    let wall = &case.wall;
+    let _ = writeln!(
+        text,
+        "{} courses of units {} x {} x {}, weight {} each; friction {}, overburden ratio {}",
+        wall.courses.len(),
+        wall.unit_length,
+        wall.unit_height,
+        wall.thickness,
+        wall.unit_weight,
+        wall.friction,
+        wall.overburden
+    );
+    for head_joints in &case.head_joints {
+        let scene = case.scene(*head_joints);
+        let _ = writeln!(
+            text,
+            "{}",
+            trilith::record::fingerprint(*head_joints, &scene)
+        );
+    }
+    for r in &case.references {
+        let joints = r.head_joints.map_or("both", |h| h.name());
+        let _ = writeln!(
+            text,
+            "{} {} {}: {} +- {} ({}, {})",
+            r.method,
+            joints,
+            r.quantity.name(),
+            r.value,
+            r.tolerance,
+            r.kind.name(),
+            r.source
+        );
+    }
+    text
+}
+
+pub(super) fn new(name: &str) -> Result<u8, Stop> {
+    let file = if name.ends_with(".toml") {
+        name.to_owned()
+    } else {
+        format!("{name}.toml")
+    };
+    let path = Path::new(&file);
+    let stem = path.file_stem().map(|s| s.to_string_lossy().into_owned());
+    let Some(stem) = stem.filter(|s| !s.is_empty()) else {
+        return Err(Stop::bad_input(format!(
+            "error: `{name}` is no name for a case"
+        )));
+    };
+    if path.exists() {
+        let text =
+            format!("error: {file} is there already\nhelp: choose another name, or remove it");
+        return Err(Stop::bad_input(text));
+    }
+    let text = case::template(&stem);
+    // A name that `run` would refuse is refused here.
+    Case::read(&file, text.as_bytes()).map_err(|e| Stop::bad_input(e.to_string()))?;
+    write_whole(path, &text)
+        .map_err(|e| Stop::bad_input(format!("error: cannot write {file}: {e}")))?;
+    print(&format!("wrote {file}; next: trilith run {file}\n"))?;
+    Ok(0)
+}

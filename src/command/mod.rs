@@ -1,0 +1,135 @@
+//! Commands: arguments in, text and an exit status out.
+
+mod cases;
+mod run;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use trilith::method::METHODS;
+use trilith::scene::HeadJoints;
+
+/// Validation and regression harness for the limit analysis of dry-joint masonry walls.
+#[derive(Parser)]
+#[command(version, arg_required_else_help = true)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Run the methods on cases and print published beside computed.
+    Run(RunArguments),
+    /// List the cases that are built in, and the methods.
+    List,
+    /// Print a case as it is read: its file, blocks and joints.
+    Show {
+        /// A case file, or the name of a built-in case.
+        case: String,
+    },
+    /// Write a commented template NAME.toml for a wall of your own.
+    New {
+        /// Name of the case, or a path that ends in .toml.
+        name: String,
+    },
+}
+
+#[derive(Args)]
+struct RunArguments {
+    /// Case files, folders of them, or names of built-in cases; none: the paper's three walls.
+    #[arg(value_name = "CASE")]
+    cases: Vec<String>,
+    /// Only this method (may be given several times).
+    #[arg(long, value_name = "NAME", value_parser = method_names(), num_args = 1..)]
+    method: Vec<String>,
+    /// Head joints instead of what the case says.
+    #[arg(long)]
+    head_joints: Option<HeadJointsArgument>,
+    /// Also write results.csv, results.json and one record a case into this folder.
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// How results are printed.
+    #[arg(long, default_value = "table")]
+    format: Format,
+    /// Compare records with the .snap files in this folder; write .snap.new and exit 1 on change.
+    #[arg(long, value_name = "DIR")]
+    record: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Format {
+    Table,
+    Csv,
+    Json,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum HeadJointsArgument {
+    Contact,
+    Open,
+}
+
+impl From<HeadJointsArgument> for HeadJoints {
+    fn from(argument: HeadJointsArgument) -> Self {
+        match argument {
+            HeadJointsArgument::Contact => HeadJoints::Contact,
+            HeadJointsArgument::Open => HeadJoints::Open,
+        }
+    }
+}
+
+fn method_names() -> clap::builder::PossibleValuesParser {
+    METHODS.map(|method| method.name()).into()
+}
+
+/// Exit status of a result that failed, a published value violated, a record that changed.
+const REFUTED: u8 = 1;
+
+/// Exit status of bad input and usage, which is also clap's.
+const BAD_INPUT: u8 = 2;
+
+/// Why a command stops, printed to standard error by [`main`].
+struct Stop {
+    text: String,
+    status: u8,
+}
+
+impl Stop {
+    fn bad_input(text: impl Into<String>) -> Self {
+        Self {
+            text: text.into(),
+            status: BAD_INPUT,
+        }
+    }
+}
+
+/// Parses the arguments, runs the command, and turns its end into an exit status.
+pub fn main() -> ExitCode {
+    let done = match Arguments::parse().command {
+        Command::Run(arguments) => run::run(&arguments),
+        Command::List => cases::list(),
+        Command::Show { case } => cases::show(&case),
+        Command::New { name } => cases::new(&name),
+    };
+    match done {
+        Ok(status) => ExitCode::from(status),
+        Err(stop) => {
+            eprintln!("{}", stop.text.trim_end());
+            ExitCode::from(stop.status)
+        }
+    }
+}
+
+/// Prints to standard output; a closed pipe ends the program quietly, as `head` expects.
+fn print(text: &str) -> Result<(), Stop> {
+    use std::io::Write;
+    let mut out = std::io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(e) if e.kind() != std::io::ErrorKind::BrokenPipe => {
+            Err(Stop::bad_input(format!("error: cannot write results: {e}")))
+        }
+        _ => Ok(()),
+    }
+}

@@ -1,0 +1,140 @@
+//! `trilith run`.
+
+use std::path::Path;
+use std::time::Duration;
+
+use indicatif::{ProgressBar, ProgressStyle};
+use trilith::case::{self, Case};
+use trilith::judge::Verdict;
+use trilith::method::{METHODS, Method, Status};
+use trilith::record::record;
+use trilith::report::{self, Comparison};
+use trilith::run::{CaseResult, Plan};
+
+use super::{Format, REFUTED, RunArguments, Stop, print};
+
+pub(super) fn run(arguments: &RunArguments) -> Result<u8, Stop> {
+    let cases = read(&arguments.cases)?;
+    let plan = Plan {
+        methods: methods(&arguments.method),
+        head_joints: arguments.head_joints.map(Into::into),
+    };
+    let bar = progress_bar(plan.runs(&cases) as u64);
+    let results = trilith::run::run(&cases, &plan, |case, method| {
+        bar.set_message(format!("{case} {method}"));
+        bar.inc(1);
+    });
+    bar.finish_and_clear();
+    let text = match arguments.format {
+        Format::Table => report::table(&results),
+        Format::Csv => csv(&results)?,
+        Format::Json => json(&results)?,
+    };
+    if let Some(folder) = &arguments.out {
+        write(folder, &results)?;
+    }
+    print(&text)?;
+    let changed = match &arguments.record {
+        Some(folder) => compare(folder, &results)?,
+        None => false,
+    };
+    Ok(if changed || refuted(&results) {
+        REFUTED
+    } else {
+        0
+    })
+}
+
+fn read(arguments: &[String]) -> Result<Vec<Case>, Stop> {
+    case::collect(arguments).map_err(|complaints| {
+        let texts: Vec<String> = complaints.iter().map(ToString::to_string).collect();
+        Stop::bad_input(texts.join("\n\n"))
+    })
+}
+
+fn methods(names: &[String]) -> Vec<&'static dyn Method> {
+    if names.is_empty() {
+        return METHODS.to_vec();
+    }
+    // In the list's own order, each once.
+    let wanted = |m: &&'static dyn Method| names.iter().any(|name| name == m.name());
+    METHODS.into_iter().filter(|m| wanted(m)).collect()
+}
+
+/// Progress on standard error, only where that is a terminal.
+fn progress_bar(runs: u64) -> ProgressBar {
+    let bar = ProgressBar::new(runs);
+    let style = ProgressStyle::with_template("{bar:30} {pos}/{len} {elapsed} (left: {eta}) {msg}");
+    bar.set_style(style.expect("the template is valid"));
+    bar.enable_steady_tick(Duration::from_millis(200));
+    bar
+}
+
+fn csv(results: &[CaseResult]) -> Result<String, Stop> {
+    report::csv(results).map_err(|e| Stop::bad_input(format!("error: cannot write CSV: {e}")))
+}
+
+fn json(results: &[CaseResult]) -> Result<String, Stop> {
+    report::json(results).map_err(|e| Stop::bad_input(format!("error: cannot write JSON: {e}")))
+}
+
+fn write(folder: &Path, results: &[CaseResult]) -> Result<(), Stop> {
+    let mut files = vec![
+        ("results.csv".to_owned(), csv(results)?),
+        ("results.json".to_owned(), json(results)?),
+    ];
+    files.extend(
+        results
+            .iter()
+            .map(|r| (format!("{}.txt", r.case.name), record(r))),
+    );
+    for (name, text) in files {
+        let path = folder.join(name);
+        report::write_whole(&path, &text)
+            .map_err(|e| Stop::bad_input(format!("error: cannot write {}: {e}", path.display())))?;
+    }
+    Ok(())
+}
+
+/// Whether any record differs from the accepted one.
+fn compare(folder: &Path, results: &[CaseResult]) -> Result<bool, Stop> {
+    let mut changed = false;
+    for result in results {
+        let compared = report::compare(folder, &result.case.name, &record(result));
+        match compared.map_err(|e| Stop::bad_input(format!("error: {e}")))? {
+            Comparison::Same => {}
+            Comparison::Changed(path) => {
+                eprintln!(
+                    "changed: {} (see it with `cargo insta review`)",
+                    path.display()
+                );
+                changed = true;
+            }
+        }
+    }
+    Ok(changed)
+}
+
+fn refuted(results: &[CaseResult]) -> bool {
+    let failed = |r: &CaseResult| {
+        r.rows
+            .iter()
+            .any(|row| row.outcome.status == Status::Failed)
+    };
+    let violated = |r: &CaseResult| r.checks.iter().any(|c| c.verdict == Verdict::Violated);
+    results
+        .iter()
+        .any(|result| failed(result) || violated(result))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn methods_keep_their_order_and_come_once() {
+        let names = ["sequential", "macro-block", "sequential"].map(str::to_owned);
+        let found: Vec<&str> = methods(&names).iter().map(|m| m.name()).collect();
+        assert_eq!(found, ["macro-block", "sequential"]);
+    }
+}

@@ -1,0 +1,90 @@
+//! The record: the one text form of a case's results, for the terminal and for `snapshots/`.
+//!
+//! It holds no time and no iteration counts, and no digit that is not vouched for, so that it reads
+//! the same on every machine.
+
+mod number;
+mod table;
+
+pub use number::{nine_digits, number, short};
+pub use table::{HEADING, LEGEND, lines};
+
+use crate::judge::{Check, Verdict};
+use crate::run::CaseResult;
+use crate::scene::{HeadJoints, JointClass, Scene};
+
+/// The whole record of a case: geometry, one line a method, one line a check.
+pub fn record(result: &CaseResult) -> String {
+    let mut text = title(result);
+    for (head_joints, scene) in &result.scenes {
+        text.push_str(&fingerprint(*head_joints, scene));
+        text.push('\n');
+    }
+    text.push('\n');
+    text.push_str(HEADING);
+    text.push('\n');
+    for line in lines(result) {
+        text.push_str(&line);
+        text.push('\n');
+    }
+    text.push_str("\nchecks\n");
+    for check in &result.checks {
+        text.push_str(&check_line(check));
+        text.push('\n');
+    }
+    text
+}
+
+/// Name and title.
+pub fn title(result: &CaseResult) -> String {
+    format!("{}: {}\n", result.case.name, result.case.title)
+}
+
+/// Counts and sums that change with the geometry.
+pub fn fingerprint(head_joints: HeadJoints, scene: &Scene) -> String {
+    let (low, high) = scene.bounds();
+    let classes = [JointClass::Base, JointClass::Bed, JointClass::Head];
+    let parts = classes.map(|class| {
+        let of_class = scene.joints.iter().filter(|joint| joint.class == class);
+        let (count, length) = of_class.fold((0, 0.0), |(n, sum), j| (n + 1, sum + j.length()));
+        format!("{count} {} {}", class.name(), short(length, 3))
+    });
+    format!(
+        "{:<8} {} blocks, {} joints ({}), {} x {}, weight {}",
+        head_joints.name(),
+        scene.blocks.len(),
+        scene.joints.len(),
+        parts.join(", "),
+        short(high.x - low.x, 3),
+        short(high.y - low.y, 3),
+        short(scene.total_weight(), 3),
+    )
+}
+
+/// One check as a line.
+pub fn check_line(check: &Check) -> String {
+    format!(
+        "  {:<12} {:<8} {}",
+        check.verdict.name(),
+        check.head_joints.name(),
+        check.text
+    )
+}
+
+/// How many checks ended how, in words: what the terminal says where nothing is wrong.
+pub fn tally(checks: &[Check]) -> String {
+    let count = |verdict| checks.iter().filter(|c| c.verdict == verdict).count();
+    let mut text = format!("{} of {} checks hold", count(Verdict::Holds), checks.len());
+    for verdict in [
+        Verdict::Marked,
+        Verdict::Deviates,
+        Verdict::NotDecided,
+        Verdict::Violated,
+    ] {
+        let number = count(verdict);
+        if number > 0 {
+            text.push_str(&format!(", {number} {}", verdict.name()));
+        }
+    }
+    text
+}

@@ -1,0 +1,9 @@
+//! Results for people and for machines: table, CSV, JSON, files.
+
+mod files;
+mod rows;
+mod snapshot;
+
+pub use files::write_whole;
+pub use rows::{csv, json, table};
+pub use snapshot::{Comparison, compare};

@@ -1,0 +1,67 @@
+//! Records of a user's own walls as insta snapshots, so that `cargo insta review` works on them.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+use insta::Snapshot;
+
+use super::write_whole;
+
+/// How a record compares with the accepted one.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Comparison {
+    /// Equal to the accepted snapshot.
+    Same,
+    /// Different from the accepted snapshot, or the first; the new one stands in this file.
+    Changed(PathBuf),
+}
+
+/// Compares `record` with `NAME.snap` in a folder. Where they differ, or there is none yet, writes
+/// `NAME.snap.new` for `cargo insta review`; where they agree, removes a stale one.
+///
+/// # Errors
+/// Errors of the file system, and a snapshot file that cannot be read as one.
+pub fn compare(folder: &Path, name: &str, record: &str) -> io::Result<Comparison> {
+    let accepted = folder.join(format!("{name}.snap"));
+    let pending = folder.join(format!("{name}.snap.new"));
+    if accepted.exists() {
+        let snapshot = Snapshot::from_file(&accepted).map_err(|e| {
+            let text = format!("{} is not a snapshot: {e}", accepted.display());
+            io::Error::new(io::ErrorKind::InvalidData, text)
+        })?;
+        let contents = snapshot.contents().as_text();
+        if contents.is_some_and(|text| text.to_string().trim_end() == record.trim_end()) {
+            if pending.exists() {
+                std::fs::remove_file(&pending)?;
+            }
+            return Ok(Comparison::Same);
+        }
+    }
+    let source = serde_json::Value::from(format!("trilith run --record: {name}"));
+    write_whole(&pending, &format!("---\nsource: {source}\n---\n{record}"))?;
+    Ok(Comparison::Changed(pending))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_record_is_new_then_same_then_changed() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path();
+        let pending = path.join("wall.snap.new");
+        let text = "wall: mine\n\n  a line\n";
+        assert_eq!(
+            compare(path, "wall", text).unwrap(),
+            Comparison::Changed(pending.clone())
+        );
+        // What `cargo insta accept` does.
+        std::fs::rename(&pending, path.join("wall.snap")).unwrap();
+        assert_eq!(compare(path, "wall", text).unwrap(), Comparison::Same);
+        let changed = compare(path, "wall", "wall: mine\n\n  another line\n").unwrap();
+        assert_eq!(changed, Comparison::Changed(pending.clone()));
+        assert_eq!(compare(path, "wall", text).unwrap(), Comparison::Same);
+        assert!(!pending.exists());
+    }
+}
