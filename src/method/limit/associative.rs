@@ -1,8 +1,7 @@
 //! Limit analysis with associative friction: the largest multiplier that equilibrium and Coulomb's
 //! law admit. It bounds every non-associative collapse multiplier from above (Radenkovic 1961).
 
-use super::admissible::admissible;
-use super::program::{Ending, Program, Solution};
+use super::program::{Ending, Margins, Program, Solution};
 use crate::judge;
 use crate::mechanism::{VELOCITY_THRESHOLDS, crack_slope};
 use crate::method::{Bracket, Method, Outcome, Status, Work};
@@ -22,12 +21,25 @@ impl Method for Associative {
 
     fn solve(&self, scene: &Scene) -> Outcome {
         let mut program = Program::new(scene);
-        match program.solve() {
+        program.set_margins(EXACT);
+        let mut ending = program.solve();
+        if !matches!(ending, Ending::Solved(_)) {
+            // A scene that can lock, or one without slack anywhere, may still have an optimum.
+            program = Program::new(scene);
+            ending = program.solve();
+        }
+        match ending {
             Ending::Solved(solution) => bracket(scene, &program, &solution),
             ending => without_optimum(&ending),
         }
     }
 }
+
+/// Ten times what Clarabel leaves at the program's tolerance.
+const EXACT: Margins = Margins {
+    force: 1e-11,
+    opening: 1e-10,
+};
 
 /// The outcome of a program without an optimum, for any method that starts with this one.
 pub fn without_optimum(ending: &Ending) -> Outcome {
@@ -56,16 +68,7 @@ fn bracket(scene: &Scene, program: &Program, solution: &Solution) -> Outcome {
         ..Work::default()
     };
     let forces = scale.forces(&solution.forces);
-    let raw = scale.mechanism(&solution.velocity);
-    let Some(mechanism) = admissible(scene, &raw) else {
-        return Outcome {
-            work,
-            ..Outcome::without_number(
-                Status::Undecided,
-                "the mechanism could not be made admissible, so the multiplier has no upper bound",
-            )
-        };
-    };
+    let mechanism = scale.mechanism(&solution.velocity);
     let bracket = Bracket {
         lower: solution.lambda,
         upper: judge::kinematic_multiplier(scene, &mechanism),

@@ -1,10 +1,9 @@
 //! Limit analysis of the rigid blocks by linear programming.
 
-mod admissible;
 mod associative;
 mod program;
 mod sequential;
 
 pub use associative::Associative;
-pub use program::{Ending, Friction, Program, Scale, Solution};
+pub use program::{Ending, Friction, Margins, Program, Scale, Solution};
 pub use sequential::{Sequential, SequentialSettings, sequential};
