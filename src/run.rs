@@ -5,7 +5,7 @@ use rayon::prelude::*;
 
 use crate::case::Case;
 use crate::judge::{Check, cross_check, judge, open_never_raises, reference_checks};
-use crate::method::{Bracket, Method, Outcome};
+use crate::method::{Bracket, Method, Outcome, Settings};
 use crate::scene::{HeadJoints, Scene};
 
 /// The judged answer of one method for one scene of a case.
@@ -41,6 +41,8 @@ pub struct CaseResult {
 pub struct Plan {
     /// The methods, in the order of the rows.
     pub methods: Vec<&'static dyn Method>,
+    /// Settings of the methods.
+    pub settings: Settings,
     /// Head joints instead of the case's own.
     pub head_joints: Option<HeadJoints>,
 }
@@ -48,11 +50,11 @@ pub struct Plan {
 impl Plan {
     /// Number of method runs for these cases.
     pub fn runs(&self, cases: &[Case]) -> usize {
-        let scenes: usize = cases.iter().map(|case| self.settings(case).len()).sum();
+        let scenes: usize = cases.iter().map(|case| self.scenes(case).len()).sum();
         scenes * self.methods.len()
     }
 
-    fn settings(&self, case: &Case) -> Vec<HeadJoints> {
+    fn scenes(&self, case: &Case) -> Vec<HeadJoints> {
         self.head_joints
             .map_or_else(|| case.head_joints.clone(), |only| vec![only])
     }
@@ -64,7 +66,7 @@ pub fn run(cases: &[Case], plan: &Plan, finished: impl Fn(&str, &str) + Sync) ->
     let scenes: Vec<Vec<(HeadJoints, Scene)>> = cases
         .iter()
         .map(|case| {
-            let settings = plan.settings(case).into_iter();
+            let settings = plan.scenes(case).into_iter();
             settings.map(|head| (head, case.scene(head))).collect()
         })
         .collect();
@@ -81,7 +83,7 @@ pub fn run(cases: &[Case], plan: &Plan, finished: impl Fn(&str, &str) + Sync) ->
     let rows: Vec<(usize, Row)> = jobs
         .into_par_iter()
         .map(|(index, method, head_joints, scene)| {
-            let row = run_one(method, head_joints, scene);
+            let row = run_one(method, &plan.settings, head_joints, scene);
             finished(&cases[index].name, method.name());
             (index, row)
         })
@@ -101,9 +103,14 @@ pub fn run(cases: &[Case], plan: &Plan, finished: impl Fn(&str, &str) + Sync) ->
         .collect()
 }
 
-fn run_one(method: &'static dyn Method, head_joints: HeadJoints, scene: &Scene) -> Row {
+fn run_one(
+    method: &'static dyn Method,
+    settings: &Settings,
+    head_joints: HeadJoints,
+    scene: &Scene,
+) -> Row {
     let clock = ThreadTime::now();
-    let mut outcome = method.solve(scene);
+    let mut outcome = method.solve(scene, settings);
     let seconds = clock.elapsed().as_secs_f64();
     let residual = judge(scene, method.name(), &mut outcome);
     Row {

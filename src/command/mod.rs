@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use trilith::method::METHODS;
+use trilith::method::{METHODS, Settings};
 use trilith::scene::HeadJoints;
 
 /// Validation and regression harness for the limit analysis of dry-joint masonry walls.
@@ -47,6 +47,10 @@ struct RunArguments {
     /// Head joints instead of what the case says.
     #[arg(long)]
     head_joints: Option<HeadJointsArgument>,
+    /// Starts of the interval's search; more may find lower states.
+    #[arg(long, value_name = "N", default_value_t = Settings::default().starts as u64,
+          value_parser = clap::value_parser!(u64).range(1..=10_000))]
+    starts: u64,
     /// Also write results.csv, results.json and one record a case into this folder.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,

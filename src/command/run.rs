@@ -6,7 +6,7 @@ use std::time::Duration;
 use indicatif::{ProgressBar, ProgressStyle};
 use trilith::case::{self, Case};
 use trilith::judge::Verdict;
-use trilith::method::{METHODS, Method, Status};
+use trilith::method::{METHODS, Method, Settings, Status};
 use trilith::record::record;
 use trilith::report::{self, Comparison};
 use trilith::run::{CaseResult, Plan};
@@ -17,6 +17,9 @@ pub(super) fn run(arguments: &RunArguments) -> Result<u8, Stop> {
     let cases = read(&arguments.cases)?;
     let plan = Plan {
         methods: methods(&arguments.method),
+        settings: Settings {
+            starts: arguments.starts as usize,
+        },
         head_joints: arguments.head_joints.map(Into::into),
     };
     let bar = progress_bar(plan.runs(&cases) as u64);

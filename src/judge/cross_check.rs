@@ -20,6 +20,15 @@ pub enum Verdict {
 }
 
 impl Verdict {
+    /// A check without shades.
+    fn of(holds: bool) -> Self {
+        if holds {
+            Verdict::Holds
+        } else {
+            Verdict::Violated
+        }
+    }
+
     /// The word in records.
     pub fn name(self) -> &'static str {
         match self {
@@ -61,6 +70,7 @@ fn bracket_of(answers: &Answers, method: &str) -> Option<Bracket> {
 pub fn cross_check(head_joints: HeadJoints, answers: &Answers) -> Vec<Check> {
     let associative = bracket_of(answers, "associative");
     let sequential = bracket_of(answers, "sequential");
+    let interval = bracket_of(answers, "interval");
     let check = |text: String, verdict| Check {
         head_joints,
         text,
@@ -68,20 +78,26 @@ pub fn cross_check(head_joints: HeadJoints, answers: &Answers) -> Vec<Check> {
     };
     let mut checks = Vec::new();
     if let (Some(a), Some(s)) = (associative, sequential) {
-        let excess = (s.upper - a.upper) / a.upper.max(1e-3);
-        let (text, verdict) = if excess <= 1e-6 {
-            (
-                "sequential is not above associative".to_owned(),
-                Verdict::Holds,
-            )
-        } else if excess <= COHESION_BIAS {
-            let text = "sequential is above associative by no more than 0.01 %: bias of c0";
-            (text.to_owned(), Verdict::Marked)
-        } else {
-            let text = format!("sequential is {:.3} % above associative", 100.0 * excess);
-            (text, Verdict::Violated)
-        };
+        let (text, verdict) = sequential_below_associative(a, s);
         checks.push(check(text, verdict));
+    }
+    if let (Some(a), Some(i)) = (associative, interval) {
+        let holds = i.upper <= a.upper + 1e-6 * a.upper.max(1e-3);
+        let text = "interval is not above associative".to_owned();
+        checks.push(check(text, Verdict::of(holds)));
+    }
+    if let (Some(s), Some(i)) = (sequential, interval) {
+        let slack = COHESION_BIAS * i.upper.max(1e-3);
+        let inside = s.lower >= i.lower - slack && s.upper <= i.upper + slack;
+        // Outside lies no contradiction: the interval is what was found.
+        let (word, verdict) = match inside {
+            true => ("lies in", Verdict::Holds),
+            false => ("lies outside", Verdict::Marked),
+        };
+        checks.push(check(
+            format!("sequential {word} the verified interval found"),
+            verdict,
+        ));
     }
     if let Some(range) = bracket_of(answers, "macro-block") {
         let width = 100.0 * (range.upper - range.lower) / range.upper;
@@ -108,6 +124,23 @@ pub fn cross_check(head_joints: HeadJoints, answers: &Answers) -> Vec<Check> {
     }
     checks.extend(pushover_check(answers).map(|(text, verdict)| check(text, verdict)));
     checks
+}
+
+/// λ_sequential ≤ λ_A (1 + 1e-4), what is above λ_A marked as the bias of c0.
+fn sequential_below_associative(associative: Bracket, sequential: Bracket) -> (String, Verdict) {
+    let excess = (sequential.upper - associative.upper) / associative.upper.max(1e-3);
+    if excess <= 1e-6 {
+        (
+            "sequential is not above associative".to_owned(),
+            Verdict::Holds,
+        )
+    } else if excess <= COHESION_BIAS {
+        let text = "sequential is above associative by no more than 0.01 %: bias of c0";
+        (text.to_owned(), Verdict::Marked)
+    } else {
+        let text = format!("sequential is {:.3} % above associative", 100.0 * excess);
+        (text, Verdict::Violated)
+    }
 }
 
 /// The open pushover's bracket meets [lowest known, λ_A], widened by its stated error.

@@ -5,7 +5,7 @@ mod cross_check;
 mod residual;
 
 pub use cross_check::{Check, Verdict, computed, cross_check, open_never_raises, reference_checks};
-pub use residual::{CollapseResidual, StaticResidual, kinematic_multiplier};
+pub use residual::{CollapseResidual, StaticResidual, dead_power, kinematic_multiplier};
 
 use crate::method::{Outcome, Status};
 use crate::scene::Scene;
@@ -46,6 +46,9 @@ pub fn judge(scene: &Scene, method: &str, outcome: &mut Outcome) -> Option<f64> 
         }
         return Some(residual);
     }
+    if !outcome.states.is_empty() {
+        return Some(judge_states(scene, outcome));
+    }
     let collapse = CollapseResidual::of(scene, forces, mechanism);
     let residual = statics.largest().max(collapse.largest());
     if residual <= VERIFIED_RESIDUAL {
@@ -63,6 +66,29 @@ pub fn judge(scene: &Scene, method: &str, outcome: &mut Outcome) -> Option<f64> 
         );
     }
     Some(residual)
+}
+
+/// The largest residual of the states that an interval rests on; refutes it where one fails or
+/// where the ends of the bracket are not among them.
+fn judge_states(scene: &Scene, outcome: &mut Outcome) -> f64 {
+    let mut largest: f64 = 0.0;
+    let mut lambdas = Vec::new();
+    for state in &outcome.states {
+        let statics = StaticResidual::of(scene, &state.forces, state.lambda);
+        let collapse = CollapseResidual::of(scene, &state.forces, &state.mechanism);
+        largest = largest.max(statics.largest()).max(collapse.largest());
+        lambdas.push(state.lambda);
+    }
+    let proved = outcome
+        .bracket
+        .is_some_and(|b| lambdas.contains(&b.lower) && lambdas.contains(&b.upper));
+    if !(proved && largest <= VERIFIED_RESIDUAL) {
+        refute(
+            outcome,
+            format!("refuted by the judge: residual {largest:.1e}"),
+        );
+    }
+    largest
 }
 
 fn worst(statics: &StaticResidual, collapse: &CollapseResidual) -> &'static str {

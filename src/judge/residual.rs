@@ -106,6 +106,11 @@ pub fn kinematic_multiplier(scene: &Scene, mechanism: &Mechanism) -> f64 {
     if live > 0.0 { -dead / live } else { f64::NAN }
 }
 
+/// Power of the dead load on a mechanism.
+pub fn dead_power(scene: &Scene, mechanism: &Mechanism) -> f64 {
+    powers(scene, mechanism).1
+}
+
 /// Factor on rates that makes the live power equal the total weight; NaN, so that every residual
 /// fails, where the live load does no positive work.
 fn rate_unit(scene: &Scene, mechanism: &Mechanism) -> f64 {
@@ -146,6 +151,9 @@ pub struct CollapseResidual {
     pub open_contact: f64,
     /// Largest μN|slip| − (power that the joint's shear takes out).
     pub idle_friction: f64,
+    /// Sum of the last two over all joints: the complementarity gap, in units of λ. Many joints
+    /// that each violate little do not pass.
+    pub gap: f64,
 }
 
 impl CollapseResidual {
@@ -161,11 +169,13 @@ impl CollapseResidual {
                 let normal = force.normal[corner] / weight;
                 out.penetration = larger(out.penetration, -opening);
                 out.open_contact = larger(out.open_contact, (normal * opening).abs());
+                out.gap += (normal * opening).abs();
             }
             let capacity = joint.friction * (force.normal[0] + force.normal[1]) / weight;
             let slip = rate.slip * unit;
             let idle = capacity * slip.abs() + force.shear / weight * slip;
             out.idle_friction = larger(out.idle_friction, idle.abs());
+            out.gap += idle.abs();
         }
         out
     }
@@ -175,6 +185,7 @@ impl CollapseResidual {
         self.penetration
             .max(self.open_contact)
             .max(self.idle_friction)
+            .max(self.gap)
     }
 }
 
@@ -182,8 +193,8 @@ impl fmt::Display for CollapseResidual {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
-            "penetration {:.1e}, force at an opening {:.1e}, idle friction {:.1e}",
-            self.penetration, self.open_contact, self.idle_friction
+            "penetration {:.1e}, force at an opening {:.1e}, idle friction {:.1e}, gap {:.1e}",
+            self.penetration, self.open_contact, self.idle_friction, self.gap
         )
     }
 }

@@ -1,6 +1,6 @@
 //! The macro-block model: one crack, two macro-blocks, closed form (paper, section 2).
 
-use super::{Bracket, Method, Outcome, Status};
+use super::{Bracket, Method, Outcome, Settings, Status};
 use crate::mechanism::Crack;
 use crate::scene::{RegularWall, Scene};
 
@@ -13,7 +13,7 @@ impl Method for MacroBlock {
         "macro-block"
     }
 
-    fn solve(&self, scene: &Scene) -> Outcome {
+    fn solve(&self, scene: &Scene, _settings: &Settings) -> Outcome {
         let decline = |reason: String| Outcome::without_number(Status::NotApplicable, reason);
         let wall = match &scene.regular {
             Ok(wall) => wall,

@@ -3,9 +3,9 @@
 pub mod limit;
 pub mod macro_block;
 mod outcome;
-pub mod pushover;
+//pub mod pushover;
 
-pub use outcome::{Bracket, JointForce, Outcome, Status, Work};
+pub use outcome::{Bracket, CollapseState, JointForce, Outcome, Status, Work};
 
 use crate::scene::Scene;
 
@@ -16,7 +16,20 @@ pub trait Method: Sync {
     fn name(&self) -> &'static str;
 
     /// The answer for one scene. Every ending is a status; nothing here panics on a valid scene.
-    fn solve(&self, scene: &Scene) -> Outcome;
+    fn solve(&self, scene: &Scene, settings: &Settings) -> Outcome;
+}
+
+/// What a user may change about the methods; the defaults are what tables show.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Settings {
+    /// Starts of the interval's search.
+    pub starts: usize,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self { starts: 2 }
+    }
 }
 
 /// Every method, in the order in which tables show them. A new one is one file and one line.
@@ -24,7 +37,7 @@ pub const METHODS: [&dyn Method; 4] = [
     &macro_block::MacroBlock,
     &limit::Associative,
     &limit::Sequential,
-    &pushover::Pushover,
+    &limit::Interval,
 ];
 
 #[cfg(test)]

@@ -78,9 +78,22 @@ pub struct JointForce {
     pub shear: f64,
 }
 
+/// A non-associative collapse state: forces and mechanism that satisfy every condition together.
+#[derive(Clone, Debug)]
+pub struct CollapseState {
+    /// Multiplier of the forces.
+    pub lambda: f64,
+    /// Forces of every joint.
+    pub forces: Vec<JointForce>,
+    /// Velocities of every block.
+    pub mechanism: Mechanism,
+}
+
 /// Effort in counts that do not depend on the machine's speed.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Work {
+    /// Blocks that were modelled as movable; 0 where the method does not count them.
+    pub modelled: usize,
     /// Linear programs solved.
     pub programs: usize,
     /// Interior-point iterations over all programs.
@@ -102,6 +115,8 @@ pub struct Outcome {
     pub mechanism: Option<Mechanism>,
     /// Forces of every joint at the multiplier `bracket.lower`.
     pub forces: Option<Vec<JointForce>>,
+    /// Every collapse state that the answer rests on, lowest λ first; only the interval has them.
+    pub states: Vec<CollapseState>,
     /// Effort.
     pub work: Work,
     /// Self-checks that ran, with their figures, in words.
@@ -119,6 +134,7 @@ impl Outcome {
             crack: None,
             mechanism: None,
             forces: None,
+            states: Vec::new(),
             work: Work::default(),
             checks: Vec::new(),
             reason: reason.into(),

@@ -76,6 +76,8 @@ pub struct Program {
     friction_at: Vec<[usize; 4]>,
     rows_of_blocks: usize,
     scale: Scale,
+    /// The multiplier, where it is no variable.
+    fixed: Option<f64>,
 }
 
 /// Units of the dimensionless program. Without them Clarabel reports "solved" far from the
@@ -126,10 +128,19 @@ const TOLERANCE: f64 = 1e-10;
 impl Program {
     /// Assembles the associative program of a scene: Coulomb's law in every joint, λ to be largest.
     pub fn new(scene: &Scene) -> Self {
-        let scale = Scale::of(scene);
+        Self::assemble(scene, Scale::of(scene), None)
+    }
+
+    /// Assembles the program that only asks for forces at a given λ, in given units.
+    pub fn at_multiplier(scene: &Scene, lambda: f64, scale: Scale) -> Self {
+        Self::assemble(scene, scale, Some(lambda))
+    }
+
+    fn assemble(scene: &Scene, scale: Scale, fixed: Option<f64>) -> Self {
         let rows_of_blocks = 3 * scene.blocks.len();
         let joints = scene.joints.len();
-        let (columns, rows) = (3 * joints + 1, rows_of_blocks + 4 * joints);
+        let (lambda, rows) = (3 * joints, rows_of_blocks + 4 * joints);
+        let columns = lambda + usize::from(fixed.is_none());
         let mut entries = Entries::default();
         let mut friction_at = Vec::with_capacity(joints);
         for (j, joint) in scene.joints.iter().enumerate() {
@@ -153,16 +164,20 @@ impl Program {
             let units = [scale.force, scale.force, scale.force * scale.length];
             let (dead, live) = (block.dead(), block.live());
             for k in 0..3 {
-                right[3 * i + k] = -dead[k] / units[k];
-                if live[k] != 0.0 {
+                right[3 * i + k] = -(dead[k] + fixed.unwrap_or(0.0) * live[k]) / units[k];
+                if live[k] != 0.0 && fixed.is_none() {
                     entries.push(3 * i + k, live[k] / units[k]);
                 }
             }
         }
-        entries.close_column();
+        if fixed.is_none() {
+            entries.close_column();
+        }
         let matrix = CscMatrix::new(rows, columns, entries.starts, entries.rows, entries.values);
         let mut cost = vec![0.0; columns];
-        cost[columns - 1] = -1.0;
+        if fixed.is_none() {
+            cost[lambda] = -1.0;
+        }
         let cones = [ZeroConeT(rows_of_blocks), NonnegativeConeT(4 * joints)];
         let solver = DefaultSolver::new(
             &CscMatrix::zeros((columns, columns)),
@@ -180,6 +195,7 @@ impl Program {
             friction_at,
             rows_of_blocks,
             scale,
+            fixed,
         }
     }
 
@@ -222,12 +238,14 @@ impl Program {
 
     /// Changes the cost: `lambda` · λ − Σ `normal`[j] · (n1 + n2) is to be largest.
     pub fn set_cost(&mut self, lambda: f64, normal: &[f64]) {
-        let mut cost = vec![0.0; 3 * normal.len() + 1];
+        let mut cost = vec![0.0; self.solver.solution.x.len()];
         for (j, price) in normal.iter().enumerate() {
             cost[3 * j] = *price;
             cost[3 * j + 1] = *price;
         }
-        cost[3 * normal.len()] = -lambda;
+        if self.fixed.is_none() {
+            cost[3 * normal.len()] = -lambda;
+        }
         let updated = self.solver.update_q(&cost);
         updated.expect("presolve is off, so updates are allowed");
     }
@@ -253,13 +271,13 @@ impl Program {
 
     fn read(&self) -> Solution {
         let solution = &self.solver.solution;
-        let (lambda, corners) = solution.x.split_last().expect("λ is always a variable");
+        let (corners, lambda) = solution.x.split_at(3 * self.friction_at.len());
         let forces = corners.chunks_exact(3).map(|q| JointForce {
             normal: [q[0], q[1]],
             shear: q[2],
         });
         Solution {
-            lambda: *lambda,
+            lambda: self.fixed.unwrap_or_else(|| lambda[0]),
             forces: forces.collect(),
             velocity: solution.z[..self.rows_of_blocks].to_vec(),
             iterations: solution.iterations as usize,

@@ -4,7 +4,7 @@
 use super::associative::without_optimum;
 use super::program::{Ending, Friction, Program, Solution};
 use crate::mechanism::{VELOCITY_THRESHOLDS, crack_slope};
-use crate::method::{Bracket, Method, Outcome, Status, Work};
+use crate::method::{Bracket, Method, Outcome, Settings, Status, Work};
 use crate::scene::Scene;
 
 /// `lower` and `upper` are both the last λ. It depends on the start and carries the bias of c0, so
@@ -75,7 +75,7 @@ impl Method for Sequential {
         "sequential"
     }
 
-    fn solve(&self, scene: &Scene) -> Outcome {
+    fn solve(&self, scene: &Scene, _settings: &Settings) -> Outcome {
         sequential(scene, &SequentialSettings::default())
     }
 }

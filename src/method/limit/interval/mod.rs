@@ -1,0 +1,200 @@
+//! The verified interval of non-associative friction (zero dilatancy).
+//!
+//! A non-associative collapse multiplier is not one number: for a given mechanism the admissible λ
+//! form an interval, and there are several mechanisms. This method reports the lowest and the
+//! highest λ for which it *found* a collapse state, each with forces and mechanism that the judge
+//! verifies. They are no bounds: λ_A bounds all of them from above, no useful rigorous lower bound
+//! is known.
+
+mod search;
+mod starts;
+
+use super::program::{Ending, Scale};
+use super::reduction::{self, Part};
+use super::without_optimum;
+use crate::mechanism::{VELOCITY_THRESHOLDS, crack_slope};
+use crate::method::{Bracket, CollapseState, Method, Outcome, Settings, Status, Work};
+use crate::scene::Scene;
+use search::{Failure, Search, State};
+use starts::Start;
+
+/// `lower` and `upper` are the lowest and the highest verified λ found.
+pub struct Interval;
+
+impl Method for Interval {
+    fn name(&self) -> &'static str {
+        "interval"
+    }
+
+    fn solve(&self, scene: &Scene, settings: &Settings) -> Outcome {
+        let mut work = Work::default();
+        for part in reduction::parts(scene) {
+            if let Ok(ends) = search(scene, Some(&part), settings, &mut work)
+                && let Some(outcome) = report(scene, &ends, work)
+            {
+                return outcome;
+            }
+        }
+        match search(scene, None, settings, &mut work) {
+            Ok(ends) => report(scene, &ends, work).unwrap_or_else(|| Outcome {
+                work,
+                ..Outcome::without_number(Status::Undecided, endings(&ends))
+            }),
+            Err(ending) => Outcome {
+                work,
+                ..without_optimum(&ending)
+            },
+        }
+    }
+}
+
+/// Where one start ended.
+struct End {
+    name: &'static str,
+    /// States of the whole scene.
+    states: Result<Found, Failure>,
+}
+
+/// What one start found.
+struct Found {
+    /// The lowest state on its way.
+    lowest: CollapseState,
+    /// The highest state of the same mechanism, where that is one of the whole scene.
+    same_mechanism: Option<CollapseState>,
+    /// The first state, where that is one of the whole scene.
+    first: Option<CollapseState>,
+}
+
+/// Follows every start on a part of the scene, or on the whole of it.
+fn search(
+    scene: &Scene,
+    part: Option<&Part>,
+    settings: &Settings,
+    work: &mut Work,
+) -> Result<Vec<End>, Ending> {
+    let searched = part.map_or(scene, |part| &part.scene);
+    let mut search = Search::new(searched);
+    let mut ends = Vec::new();
+    for start in starts::starts(searched, &mut search, settings.starts)? {
+        let name = start.name;
+        let found = follow(&mut search, start, settings.starts > 1);
+        let scale = search.program().scale();
+        let states = found.and_then(|way| {
+            let mut whole = |state| collapse_state(scene, part, scale, state, work);
+            Ok(Found {
+                lowest: whole(&way.lowest).ok_or(Failure::PartOnly)?,
+                same_mechanism: whole(&way.highest),
+                first: whole(&way.first),
+            })
+        });
+        ends.push(End { name, states });
+    }
+    work.programs += search.work.programs;
+    work.iterations += search.work.iterations;
+    work.modelled = searched.blocks.len();
+    Ok(ends)
+}
+
+/// A state in the case's units, completed to one of the whole scene.
+fn collapse_state(
+    scene: &Scene,
+    part: Option<&Part>,
+    scale: Scale,
+    state: &State,
+    work: &mut Work,
+) -> Option<CollapseState> {
+    let lambda = state.lambda;
+    let forces = scale.forces(&state.forces);
+    let mechanism = scale.mechanism(&state.velocity);
+    let (forces, mechanism) = match part {
+        None => (forces, mechanism),
+        Some(part) => (
+            part.complete(scene, lambda, &forces, work)?,
+            part.lift(scene, &mechanism),
+        ),
+    };
+    Some(CollapseState {
+        lambda,
+        forces,
+        mechanism,
+    })
+}
+
+/// Neighbours in a row without a lower state after which a descent ends.
+const IDLE: usize = 1;
+
+/// Steps of a descent.
+const STEPS: usize = 12;
+
+/// Smallest relative fall of λ that counts as one.
+const FALL: f64 = 1e-7;
+
+/// From a start to a state, then down: the lowest state of each mechanism, and on to a neighbour of
+/// that mechanism until λ stops falling.
+fn follow(search: &mut Search, start: Start, descend: bool) -> Result<Way, Failure> {
+    let first = search.close(start.normal)?;
+    let mut lowest = search.extreme_of(&first, -1.0);
+    let mut idle = 0;
+    for step in 0..if descend { STEPS } else { 0 } {
+        match search.neighbour(&lowest, step) {
+            Some(next) if next.lambda < lowest.lambda * (1.0 - FALL) => {
+                lowest = next;
+                idle = 0;
+            }
+            _ => idle += 1,
+        }
+        if idle == IDLE {
+            break;
+        }
+    }
+    Ok(Way {
+        highest: search.extreme_of(&lowest, 1.0),
+        first,
+        lowest,
+    })
+}
+
+/// The states that a start leads to, of the scene that is searched.
+struct Way {
+    first: State,
+    lowest: State,
+    /// The highest one of the lowest one's mechanism.
+    highest: State,
+}
+
+/// The outcome, or `None` where no start found a state.
+fn report(scene: &Scene, ends: &[End], work: Work) -> Option<Outcome> {
+    let mut states: Vec<CollapseState> = Vec::new();
+    for found in ends.iter().filter_map(|end| end.states.as_ref().ok()) {
+        states.push(found.lowest.clone());
+        states.extend(found.same_mechanism.iter().chain(&found.first).cloned());
+    }
+    states.sort_by(|a, b| a.lambda.total_cmp(&b.lambda));
+    let (low, high) = (states.first()?, states.last()?);
+    Some(Outcome {
+        bracket: Some(Bracket {
+            lower: low.lambda,
+            upper: high.lambda,
+        }),
+        crack: crack_slope(scene, &low.mechanism, VELOCITY_THRESHOLDS),
+        mechanism: Some(low.mechanism.clone()),
+        forces: Some(low.forces.clone()),
+        states,
+        work,
+        ..Outcome::without_number(Status::Verified, endings(ends))
+    })
+}
+
+/// Which start ended where: λ of its lowest state, and how far up that mechanism goes.
+fn endings(ends: &[End]) -> String {
+    let texts = ends.iter().map(|end| match &end.states {
+        Ok(found) => {
+            let range = found.same_mechanism.as_ref();
+            let range = range.map_or(String::new(), |high| format!(" to {:.5}", high.lambda));
+            format!("{}: {:.5}{range}", end.name, found.lowest.lambda)
+        }
+        Err(failure) => format!("{}: {}", end.name, failure.in_words()),
+    });
+    let texts: Vec<String> = texts.collect();
+    format!("lowest found, no bound; {}", texts.join(", "))
+}

@@ -1,0 +1,259 @@
+//! Two linear programs that alternate on the complementarity gap of non-associative friction.
+//!
+//! For a statically admissible state (q, λ) and a zero-dilatancy mechanism u with f_L·u = 1 the gap
+//!
+//! ```text
+//! gap = Σ μ N |slip| − f_D·u − λ  =  Σ n · opening + Σ (μ N |slip| + t · slip)  ≥ 0
+//! ```
+//!
+//! is the whole violation of complementarity in units of λ, and (q, λ, u) is a collapse state where
+//! it vanishes. It holds no mode that could be guessed wrong: every opening counts with its size.
+
+use crate::judge::dead_power;
+use crate::method::limit::program::{Ending, Friction, Program, Solution};
+use crate::method::{JointForce, Work};
+use crate::scene::{JointClass, Scene};
+
+/// Largest gap of a collapse state. The judge allows 1e-8; a state must keep away from that.
+pub(super) const CLOSED: f64 = 2e-9;
+
+/// Shares by which the λ of the gap's own program is changed to look for the lowest and highest λ
+/// among the states of one mechanism, from bold to careful. Up to a size that depends on the scene
+/// this leaves the gap closed (an exact penalty), which the gap itself tells.
+const TILTS: [f64; 4] = [1e-2, 1e-3, 1e-4, 1e-5];
+
+/// A verified collapse state in dimensionless form.
+#[derive(Clone, Debug)]
+pub(super) struct State {
+    pub(super) lambda: f64,
+    pub(super) forces: Vec<JointForce>,
+    pub(super) velocity: Vec<f64>,
+    /// Price μ|slip| of the normal force of every joint, which is all that the states of one
+    /// mechanism share.
+    prices: Prices,
+}
+
+impl State {
+    fn new(solution: Solution, velocity: Vec<f64>, prices: Prices) -> Self {
+        Self {
+            lambda: solution.lambda,
+            forces: solution.forces,
+            velocity,
+            prices,
+        }
+    }
+}
+
+/// A mechanism as the gap sees it.
+#[derive(Clone, Debug)]
+struct Prices {
+    friction: Vec<f64>,
+    dead_power: f64,
+}
+
+impl Prices {
+    fn gap(&self, solution: &Solution) -> f64 {
+        let dissipated = totals(&solution.forces);
+        let dissipated: f64 = dissipated
+            .iter()
+            .zip(&self.friction)
+            .map(|(n, p)| n * p)
+            .sum();
+        dissipated - self.dead_power - solution.lambda
+    }
+}
+
+/// Why a start gave no state.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Failure {
+    /// The gap stayed open.
+    Open,
+    /// A program with frozen capacities has no force state.
+    Infeasible,
+    /// A program is unbounded.
+    Unbounded,
+    /// The solver gave up on a program.
+    Unsolved,
+    /// The state found for a part of the scene is none of the whole scene.
+    PartOnly,
+}
+
+impl Failure {
+    pub(super) fn in_words(self) -> &'static str {
+        match self {
+            Failure::Open => "gap stayed open",
+            Failure::Infeasible => "program infeasible",
+            Failure::Unbounded => "program unbounded",
+            Failure::Unsolved => "program unsolved",
+            Failure::PartOnly => "no state of the whole scene",
+        }
+    }
+}
+
+/// Rise of frozen normal forces that picks a corner, in mean block weights.
+const RAISE: f64 = 1e-3;
+
+/// Programs of one start until it is given up.
+const PATIENCE: usize = 60;
+
+/// The search on one scene.
+pub(super) struct Search<'a> {
+    scene: &'a Scene,
+    program: Program,
+    coulomb: Vec<Friction>,
+    free: Vec<f64>,
+    pub(super) work: Work,
+}
+
+/// N of every joint, negative rounding cut off.
+pub(super) fn totals(forces: &[JointForce]) -> Vec<f64> {
+    forces
+        .iter()
+        .map(|f| (f.normal[0] + f.normal[1]).max(0.0))
+        .collect()
+}
+
+impl<'a> Search<'a> {
+    pub(super) fn new(scene: &'a Scene) -> Self {
+        let coulomb = scene.joints.iter().map(|joint| Friction {
+            slope: joint.friction,
+            intercept: 0.0,
+        });
+        Self {
+            scene,
+            program: Program::new(scene),
+            coulomb: coulomb.collect(),
+            free: vec![0.0; scene.joints.len()],
+            work: Work::default(),
+        }
+    }
+
+    pub(super) fn program(&self) -> &Program {
+        &self.program
+    }
+
+    /// Normal forces of the associative state; the ending where there is none.
+    pub(super) fn associative(&mut self) -> Result<Vec<f64>, Ending> {
+        self.work.programs += 1;
+        match self.program.solve() {
+            Ending::Solved(solution) => {
+                self.work.iterations += solution.iterations;
+                Ok(totals(&solution.forces))
+            }
+            ending => Err(ending),
+        }
+    }
+
+    fn solve(&mut self) -> Result<Solution, Failure> {
+        self.work.programs += 1;
+        match self.program.solve() {
+            Ending::Solved(solution) => {
+                self.work.iterations += solution.iterations;
+                Ok(solution)
+            }
+            Ending::Infeasible => Err(Failure::Infeasible),
+            Ending::Unbounded => Err(Failure::Unbounded),
+            Ending::GaveUp(_) => Err(Failure::Unsolved),
+        }
+    }
+
+    /// (a) The largest λ with shear capacities frozen at μ `normal`; its mechanism has no
+    /// dilatancy and closes the gap best for these normal forces.
+    fn frozen(&mut self, normal: &[f64]) -> Result<Solution, Failure> {
+        let laws: Vec<Friction> = (self.coulomb.iter().zip(normal))
+            .map(|(law, n)| Friction {
+                slope: 0.0,
+                intercept: law.slope * n,
+            })
+            .collect();
+        self.program.set_friction(&laws);
+        self.program.set_cost(1.0, &self.free);
+        self.solve()
+    }
+
+    /// (b) The Coulomb state with the smallest gap to a mechanism, λ counted `weight` times: below
+    /// 1 it prefers a low λ among equals, above 1 a high one.
+    fn nearest(&mut self, prices: &Prices, weight: f64) -> Result<Solution, Failure> {
+        self.program.set_friction(&self.coulomb);
+        self.program.set_cost(weight, &prices.friction);
+        self.solve()
+    }
+
+    fn prices(&self, velocity: &[f64]) -> Prices {
+        let mechanism = self.program.scale().mechanism(velocity);
+        let rates = mechanism.joint_rates(self.scene);
+        let joints = self.scene.joints.iter().zip(&rates);
+        Prices {
+            friction: joints
+                .map(|(j, rate)| j.friction * rate.slip.abs())
+                .collect(),
+            dead_power: dead_power(self.scene, &mechanism) / self.scene.total_weight(),
+        }
+    }
+
+    /// From normal forces to a collapse state: (a) and (b) in turn until the gap is closed.
+    pub(super) fn close(&mut self, mut normal: Vec<f64>) -> Result<State, Failure> {
+        let mut last_gap = f64::INFINITY;
+        let end = self.work.programs + PATIENCE;
+        while self.work.programs < end {
+            let above = self.frozen(&normal)?;
+            let prices = self.prices(&above.velocity);
+            let below = self.nearest(&prices, 1.0)?;
+            let gap = prices.gap(&below);
+            if gap.abs() <= CLOSED {
+                return Ok(State::new(below, above.velocity, prices));
+            }
+            // (b) alone stalls on walls with openings; blending alone is slow.
+            if gap < 0.5 * last_gap {
+                normal = totals(&below.forces);
+            } else {
+                let new = totals(&above.forces);
+                normal = normal
+                    .iter()
+                    .zip(&new)
+                    .map(|(a, b)| (a + b) / 2.0)
+                    .collect();
+            }
+            last_gap = gap;
+        }
+        Err(Failure::Open)
+    }
+
+    /// (c) The state with the lowest (`sign` −1) or highest (+1) λ among those of one mechanism,
+    /// at the boldest tilt that leaves the gap closed; `None` where none does.
+    fn extreme(&mut self, velocity: &[f64], prices: &Prices, sign: f64) -> Option<State> {
+        TILTS.into_iter().find_map(|tilt| {
+            let found = self.nearest(prices, 1.0 + sign * tilt).ok()?;
+            let closed = prices.gap(&found).abs() <= CLOSED;
+            closed.then(|| State::new(found, velocity.to_vec(), prices.clone()))
+        })
+    }
+
+    /// The lowest (`sign` −1) or highest (+1) state of a state's own mechanism.
+    pub(super) fn extreme_of(&mut self, state: &State, sign: f64) -> State {
+        let found = self.extreme(&state.velocity, &state.prices, sign);
+        let better = found.filter(|other| sign * (other.lambda - state.lambda) > 0.0);
+        better.unwrap_or_else(|| state.clone())
+    }
+
+    /// The lowest state of another mechanism that the same normal forces allow: frozen capacities
+    /// raised a little, in even steps on head joints and in odd ones elsewhere, pick another corner
+    /// of the mechanisms' face. The solver by itself lands in its middle, where most joints move
+    /// and the fewest states remain.
+    pub(super) fn neighbour(&mut self, state: &State, step: usize) -> Option<State> {
+        let extra = RAISE / self.scene.blocks.len() as f64;
+        let raised: Vec<f64> = (self.scene.joints.iter().zip(totals(&state.forces)))
+            .map(|(joint, n)| {
+                let is_head = joint.class == JointClass::Head;
+                if is_head == (step % 2 == 0) {
+                    n + extra
+                } else {
+                    n
+                }
+            })
+            .collect();
+        let above = self.frozen(&raised).ok()?;
+        let prices = self.prices(&above.velocity);
+        self.extreme(&above.velocity, &prices, -1.0)
+    }
+}

@@ -1,0 +1,68 @@
+//! Shared by the record tests: one record a case, kept in the top-level `snapshots/`.
+
+use std::path::Path;
+
+use trilith::case::{self, Case};
+use trilith::judge::Verdict;
+use trilith::method::{METHODS, Method, Settings, Status};
+use trilith::record::record;
+use trilith::run::{CaseResult, Plan};
+
+/// Walls of more blocks than this have the record of their pushover in an ignored test: it takes
+/// more than about 5 s.
+const QUICK_PUSHOVER: usize = 300;
+
+/// The one case of a file.
+pub fn read(path: &Path) -> Case {
+    let argument = path.to_str().expect("paths of cases are UTF-8");
+    let mut cases = case::find(argument).unwrap_or_else(|complaint| panic!("{complaint}"));
+    assert_eq!(cases.len(), 1);
+    cases.remove(0)
+}
+
+/// Whether the case's pushover belongs to the long records.
+pub fn is_long(case: &Case) -> bool {
+    let blocks = |head| case.scene(head).blocks.len();
+    case.head_joints
+        .iter()
+        .any(|&head| blocks(head) > QUICK_PUSHOVER)
+}
+
+/// Runs the methods that `wanted` names, compares the record with the snapshot `name`, and asserts
+/// that nothing failed and no reference is violated: accepting a snapshot cannot hide that.
+pub fn assert_record(case: Case, name: &str, wanted: impl Fn(&str) -> bool) {
+    let methods = METHODS
+        .into_iter()
+        .filter(|m: &&dyn Method| wanted(m.name()));
+    let plan = Plan {
+        methods: methods.collect(),
+        settings: Settings::default(),
+        head_joints: None,
+    };
+    let results = trilith::run::run(&[case], &plan, |_, _| {});
+    let [result] = results.as_slice() else {
+        panic!("one case gives one result");
+    };
+    let mut settings = insta::Settings::clone_current();
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("snapshots");
+    settings.set_snapshot_path(folder);
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    settings.bind(|| insta::assert_snapshot!(name, record(result)));
+    assert_sound(result);
+}
+
+fn assert_sound(result: &CaseResult) {
+    for row in &result.rows {
+        let reason = &row.outcome.reason;
+        assert_ne!(
+            row.outcome.status,
+            Status::Failed,
+            "{}: {reason}",
+            row.method
+        );
+    }
+    for check in &result.checks {
+        assert_ne!(check.verdict, Verdict::Violated, "{}", check.text);
+    }
+}
