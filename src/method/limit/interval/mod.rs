@@ -77,7 +77,7 @@ fn search(
     let mut ends = Vec::new();
     for start in starts::starts(searched, &mut search, settings.starts)? {
         let name = start.name;
-        let found = follow(&mut search, start, settings.starts > 1);
+        let found = follow(&mut search, start, settings.starts);
         let scale = search.program().scale();
         let states = found.and_then(|way| {
             let mut whole = |state| collapse_state(scene, part, scale, state, work);
@@ -120,22 +120,17 @@ fn collapse_state(
     })
 }
 
-/// Neighbours in a row without a lower state after which a descent ends.
-const IDLE: usize = 1;
-
-/// Steps of a descent.
-const STEPS: usize = 12;
-
 /// Smallest relative fall of λ that counts as one.
 const FALL: f64 = 1e-7;
 
 /// From a start to a state, then down: the lowest state of each mechanism, and on to a neighbour of
-/// that mechanism until λ stops falling.
-fn follow(search: &mut Search, start: Start, descend: bool) -> Result<Way, Failure> {
+/// that mechanism until λ stops falling. One start asks for a first state only; with more of them
+/// each one is followed the more patiently.
+fn follow(search: &mut Search, start: Start, starts: usize) -> Result<Way, Failure> {
     let first = search.close(start.normal)?;
     let mut lowest = search.extreme_of(&first, -1.0);
-    let mut idle = 0;
-    for step in 0..if descend { STEPS } else { 0 } {
+    let (mut idle, mut step) = (0, 0);
+    while idle + 1 < starts && step < 6 * starts {
         match search.neighbour(&lowest, step) {
             Some(next) if next.lambda < lowest.lambda * (1.0 - FALL) => {
                 lowest = next;
@@ -143,9 +138,7 @@ fn follow(search: &mut Search, start: Start, descend: bool) -> Result<Way, Failu
             }
             _ => idle += 1,
         }
-        if idle == IDLE {
-            break;
-        }
+        step += 1;
     }
     Ok(Way {
         highest: search.extreme_of(&lowest, 1.0),

@@ -90,9 +90,6 @@ impl Failure {
     }
 }
 
-/// Rise of frozen normal forces that picks a corner, in mean block weights.
-const RAISE: f64 = 1e-3;
-
 /// Programs of one start until it is given up.
 const PATIENCE: usize = 60;
 
@@ -236,24 +233,58 @@ impl<'a> Search<'a> {
         better.unwrap_or_else(|| state.clone())
     }
 
-    /// The lowest state of another mechanism that the same normal forces allow: frozen capacities
-    /// raised a little, in even steps on head joints and in odd ones elsewhere, pick another corner
-    /// of the mechanisms' face. The solver by itself lands in its middle, where most joints move
-    /// and the fewest states remain.
+    /// The lowest state of another mechanism that much the same normal forces allow: frozen
+    /// capacities raised a little pick another corner of the mechanisms' face. The solver by itself
+    /// lands in its middle, where most joints move and the fewest states remain.
     pub(super) fn neighbour(&mut self, state: &State, step: usize) -> Option<State> {
-        let extra = RAISE / self.scene.blocks.len() as f64;
+        let rise = RISES[step % RISES.len()];
+        let unit = 1.0 / self.scene.blocks.len() as f64;
+        let mut noise = Noise::new(step);
         let raised: Vec<f64> = (self.scene.joints.iter().zip(totals(&state.forces)))
             .map(|(joint, n)| {
-                let is_head = joint.class == JointClass::Head;
-                if is_head == (step % 2 == 0) {
-                    n + extra
-                } else {
-                    n
-                }
+                let share = match rise {
+                    Rise::HeadJoints(share) if joint.class == JointClass::Head => share,
+                    Rise::HeadJoints(_) => 0.0,
+                    Rise::Random(share) => share * noise.uniform(),
+                };
+                n + share * unit
             })
             .collect();
         let above = self.frozen(&raised).ok()?;
         let prices = self.prices(&above.velocity);
         self.extreme(&above.velocity, &prices, -1.0)
+    }
+}
+
+/// How normal forces are raised, in mean block weights.
+#[derive(Clone, Copy)]
+enum Rise {
+    HeadJoints(f64),
+    Random(f64),
+}
+
+/// The rises of a descent, in turn. Head joints alone suffice on walls of up to 55 blocks; on 1176
+/// blocks the larger, random ones find the way down (measured).
+const RISES: [Rise; 3] = [
+    Rise::HeadJoints(1e-3),
+    Rise::Random(1e-2),
+    Rise::Random(1e-1),
+];
+
+/// A fixed sequence of numbers in [0, 1) (xorshift, Marsaglia 2003).
+pub(super) struct Noise(u64);
+
+impl Noise {
+    /// The sequence of that number; every one is the same in every run.
+    pub(super) fn new(sequence: usize) -> Self {
+        // Any odd constant would do.
+        Self((sequence as u64 + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15))
+    }
+
+    pub(super) fn uniform(&mut self) -> f64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 >> 11) as f64 / (1u64 << 53) as f64
     }
 }

@@ -1,6 +1,6 @@
 //! Where the search for collapse states begins: few starts, chosen on purpose, all deterministic.
 
-use super::search::{Search, totals};
+use super::search::{Noise, Search, totals};
 use crate::method::limit::program::Ending;
 use crate::scene::{HeadJoints, JointClass, Scene};
 
@@ -11,9 +11,6 @@ pub(super) struct Start {
     /// N of every joint, dimensionless.
     pub(super) normal: Vec<f64>,
 }
-
-/// Seed of the starts on request; any odd number would do.
-const SEED: u64 = 0x9E37_79B9_7F4A_7C15;
 
 /// The first `count` starts, at least one.
 ///
@@ -44,14 +41,14 @@ pub(super) fn starts(
         name: "associative",
         normal: associative.clone(),
     });
-    let mut noise = SEED;
     while starts.len() < count {
+        let mut noise = Noise::new(starts.len());
+        let scaled = associative
+            .iter()
+            .map(|n| n * (0.2 + 1.4 * noise.uniform()));
         starts.push(Start {
             name: "scaled",
-            normal: associative
-                .iter()
-                .map(|n| n * (0.2 + 1.4 * uniform(&mut noise)))
-                .collect(),
+            normal: scaled.collect(),
         });
     }
     Ok(starts)
@@ -80,12 +77,4 @@ fn open_state(scene: &Scene, search: &mut Search) -> Option<Vec<f64>> {
         JointClass::Base | JointClass::Bed => beds.next(),
     });
     all.collect()
-}
-
-/// The next of a fixed sequence of numbers in [0, 1) (xorshift, Marsaglia 2003).
-fn uniform(state: &mut u64) -> f64 {
-    *state ^= *state << 13;
-    *state ^= *state >> 7;
-    *state ^= *state << 17;
-    (*state >> 11) as f64 / (1u64 << 53) as f64
 }
