@@ -58,7 +58,8 @@ fn course(row: usize, units: usize, gaps: &[bool]) -> Course {
 }
 
 fn associative(wall: &Wall, head_joints: HeadJoints) -> Outcome {
-    Associative.solve(&wall.scene(head_joints).expect("the wall can be laid"))
+    let scene = wall.scene(head_joints).expect("the wall can be laid");
+    Associative.solve(&scene, &Settings::default())
 }
 
 /// λ_A, where the bracket proves it to 1e-6.

@@ -3,7 +3,7 @@
 pub mod limit;
 pub mod macro_block;
 mod outcome;
-//pub mod pushover;
+pub mod pushover;
 
 pub use outcome::{Bracket, CollapseState, JointForce, Outcome, Status, Work};
 
@@ -33,11 +33,12 @@ impl Default for Settings {
 }
 
 /// Every method, in the order in which tables show them. A new one is one file and one line.
-pub const METHODS: [&dyn Method; 4] = [
+pub const METHODS: [&dyn Method; 5] = [
     &macro_block::MacroBlock,
     &limit::Associative,
     &limit::Sequential,
     &limit::Interval,
+    &pushover::Pushover,
 ];
 
 #[cfg(test)]

@@ -1,0 +1,355 @@
+//! The engine: rapier behind one file. Nothing else in the crate names it.
+//!
+//! Lengths here are in course heights, g = 1, forces in mean block weights.
+
+use rapier2d::math::{Pose, Vector as Vec2};
+use rapier2d::parry::mass_properties::MassProperties;
+use rapier2d::parry::shape::SharedShape;
+use rapier2d::prelude::{
+    BroadPhaseBvh, CCDSolver, CoefficientCombineRule, ColliderBuilder, ColliderHandle, ColliderSet,
+    ContactPair, Group, ImpulseJointSet, IntegrationParameters, InteractionGroups,
+    InteractionTestMode, IslandManager, MultibodyJointSet, NarrowPhase, PhysicsPipeline,
+    RigidBodyBuilder, RigidBodyHandle, RigidBodySet, SoftBodiesSettings, SoftBodySet,
+    SpringCoefficients,
+};
+
+use super::groups::Groups;
+use super::model::{Body, Model};
+use super::settings::Settings;
+use crate::scene::Side;
+
+/// Where a block is and how fast it moves, in course heights and g = 1.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct State {
+    /// Centroid.
+    pub position: [f64; 2],
+    /// Rotation since the start, counter-clockwise.
+    pub rotation: f64,
+    /// Velocity of the centroid.
+    pub velocity: [f64; 2],
+    /// Rotation rate.
+    pub spin: f64,
+}
+
+/// A contact between two bodies of the scene during the last step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Contact {
+    /// The bodies.
+    pub between: [Side; 2],
+    /// Unit normal from the first body into the second.
+    pub normal: [f64; 2],
+    /// Normal force, compression positive.
+    pub pressure: f64,
+    /// Force on the second body.
+    pub force: [f64; 2],
+}
+
+/// The part of the engine that a checkpoint has to keep.
+#[derive(Clone)]
+struct World {
+    islands: IslandManager,
+    broad_phase: BroadPhaseBvh,
+    narrow_phase: NarrowPhase,
+    bodies: RigidBodySet,
+    colliders: ColliderSet,
+    joints: ImpulseJointSet,
+    multibodies: MultibodyJointSet,
+    soft_bodies: SoftBodySet,
+    ccd: CCDSolver,
+}
+
+/// A state to come back to.
+pub struct Checkpoint(World);
+
+/// Blocks on supports under `dead + λ · live`.
+pub struct Engine<'a> {
+    model: &'a Model,
+    parameters: IntegrationParameters,
+    pipeline: PhysicsPipeline,
+    world: World,
+    blocks: Vec<RigidBodyHandle>,
+    /// The multiplier λ.
+    pub multiplier: f64,
+    /// Time steps made so far, abandoned ones included.
+    pub steps: usize,
+    /// Whether rapier had to take a body with a position that is no number out of the scene.
+    pub broken: bool,
+}
+
+impl<'a> Engine<'a> {
+    /// Puts the model's bodies where they belong, at rest. `None` where rapier refuses a shape.
+    pub fn new(model: &'a Model, settings: &Settings) -> Option<Self> {
+        let mut world = World {
+            islands: IslandManager::new(),
+            broad_phase: BroadPhaseBvh::new(),
+            narrow_phase: NarrowPhase::new(),
+            bodies: RigidBodySet::new(),
+            colliders: ColliderSet::new(),
+            joints: ImpulseJointSet::new(),
+            multibodies: MultibodyJointSet::new(),
+            soft_bodies: SoftBodySet::new(),
+            ccd: CCDSolver::new(),
+        };
+        for (id, support) in model.supports.iter().enumerate() {
+            // Neither rule squares μ, and the stronger one wins: the support's μ in either case.
+            let rule = if support.friction > model.friction {
+                CoefficientCombineRule::Max
+            } else {
+                CoefficientCombineRule::Min
+            };
+            let collider = collider(&support.outline, support.centre)?
+                .collision_groups(interaction(support.groups))
+                .friction(support.friction)
+                .friction_combine_rule(rule)
+                .user_data(id as u128);
+            world.colliders.insert(collider);
+        }
+        let mut blocks = Vec::with_capacity(model.blocks.len());
+        for (id, block) in model.blocks.iter().enumerate() {
+            let handle = world.bodies.insert(body(block));
+            let collider = collider(&block.outline, [0.0; 2])?
+                .collision_groups(interaction(block.groups))
+                .friction(model.friction)
+                .friction_combine_rule(CoefficientCombineRule::Min)
+                .user_data((model.supports.len() + id) as u128);
+            world
+                .colliders
+                .insert_with_parent(collider, handle, &mut world.bodies);
+            blocks.push(handle);
+        }
+        Some(Self {
+            model,
+            parameters: parameters(settings),
+            pipeline: PhysicsPipeline::new(),
+            world,
+            blocks,
+            multiplier: 0.0,
+            steps: 0,
+            broken: false,
+        })
+    }
+
+    /// Length of one time step.
+    pub fn dt(&self) -> f64 {
+        self.parameters.dt
+    }
+
+    /// Advances by one time step.
+    pub fn step(&mut self) {
+        self.apply_loads();
+        let world = &mut self.world;
+        self.pipeline.step(
+            Vec2::ZERO,
+            &self.parameters,
+            &mut world.islands,
+            &mut world.broad_phase,
+            &mut world.narrow_phase,
+            &mut world.bodies,
+            &mut world.colliders,
+            &mut world.joints,
+            &mut world.multibodies,
+            &mut world.soft_bodies,
+            &mut world.ccd,
+            &(),
+            &(),
+        );
+        let quarantine = self.pipeline.quarantine();
+        self.broken |= !(quarantine.bodies().is_empty() && quarantine.colliders().is_empty());
+        self.steps += 1;
+    }
+
+    /// Every force at its own point, which turns with its block; directions stay.
+    fn apply_loads(&mut self) {
+        for (block, &handle) in self.model.blocks.iter().zip(&self.blocks) {
+            let Some(body) = self.world.bodies.get_mut(handle) else {
+                continue;
+            };
+            body.reset_forces(false);
+            body.reset_torques(false);
+            let turn = *body.rotation();
+            for load in &block.loads {
+                let force = vec2(load.dead) + vec2(load.live) * self.multiplier;
+                let arm = turn * vec2(load.arm);
+                body.add_force(force, false);
+                body.add_torque(arm.perp_dot(force), false);
+            }
+        }
+    }
+
+    /// All blocks, in the model's order.
+    pub fn states(&self) -> Vec<State> {
+        let bodies = self.blocks.iter().map(|&handle| {
+            let Some(body) = self.world.bodies.get(handle) else {
+                return State::default();
+            };
+            State {
+                position: body.translation().into(),
+                rotation: body.rotation().angle(),
+                velocity: body.linvel().into(),
+                spin: body.angvel(),
+            }
+        });
+        bodies.collect()
+    }
+
+    /// Sets all velocities to zero (kinetic damping).
+    pub fn stop(&mut self) {
+        for &handle in &self.blocks {
+            if let Some(body) = self.world.bodies.get_mut(handle) {
+                body.set_linvel(Vec2::ZERO, false);
+                body.set_angvel(0.0, false);
+            }
+        }
+    }
+
+    /// Every contact that was solved in the last step, pressed or not.
+    pub fn contacts(&self) -> Vec<Contact> {
+        let pairs = self.world.narrow_phase.contact_pairs();
+        pairs.flat_map(|pair| self.pair_contacts(pair)).collect()
+    }
+
+    fn pair_contacts(&self, pair: &ContactPair) -> Vec<Contact> {
+        let (Some(one), Some(other)) = (self.side(pair.collider1), self.side(pair.collider2))
+        else {
+            return Vec::new();
+        };
+        let solved = pair.manifolds().iter();
+        let solved = solved.filter(|manifold| !manifold.data.solver_contacts.is_empty());
+        let contact = solved.map(|manifold| {
+            let normal = manifold.data.normal;
+            // The solver's tangent for the first body, on which its impulses act.
+            let tangent = Vec2::new(normal.y, -normal.x);
+            let (mut pressed, mut sheared) = (0.0, 0.0);
+            for active in &manifold.data.solver_contacts {
+                for id in active.contact_indices() {
+                    if let Some(point) = manifold.points.get(id as usize) {
+                        pressed += point.data.impulse;
+                        sheared += point.data.tangent_impulse.x;
+                    }
+                }
+            }
+            // Impulses are sums over the whole time step.
+            let (pressure, shear) = (pressed / self.dt(), sheared / self.dt());
+            Contact {
+                between: [one, other],
+                normal: normal.into(),
+                pressure,
+                force: (normal * pressure - tangent * shear).into(),
+            }
+        });
+        contact.collect()
+    }
+
+    fn side(&self, collider: ColliderHandle) -> Option<Side> {
+        let id = self.world.colliders.get(collider)?.user_data as usize;
+        match id.checked_sub(self.model.supports.len()) {
+            None => self.model.supports.get(id).map(|support| support.side),
+            Some(block) => self.model.blocks.get(block).map(|b| Side::Block(b.index)),
+        }
+    }
+
+    /// Keeps the present state.
+    pub fn checkpoint(&self) -> Checkpoint {
+        Checkpoint(self.world.clone())
+    }
+
+    /// Goes back to a kept state.
+    pub fn restore(&mut self, checkpoint: &Checkpoint) {
+        self.world = checkpoint.0.clone();
+        // Only workspace, but none of it may reach over from the abandoned state.
+        self.pipeline = PhysicsPipeline::new();
+        self.broken = false;
+    }
+}
+
+/// Every parameter by name: none is left to a default that a later version might change.
+fn parameters(settings: &Settings) -> IntegrationParameters {
+    let softness = SpringCoefficients {
+        natural_frequency: settings.contact_frequency,
+        damping_ratio: settings.damping_ratio,
+    };
+    let dt = settings.substep * settings.substeps as f64;
+    IntegrationParameters {
+        dt,
+        min_ccd_dt: dt,
+        contact_softness: softness,
+        static_contact_softness: softness,
+        warmstart_coefficient: 1.0,
+        length_unit: 1.0,
+        // Never read: nothing here is soft.
+        soft_bodies: SoftBodiesSettings::default(),
+        // Only read by continuous collision detection, which is off.
+        normalized_allowed_linear_error: settings.prediction,
+        normalized_max_corrective_velocity: 1.0,
+        normalized_prediction_distance: settings.prediction,
+        normalized_max_linear_velocity: 1e3,
+        num_solver_iterations: settings.substeps,
+        num_internal_pgs_iterations: 1,
+        num_internal_stabilization_iterations: settings.stabilization,
+        max_ccd_substeps: 0,
+        contact_clustering: false,
+        contact_recycling: settings.recycle_distance > 0.0,
+        normalized_contact_recycle_distance: settings.recycle_distance,
+        friction_in_bias_pass: false,
+        warmstart_joints: false,
+    }
+}
+
+/// A block's body. Gravity is off: weights are forces like all others.
+fn body(block: &Body) -> RigidBodyBuilder {
+    let properties = MassProperties::new(Vec2::ZERO, block.mass, block.inertia);
+    RigidBodyBuilder::dynamic()
+        .translation(vec2(block.centre))
+        .gravity_scale(0.0)
+        .linear_damping(0.0)
+        .angular_damping(0.0)
+        .can_sleep(false)
+        .ccd_enabled(false)
+        .additional_mass_properties(properties)
+}
+
+/// A rectangle with level sides becomes a cuboid, whose contacts rapier finds exactly.
+fn collider(outline: &[[f64; 2]], centre: [f64; 2]) -> Option<ColliderBuilder> {
+    let first = vec2(*outline.first()?);
+    let (mut low, mut high) = (first, first);
+    for &corner in outline {
+        low = low.min(vec2(corner));
+        high = high.max(vec2(corner));
+    }
+    let tiny = 1e-8;
+    let boxed = |&corner: &[f64; 2]| {
+        let (from_low, from_high) = (vec2(corner) - low, high - vec2(corner));
+        let nearest = from_low.min(from_high);
+        nearest.x < tiny && nearest.y < tiny
+    };
+    let (shape, offset) = if outline.len() == 4 && outline.iter().all(boxed) {
+        let half = (high - low) / 2.0;
+        (SharedShape::cuboid(half.x, half.y), (low + high) / 2.0)
+    } else {
+        let corners = outline.iter().copied().map(vec2).collect();
+        (
+            SharedShape::convex_polyline_unmodified(corners)?,
+            Vec2::ZERO,
+        )
+    };
+    let pose = Pose::from_translation(offset + vec2(centre));
+    Some(
+        ColliderBuilder::new(shape)
+            .density(0.0)
+            .restitution(0.0)
+            .contact_skin(0.0)
+            .position(pose),
+    )
+}
+
+fn interaction(groups: Groups) -> InteractionGroups {
+    InteractionGroups::new(
+        Group::from_bits_retain(groups.member),
+        Group::from_bits_retain(groups.meets),
+        InteractionTestMode::And,
+    )
+}
+
+fn vec2([x, y]: [f64; 2]) -> Vec2 {
+    Vec2::new(x, y)
+}

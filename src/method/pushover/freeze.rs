@@ -1,0 +1,71 @@
+//! Tall walls: the part beyond the stagger line is held fixed, which halves the work, and must be
+//! shown afterwards to have had no reason to move.
+
+use super::engine::State;
+use super::model::Model;
+use super::search::{displacement, farthest};
+use super::settings::TALL;
+use crate::scene::{Push, Scene, Side};
+
+/// Overlaps between the stagger line and the frozen part: the strip that must stay still.
+const MARGIN: f64 = 3.0;
+
+/// What is held fixed; by default nothing.
+#[derive(Clone, Debug, Default)]
+pub struct Freeze {
+    /// Blocks held fixed, in the scene's order.
+    pub frozen: Vec<bool>,
+    /// Blocks between the stagger line and the frozen part.
+    pub beside: Vec<bool>,
+}
+
+/// Part of the largest displacement that counts as standing still beside moving blocks.
+const STILL: f64 = 1e-2;
+
+impl Freeze {
+    /// Whether a body is fixed: a support, or a block held fixed.
+    pub fn holds(&self, side: Side) -> bool {
+        match side {
+            Side::Support(_) => true,
+            Side::Block(block) => self.frozen.get(block) == Some(&true),
+        }
+    }
+
+    /// Whether any block beside the frozen part moved between two states.
+    pub fn moved(&self, model: &Model, from: &[State], to: &[State]) -> bool {
+        let limit = STILL * displacement(model, from, to);
+        (0..model.blocks.len()).any(|i| {
+            let block = std::slice::from_ref(&model.blocks[i]);
+            self.beside.get(block[0].index) == Some(&true)
+                && farthest(block, &from[i..=i], &to[i..=i]) > limit
+        })
+    }
+}
+
+/// The part of a tall regular wall beyond the line that rises from the toe by one course for
+/// each overlap. `None` where there is nothing to gain, and for irregular walls: a part with
+/// openings may fail far from that line, where nothing would tell.
+pub fn beyond_stagger(scene: &Scene) -> Option<Freeze> {
+    scene.regular.as_ref().ok()?;
+    let wall = scene.coursed.filter(|wall| wall.courses as f64 >= TALL)?;
+    let (low, high) = scene.bounds();
+    let unit_height = wall.height / wall.courses as f64;
+    // Overlaps between the stagger line and the block's near side.
+    let beyond = scene.blocks.iter().map(|block| {
+        let (l, h) = block.shape.bounds();
+        let near = match scene.push {
+            Push::Right => high.x - h.x,
+            Push::Left => l.x - low.x,
+        };
+        let course = ((l.y - low.y) / unit_height).round() + 1.0;
+        near / wall.overlap - course
+    });
+    let beyond: Vec<f64> = beyond.collect();
+    let frozen: Vec<bool> = beyond.iter().map(|&by| by > MARGIN - 0.5).collect();
+    let beside = beyond
+        .iter()
+        .zip(&frozen)
+        .map(|(&by, &f)| by > -0.5 && !f)
+        .collect();
+    frozen.contains(&true).then_some(Freeze { frozen, beside })
+}

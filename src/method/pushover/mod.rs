@@ -1,0 +1,212 @@
+//! Pushover: the scene as rigid bodies in contact, pushed harder and harder until it collapses.
+//!
+//! ```text
+//! scene ── model (no dimensions) ──▶ engine (rapier) ◀── search ──▶ checks ──▶ outcome
+//! ```
+//!
+//! λ is the last load at rest and the first that collapsed from there. What the search or its
+//! self-checks cannot vouch for is `undecided` with a reason, never a number.
+
+mod checks;
+mod engine;
+mod freeze;
+mod groups;
+mod model;
+mod search;
+mod settings;
+#[cfg(test)]
+mod tests;
+mod verify;
+
+pub use checks::Check;
+pub use settings::Settings;
+pub use verify::{halved, mirrored, verify};
+
+use crate::mechanism::{Mechanism, Motion, crack_slope};
+use crate::method::{self, Bracket, Method, Outcome, Status, Work};
+use crate::scene::{HeadJoints, JointClass, Scene, Side, Vector};
+use engine::{Contact, Engine, State};
+use freeze::Freeze;
+use model::Model;
+use search::{Found, Search, search};
+use settings::GRID;
+
+/// Thresholds for displacements, which hold elastic movements beside the collapse.
+const DISPLACEMENT_THRESHOLDS: [f64; 2] = [1e-2, 5e-3];
+
+/// The pushover method.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Pushover;
+
+impl Method for Pushover {
+    fn name(&self) -> &'static str {
+        "pushover"
+    }
+
+    fn solve(&self, scene: &Scene, _settings: &method::Settings) -> Outcome {
+        solve_with(scene, |settings| settings)
+    }
+}
+
+/// The pushover with changed settings.
+pub fn solve_with(scene: &Scene, change: impl Fn(Settings) -> Settings) -> Outcome {
+    // In an arch, joints of every direction carry its thrust; in a coursed wall, what a perpend
+    // carries depends on how the wall came to be.
+    let has_heads = scene
+        .joints
+        .iter()
+        .any(|joint| joint.class == JointClass::Head);
+    if scene.head_joints == HeadJoints::Contact && has_heads && scene.coursed.is_some() {
+        let reason = "with head joints in contact the pushover has no unique answer: it depends \
+                      on how tightly the perpends were closed before the push";
+        return Outcome::without_number(Status::Undecided, reason);
+    }
+    let Some(freeze) = freeze::beyond_stagger(scene) else {
+        return run(scene, &change, &Freeze::default()).0;
+    };
+    let (outcome, moved) = run(scene, &change, &freeze);
+    if !moved {
+        return outcome;
+    }
+    let spent = outcome.work.block_steps;
+    let mut outcome = run(scene, &change, &Freeze::default()).0;
+    outcome.work.block_steps += spent;
+    outcome
+}
+
+/// One search with a part of the scene held fixed, and whether that part might have moved.
+fn run(scene: &Scene, change: &impl Fn(Settings) -> Settings, freeze: &Freeze) -> (Outcome, bool) {
+    let undecided = |reason: String| Outcome::without_number(Status::Undecided, reason);
+    let model = match Model::new(scene, &freeze.frozen) {
+        Ok(model) => model,
+        Err(reason) => return (undecided(reason), false),
+    };
+    let settings = change(Settings::new(&model));
+    let Some(mut engine) = Engine::new(&model, &settings) else {
+        let reason = "the engine cannot take a shape of the scene";
+        return (undecided(reason.into()), false);
+    };
+    engine.step();
+    let fixed = |side| freeze.holds(side);
+    let sees = checks::sees_joints(&scene.joints, &engine.contacts(), fixed);
+    if !sees.passed {
+        return (undecided(sees.text), false);
+    }
+    let mut moved = !freeze.frozen.is_empty();
+    let mut outcome = match search(&mut engine, &model, &settings) {
+        Search::Found(found) => {
+            moved &= freeze.moved(&model, &found.settled.states, &found.collapsed);
+            let mut checks = self_checks(scene, &model, &settings, freeze, &found);
+            checks.insert(0, sees);
+            judged(scene, &model, &found, &checks)
+        }
+        Search::Undecided(reason) => undecided(reason),
+        Search::Falls(reason) => Outcome::without_number(Status::Falls, reason),
+    };
+    outcome.work = Work {
+        block_steps: engine.steps * settings.substeps * model.blocks.len(),
+        ..Work::default()
+    };
+    (outcome, moved)
+}
+
+/// The outcome of a bracket, after the self-checks.
+fn judged(scene: &Scene, model: &Model, found: &Found, checks: &[Check]) -> Outcome {
+    let texts: Vec<String> = checks.iter().map(|check| check.text.clone()).collect();
+    if let Some(failed) = checks.iter().find(|check| !check.passed) {
+        let reason = format!("a self-check failed: {}", failed.text);
+        return Outcome {
+            checks: texts,
+            ..Outcome::without_number(Status::Undecided, reason)
+        };
+    }
+    let mechanism = mechanism(scene, model, &found.rest.states, &found.collapsed);
+    Outcome {
+        bracket: Some(Bracket {
+            lower: found.lower as f64 / GRID,
+            upper: found.upper as f64 / GRID,
+        }),
+        crack: crack_slope(scene, &mechanism, DISPLACEMENT_THRESHOLDS),
+        mechanism: Some(mechanism),
+        checks: texts,
+        ..Outcome::without_number(Status::Bracketed, "")
+    }
+}
+
+fn self_checks(
+    scene: &Scene,
+    model: &Model,
+    settings: &Settings,
+    freeze: &Freeze,
+    found: &Found,
+) -> Vec<Check> {
+    let [x, y] = model.dead;
+    let weight = (x * x + y * y).sqrt();
+    let lambda = found.lower as f64 / GRID;
+    let pushed = [x + lambda * model.live[0], y + lambda * model.live[1]];
+    let carried = |contacts: &[Contact]| reaction(contacts, |side| freeze.holds(side));
+    let drift = search::displacement(model, &found.settled.states, &found.rest.states);
+    let closed = off_joints(scene, &found.rest.contacts);
+    vec![
+        checks::at_rest(search::speed(model, &found.settled.states)),
+        checks::supports_carry(
+            model.dead,
+            carried(&found.settled.contacts),
+            weight,
+            "settled,",
+        ),
+        checks::supports_carry(
+            pushed,
+            carried(&found.rest.contacts),
+            weight,
+            "at the last rest",
+        ),
+        checks::open_stays_open(closed, weight),
+        checks::small_drift(drift, settings.drift),
+    ]
+}
+
+/// Force of everything fixed on the blocks that may move.
+fn reaction(contacts: &[Contact], fixed: impl Fn(Side) -> bool) -> [f64; 2] {
+    let mut sum = [0.0; 2];
+    for contact in contacts {
+        let sign = match contact.between.map(&fixed) {
+            [true, false] => 1.0,
+            [false, true] => -1.0,
+            _ => continue,
+        };
+        sum = [
+            sum[0] + sign * contact.force[0],
+            sum[1] + sign * contact.force[1],
+        ];
+    }
+    sum
+}
+
+/// Sum of normal forces between bodies that share no joint of the scene.
+fn off_joints(scene: &Scene, contacts: &[Contact]) -> f64 {
+    let ordered = |[a, b]: [Side; 2]| if a < b { [a, b] } else { [b, a] };
+    let joints = scene.joints.iter();
+    let mut joined: Vec<[Side; 2]> = joints
+        .map(|joint| ordered([joint.from, Side::Block(joint.to)]))
+        .collect();
+    joined.sort_unstable();
+    let off = contacts
+        .iter()
+        .filter(|contact| joined.binary_search(&ordered(contact.between)).is_err());
+    // Not `sum`, which makes −0 of nothing.
+    off.map(|contact| contact.pressure).fold(0.0, |a, b| a + b)
+}
+
+/// Displacements from one state to another, in the scene's length unit.
+fn mechanism(scene: &Scene, model: &Model, from: &[State], to: &[State]) -> Mechanism {
+    let mut motions = vec![Motion::default(); scene.blocks.len()];
+    for ((a, b), block) in from.iter().zip(to).zip(&model.blocks) {
+        let moved = Vector::new(b.position[0] - a.position[0], b.position[1] - a.position[1]);
+        motions[block.index] = Motion {
+            velocity: moved * model.length,
+            rotation: b.rotation - a.rotation,
+        };
+    }
+    Mechanism { motions }
+}

@@ -1,0 +1,99 @@
+//! Every setting in one place, without dimensions: lengths in course heights, g = 1, so times are
+//! in √(H_c/g) and speeds in √(g·H_c).
+
+use super::model::Model;
+
+/// λ is a whole number of these; brackets then print exactly with five decimals.
+pub const GRID: f64 = 1e5;
+
+/// Courses from which on a wall is tall: it sways further before it falls, and is costlier.
+pub const TALL: f64 = 20.0;
+
+/// Settings of one pushover.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Settings {
+    /// Substep τ. The error of λ falls with τ and grows with the number of courses.
+    pub substep: f64,
+    /// Substeps in a time step; collision detection runs and forces turn once a time step.
+    pub substeps: usize,
+    /// Natural frequency of the contacts; times τ at most 0.25, beyond which walls jitter.
+    pub contact_frequency: f64,
+    /// Damping ratio of the contacts.
+    pub damping_ratio: f64,
+    /// Relaxation sweeps a substep; friction is solved in these only.
+    pub stabilization: usize,
+    /// Distance at which contacts are foreseen; not below `recycle_distance`, or a corner that is
+    /// open when a pair's contact points are renewed would be missing when it closes.
+    pub prediction: f64,
+    /// Relative drift up to which a pair keeps its contact points. That keeps the geometry of the
+    /// scene as laid; renewed at every step, points follow the small movements before collapse,
+    /// which costs λ 0.1 to 0.4 % in small walls and 4 % in a slender arch.
+    pub recycle_distance: f64,
+    /// Time over which rest or collapse must show.
+    pub window: f64,
+    /// Time after which a state that neither rests nor collapses is unclear.
+    pub patience: f64,
+    /// Kinetic damping: blocks are stopped when their kinetic energy has fallen to this part of
+    /// its last peak.
+    pub damp_below: f64,
+    /// Speed below which the settled scene is at rest under its own weight.
+    pub settled_speed: f64,
+    /// Displacement beyond which a large step is given up.
+    pub runaway: f64,
+    /// Displacement beyond which the last, small step has collapsed.
+    pub collapse: f64,
+    /// Displacement under the own weight alone beyond which the scene falls.
+    pub fall: f64,
+    /// Displacement up to the last load at rest beyond which that is no longer the scene as laid.
+    pub drift: f64,
+    /// First increment of λ, in [`GRID`] units.
+    pub first_increment: u64,
+    /// Largest λ that is tried, in [`GRID`] units.
+    pub largest: u64,
+    /// Width of the bracket relative to λ.
+    pub tolerance: f64,
+    /// Time steps after which the search gives up.
+    pub budget: usize,
+}
+
+impl Settings {
+    /// Settings for a model.
+    pub fn new(model: &Model) -> Self {
+        // Fewer courses than 8 still need the substep of 8: it also resolves a block's rocking.
+        let substep = 0.025 / model.courses.max(8.0);
+        let tall = model.courses >= TALL;
+        Self {
+            substep,
+            substeps: 32,
+            contact_frequency: 0.25 / substep,
+            damping_ratio: 10.0,
+            stabilization: 1,
+            prediction: 0.02,
+            recycle_distance: 0.02,
+            window: 0.5,
+            patience: 200.0,
+            // Stopping at every dip of the energy follows a step most gently, but keeps the slow
+            // modes of a tall wall from ever settling.
+            damp_below: if tall { 0.5 } else { 1.0 },
+            settled_speed: 1e-7,
+            runaway: if tall { 0.1 } else { 0.02 },
+            collapse: if tall { 0.3 } else { 0.1 },
+            fall: 1.0,
+            drift: 0.02 * model.courses.max(5.0),
+            first_increment: 5_000,
+            largest: 10_000_000,
+            tolerance: 4e-4 * (model.courses / 12.0).max(1.0).powi(2),
+            budget: 200_000,
+        }
+    }
+
+    /// The same with half the substep.
+    pub fn halved(self) -> Self {
+        Self {
+            substep: self.substep / 2.0,
+            contact_frequency: 2.0 * self.contact_frequency,
+            substeps: 2 * self.substeps,
+            ..self
+        }
+    }
+}

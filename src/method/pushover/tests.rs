@@ -1,0 +1,181 @@
+//! Small scenes with known multipliers (sources with each test). All figures are dimensionless.
+
+use super::*;
+use crate::scene::{Course, Piece, Point, Polygon, Push, Wall};
+
+fn wall(unit: [f64; 2], friction: f64, courses: &[&str]) -> Wall {
+    let course = |text: &&str| -> Course {
+        let piece = |kind| match kind {
+            'h' => Piece::Half,
+            'g' => Piece::Gap,
+            _ => Piece::Unit,
+        };
+        text.chars().map(piece).collect()
+    };
+    Wall {
+        unit_length: unit[0],
+        unit_height: unit[1],
+        thickness: 1.0,
+        unit_weight: 1.0,
+        courses: courses.iter().map(course).collect(),
+        friction,
+        overburden: 0.0,
+        push: Push::Right,
+    }
+}
+
+fn paper_1() -> Wall {
+    wall([4.0, 1.75], 0.65, &["h1111h", "11111"].repeat(3))
+}
+
+fn pushover(scene: &Scene) -> Outcome {
+    Pushover.solve(scene, &method::Settings::default())
+}
+
+fn pushed(wall: &Wall) -> Outcome {
+    pushover(&wall.scene(HeadJoints::Open).unwrap())
+}
+
+fn bracket(outcome: &Outcome) -> Bracket {
+    outcome
+        .bracket
+        .unwrap_or_else(|| panic!("{}", outcome.reason))
+}
+
+/// A block b × h on a plane: λ = min(μ, b/h), in closed form; within 1e-3, in both directions.
+#[test]
+fn a_block_slides_or_rocks() {
+    for (unit, friction, exact) in [
+        ([4.0, 1.75], 0.3, 0.3),
+        ([1.0, 4.0], 0.65, 0.25),
+        ([0.05, 1.0], 0.65, 0.05),
+    ] {
+        for push in [Push::Right, Push::Left] {
+            let block = Wall {
+                push,
+                ..wall(unit, friction, &["1"])
+            };
+            let outcome = pushed(&block);
+            assert!(bracket(&outcome).error(exact) < 1e-3, "{outcome:?}");
+        }
+    }
+}
+
+/// A stack of total height H: λ = min(μ, b/H), in closed form; within 1e-3.
+#[test]
+fn a_stack_slides_or_rocks() {
+    for (friction, exact) in [(0.3, 0.3), (0.65, 0.4)] {
+        let stack = wall([1.0, 0.5], friction, &["1"; 5]);
+        assert!(bracket(&pushed(&stack)).error(exact) < 1e-3);
+    }
+}
+
+/// paper-1 with open head joints: 0.639969, verified by linear programs that share no code with
+/// this method; c = 8, e = 12 as published (tan β = 0.7619). Within 0.1 %, no wider than 0.1 %.
+#[test]
+fn the_first_wall_of_the_paper() {
+    let outcome = pushed(&paper_1());
+    assert_eq!(outcome.status, Status::Bracketed, "{}", outcome.reason);
+    let bracket = bracket(&outcome);
+    assert!(bracket.error(0.639969) < 1e-3 && bracket.relative_width() < 1e-3);
+    let crack = outcome.crack.unwrap();
+    assert_eq!((crack.c, crack.e), (Some(8.0), Some(12.0)));
+    assert_eq!(outcome.checks.len(), 6);
+}
+
+/// Lengths and the origin do not matter: millimetres, and 10⁶ course heights away. Push to the
+/// left, so that this is a mirrored run too.
+#[test]
+fn scale_origin_and_direction_do_not_matter() {
+    let small = Wall {
+        unit_length: 4e-3,
+        unit_height: 1.75e-3,
+        unit_weight: 1e-6,
+        push: Push::Left,
+        ..paper_1()
+    };
+    let mut scene = small.scene(HeadJoints::Open).unwrap();
+    let away = Vector::new(1750.0, -1750.0);
+    let shift = |shape: &Polygon| {
+        let corners: Vec<Point> = shape.corners().iter().map(|p| p + away).collect();
+        Polygon::new(corners).unwrap()
+    };
+    for block in &mut scene.blocks {
+        block.shape = shift(&block.shape);
+        block.loads.iter_mut().for_each(|load| load.point += away);
+    }
+    scene.supports = scene.supports.iter().map(shift).collect();
+    let outcome = pushover(&scene);
+    assert!(
+        bracket(&outcome).error(0.639969) < 1e-3,
+        "{}",
+        outcome.reason
+    );
+}
+
+#[test]
+fn the_same_run_gives_the_same_bits() {
+    let column = wall([4.0, 1.75], 0.65, &["1", "hh", "1"]);
+    let (one, other) = (pushed(&column), pushed(&column));
+    assert_eq!(one.bracket, other.bracket);
+    assert_eq!(one.mechanism, other.mechanism);
+    assert_eq!(one.checks, other.checks);
+    assert_eq!(one.work, other.work);
+}
+
+#[test]
+fn without_friction_nothing_can_be_pushed() {
+    let slippery = Wall {
+        friction: 0.0,
+        ..wall([4.0, 1.75], 0.0, &["1"])
+    };
+    assert_eq!(
+        bracket(&pushed(&slippery)),
+        Bracket {
+            lower: 0.0,
+            upper: 1e-5
+        }
+    );
+}
+
+#[test]
+fn what_cannot_be_answered_is_undecided() {
+    let contact = paper_1().scene(HeadJoints::Contact).unwrap();
+    assert_eq!(pushover(&contact).status, Status::Undecided);
+
+    let mut uneven = paper_1().scene(HeadJoints::Open).unwrap();
+    uneven.joints.last_mut().unwrap().friction = 0.1;
+    let outcome = pushover(&uneven);
+    assert!(outcome.status == Status::Undecided && outcome.reason.contains("friction"));
+
+    // Nothing pushes: it stands at every λ, and no number is made of that.
+    let mut unpushed = wall([4.0, 1.75], 0.65, &["1"])
+        .scene(HeadJoints::Open)
+        .unwrap();
+    unpushed.blocks[0].loads[0].live = Vector::zeros();
+    let outcome = pushover(&unpushed);
+    assert!(outcome.status == Status::Undecided && outcome.bracket.is_none());
+}
+
+/// A block whose centre of mass lies beyond the edge of its support.
+#[test]
+fn an_overhanging_block_falls() {
+    let mut scene = wall([4.0, 1.75], 0.65, &["1"])
+        .scene(HeadJoints::Open)
+        .unwrap();
+    scene.supports[0] = Polygon::rectangle(-10.0, 1.5, -1.75, 0.0).unwrap();
+    scene.joints[0].ends[1].x = 1.5;
+    let outcome = pushover(&scene);
+    assert_eq!(outcome.status, Status::Falls, "{}", outcome.reason);
+}
+
+#[test]
+fn verification_passes_on_a_column_and_fails_on_a_foreign_bracket() {
+    let scene = wall([1.0, 0.5], 0.65, &["1"; 5])
+        .scene(HeadJoints::Open)
+        .unwrap();
+    let mut outcome = pushover(&scene);
+    assert!(verify(&scene, &outcome).iter().all(|check| check.passed));
+    outcome.bracket = Some(Bracket::point(0.41));
+    assert!(verify(&scene, &outcome).iter().all(|check| !check.passed));
+}

@@ -1,0 +1,175 @@
+//! The contracts that scripts rely on: exit status, columns, where things are printed.
+
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+fn trilith(folder: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_trilith"))
+        .current_dir(folder)
+        .args(arguments)
+        .output()
+        .expect("the program starts")
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).expect("output is UTF-8")
+}
+
+#[test]
+fn csv_begins_with_the_agreed_columns() {
+    let folder = tempfile::tempdir().unwrap();
+    let arguments = [
+        "run",
+        "paper-1",
+        "--method",
+        "macro-block",
+        "associative",
+        "--format",
+        "csv",
+    ];
+    let output = trilith(folder.path(), &arguments);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let out = text(&output.stdout);
+    let mut lines = out.lines();
+    let heading = lines.next().unwrap();
+    let agreed = "case,method,status,lower,upper,tan_beta,c,e,residual,seconds,reason";
+    assert!(heading.starts_with(agreed), "{heading}");
+    let names: Vec<(&str, &str)> = lines
+        .map(|line| {
+            let mut fields = line.split(',');
+            (fields.next().unwrap(), fields.next().unwrap())
+        })
+        .collect();
+    assert_eq!(
+        names,
+        [
+            ("paper-1", "macro-block"),
+            ("paper-1@open", "macro-block"),
+            ("paper-1", "associative"),
+            ("paper-1@open", "associative")
+        ]
+    );
+}
+
+#[test]
+fn json_carries_numbers_and_null() {
+    let folder = tempfile::tempdir().unwrap();
+    let arguments = [
+        "run",
+        "sliding-block",
+        "--method",
+        "macro-block",
+        "associative",
+        "--format",
+        "json",
+    ];
+    let output = trilith(folder.path(), &arguments);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let rows: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(rows[0]["status"], "not-applicable");
+    assert_eq!(rows[0]["lower"], serde_json::Value::Null);
+    assert!((rows[1]["lower"].as_f64().unwrap() - 0.3).abs() < 1e-6);
+}
+
+#[test]
+fn a_template_runs_and_is_not_overwritten() {
+    let folder = tempfile::tempdir().unwrap();
+    let made = trilith(folder.path(), &["new", "mine"]);
+    assert_eq!(made.status.code(), Some(0), "{}", text(&made.stderr));
+    let ran = trilith(
+        folder.path(),
+        &[
+            "run",
+            "mine.toml",
+            "--method",
+            "associative",
+            "--out",
+            "results",
+        ],
+    );
+    assert_eq!(ran.status.code(), Some(0), "{}", text(&ran.stderr));
+    for file in ["results.csv", "results.json", "mine.txt"] {
+        assert!(folder.path().join("results").join(file).exists(), "{file}");
+    }
+    let again = trilith(folder.path(), &["new", "mine"]);
+    assert_eq!(again.status.code(), Some(2));
+    assert!(text(&again.stderr).contains("is there already"));
+}
+
+#[test]
+fn records_of_a_users_wall_are_compared_and_reviewed() {
+    let folder = tempfile::tempdir().unwrap();
+    assert!(trilith(folder.path(), &["new", "mine"]).status.success());
+    let run = [
+        "run",
+        "mine.toml",
+        "--method",
+        "associative",
+        "--record",
+        "snapshots",
+    ];
+    assert_eq!(trilith(folder.path(), &run).status.code(), Some(1));
+    let snapshots = folder.path().join("snapshots");
+    fs::rename(snapshots.join("mine.snap.new"), snapshots.join("mine.snap")).unwrap();
+    assert_eq!(trilith(folder.path(), &run).status.code(), Some(0));
+    let file = folder.path().join("mine.toml");
+    let wall = fs::read_to_string(&file).unwrap();
+    let friction = wall
+        .lines()
+        .find(|line| line.starts_with("friction"))
+        .unwrap();
+    fs::write(&file, wall.replace(friction, "friction = 0.2")).unwrap();
+    assert_eq!(trilith(folder.path(), &run).status.code(), Some(1));
+    assert!(snapshots.join("mine.snap.new").exists());
+}
+
+#[test]
+fn a_violated_reference_exits_with_1() {
+    let folder = tempfile::tempdir().unwrap();
+    let wall = "title = \"t\"\nsource = \"s\"\nunit = { length = 4.0, height = 1.75, weight = 1.0 }\n\
+                courses = [\"1\"]\nfriction = 0.3\n\n[[references]]\nmethod = \"associative\"\n\
+                quantity = \"lambda\"\nvalue = 0.31\ntolerance = 1e-3\nsource = \"wrong\"\n\
+                kind = \"analytic\"\n";
+    fs::write(folder.path().join("wrong.toml"), wall).unwrap();
+    let output = trilith(
+        folder.path(),
+        &["run", "wrong.toml", "--method", "associative"],
+    );
+    assert_eq!(output.status.code(), Some(1), "{}", text(&output.stderr));
+    assert!(text(&output.stdout).contains("VIOLATED"));
+}
+
+#[test]
+fn bad_input_exits_with_2_names_the_line_and_leaves_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let wall = "title = \"t\"\nsource = \"s\"\nunit = { length = 4.0, height = 1.75, weight = 1.0 }\n\
+                courses = [\"1x1\"]\nfriction = 0.3\n";
+    fs::write(folder.path().join("bad.toml"), wall).unwrap();
+    let output = trilith(folder.path(), &["run", "bad.toml", "--out", "results"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(output.stdout.is_empty());
+    let complaint = text(&output.stderr);
+    assert!(complaint.contains("bad.toml:4"), "{complaint}");
+    assert!(!folder.path().join("results").exists());
+    for arguments in [
+        &["run", "no-such-case"][..],
+        &["run", "--method", "guess"],
+        &["walk"],
+    ] {
+        let output = trilith(folder.path(), arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        assert!(!output.stderr.is_empty() && output.stdout.is_empty());
+    }
+}
+
+#[test]
+fn list_and_show_name_the_built_in_cases() {
+    let folder = tempfile::tempdir().unwrap();
+    let list = text(&trilith(folder.path(), &["list"]).stdout);
+    for name in ["paper-1", "paper-2", "paper-3", "macro-block", "pushover"] {
+        assert!(list.contains(name), "{name} is not in\n{list}");
+    }
+    let show = text(&trilith(folder.path(), &["show", "paper-3"]).stdout);
+    assert!(show.contains("1176 blocks, 3409 joints"), "{show}");
+}

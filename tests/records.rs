@@ -1,0 +1,17 @@
+//! One record test a case file. `cargo insta review` is how a change of results is accepted.
+
+mod common;
+
+use std::path::Path;
+
+fn record(path: &Path) -> datatest_stable::Result<()> {
+    let case = common::read(path);
+    let name = case.name.clone();
+    let long = common::is_long(&case);
+    common::assert_record(case, &name, |method| !(long && method == "pushover"));
+    Ok(())
+}
+
+datatest_stable::harness! {
+    { test = record, root = "cases", pattern = r".*\.toml$" },
+}
