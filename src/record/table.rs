@@ -67,9 +67,7 @@ fn multiplier(row: &Row) -> String {
 
 /// The worst verdict about this row, or "-" where nothing is known to compare with.
 fn verdict(result: &CaseResult, row: &Row) -> &'static str {
-    let about = |check: &&Check| {
-        check.head_joints == row.head_joints && check.text.split(' ').next() == Some(row.method)
-    };
+    let about = |check: &&Check| check.head_joints == row.head_joints && check.method == row.method;
     let worst = result.checks.iter().filter(about).map(|c| c.verdict).max();
     worst.map_or("-", |verdict| verdict.name())
 }

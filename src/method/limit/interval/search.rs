@@ -156,7 +156,7 @@ impl<'a> Search<'a> {
 
     /// (a) The largest λ with shear capacities frozen at μ `normal`; its mechanism has no
     /// dilatancy and closes the gap best for these normal forces.
-    fn frozen(&mut self, normal: &[f64]) -> Result<Solution, Failure> {
+    pub(super) fn frozen(&mut self, normal: &[f64]) -> Result<Solution, Failure> {
         let laws: Vec<Friction> = (self.coulomb.iter().zip(normal))
             .map(|(law, n)| Friction {
                 slope: 0.0,

@@ -17,8 +17,10 @@ pub(super) struct Start {
 /// With head joints in contact, the first two are the lowest state of the same scene with open head
 /// joints (nothing on head joints: the state before pushing) and the associative state, which lies
 /// in the middle of the optimal face. Between them they reach the lowest state known on every wall
-/// with a reference; an interior-point solver started at random does not. Further ones scale each
-/// joint's associative N by 0.2 to 1.6.
+/// with a reference; an interior-point solver started at random does not. With open head joints
+/// the associative state comes first and is followed by the forces of a few programs with frozen
+/// capacities, which find lower branches on irregular bonds. Further ones scale each joint's
+/// associative N by 0.2 to 1.6.
 pub(super) fn starts(
     scene: &Scene,
     search: &mut Search,
@@ -41,6 +43,14 @@ pub(super) fn starts(
         name: "associative",
         normal: associative.clone(),
     });
+    if starts.len() < count
+        && let Some(normal) = frozen_state(search, associative.clone())
+    {
+        starts.push(Start {
+            name: "frozen",
+            normal,
+        });
+    }
     while starts.len() < count {
         let mut noise = Noise::new(starts.len());
         let scaled = associative
@@ -52,6 +62,15 @@ pub(super) fn starts(
         });
     }
     Ok(starts)
+}
+
+/// Normal forces after a few programs with frozen capacities, each from the last one's forces: the
+/// way of the sequential method, which ends on other branches than the gap does.
+fn frozen_state(search: &mut Search, mut normal: Vec<f64>) -> Option<Vec<f64>> {
+    for _ in 0..4 {
+        normal = totals(&search.frozen(&normal).ok()?.forces);
+    }
+    Some(normal)
 }
 
 /// Normal forces of the lowest state of the first start with open head joints, zero on those;
