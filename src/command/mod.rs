@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use trilith::method::{METHODS, Settings};
+use trilith::method::Settings;
 use trilith::scene::HeadJoints;
 
 /// Validation and regression harness for the limit analysis of dry-joint masonry walls.
@@ -41,8 +41,8 @@ struct RunArguments {
     /// Case files, folders of them, or names of built-in cases; none: the paper's three walls.
     #[arg(value_name = "CASE")]
     cases: Vec<String>,
-    /// Only this method (may be given several times).
-    #[arg(long, value_name = "NAME", value_parser = method_names(), num_args = 1..)]
+    /// Only these methods; `trilith list` names them.
+    #[arg(long, value_name = "NAME", num_args = 1.., value_delimiter = ',')]
     method: Vec<String>,
     /// Head joints instead of what the case says.
     #[arg(long)]
@@ -82,10 +82,6 @@ impl From<HeadJointsArgument> for HeadJoints {
             HeadJointsArgument::Open => HeadJoints::Open,
         }
     }
-}
-
-fn method_names() -> clap::builder::PossibleValuesParser {
-    METHODS.map(|method| method.name()).into()
 }
 
 /// Exit status of a result that failed, a published value violated, a record that changed.

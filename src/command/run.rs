@@ -14,9 +14,10 @@ use trilith::run::{CaseResult, Plan};
 use super::{Format, REFUTED, RunArguments, Stop, print};
 
 pub(super) fn run(arguments: &RunArguments) -> Result<u8, Stop> {
-    let cases = read(&arguments.cases)?;
+    let (methods, misplaced) = methods(&arguments.method)?;
+    let cases = read(&[arguments.cases.as_slice(), &misplaced].concat())?;
     let plan = Plan {
-        methods: methods(&arguments.method),
+        methods,
         settings: Settings {
             starts: arguments.starts as usize,
         },
@@ -55,13 +56,20 @@ fn read(arguments: &[String]) -> Result<Vec<Case>, Stop> {
     })
 }
 
-fn methods(names: &[String]) -> Vec<&'static dyn Method> {
-    if names.is_empty() {
-        return METHODS.to_vec();
+/// The methods of these names in the list's own order, each once; all of them without a name. What
+/// names no method but a case, as in `--method associative paper-1`, is handed back.
+fn methods(names: &[String]) -> Result<(Vec<&'static dyn Method>, Vec<String>), Stop> {
+    let known = |name: &str| METHODS.iter().any(|method| method.name() == name);
+    let (names, others): (Vec<String>, Vec<String>) =
+        names.iter().cloned().partition(|name| known(name));
+    if let Some(other) = others.iter().find(|other| case::find(other).is_err()) {
+        let list = METHODS.map(|method| method.name()).join(", ");
+        let text = format!("error: there is no method named `{other}`\nhelp: methods are {list}");
+        return Err(Stop::bad_input(text));
     }
-    // In the list's own order, each once.
-    let wanted = |m: &&'static dyn Method| names.iter().any(|name| name == m.name());
-    METHODS.into_iter().filter(|m| wanted(m)).collect()
+    let wanted =
+        |method: &&dyn Method| names.is_empty() || names.iter().any(|n| n == method.name());
+    Ok((METHODS.into_iter().filter(wanted).collect(), others))
 }
 
 /// Progress on standard error, only where that is a terminal.
@@ -136,8 +144,11 @@ mod tests {
 
     #[test]
     fn methods_keep_their_order_and_come_once() {
-        let names = ["sequential", "macro-block", "sequential"].map(str::to_owned);
-        let found: Vec<&str> = methods(&names).iter().map(|m| m.name()).collect();
+        let names = ["sequential", "paper-1", "macro-block", "sequential"].map(str::to_owned);
+        let (found, cases) = methods(&names).unwrap_or_default();
+        let found: Vec<&str> = found.iter().map(|m| m.name()).collect();
         assert_eq!(found, ["macro-block", "sequential"]);
+        assert_eq!(cases, ["paper-1"]);
+        assert!(methods(&["guess".to_owned()]).is_err());
     }
 }
