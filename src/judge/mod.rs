@@ -9,7 +9,10 @@ mod residual;
 pub use check::{Check, Verdict};
 pub use cross_check::{cross_check, open_never_raises};
 pub use references::{computed, reference_checks};
-pub use residual::{CollapseResidual, StaticResidual, dead_power, kinematic_multiplier};
+pub use residual::{
+    CollapseResidual, StaticResidual, dead_power, falling_violation, kinematic_multiplier,
+    live_unit,
+};
 
 use crate::method::{Outcome, Status};
 use crate::scene::Scene;
@@ -22,6 +25,9 @@ pub const VERIFIED_RESIDUAL: f64 = 1e-8;
 /// Returns the residual where forces or a mechanism were given; `None` means that there is nothing
 /// to vouch for.
 pub fn judge(scene: &Scene, method: &str, outcome: &mut Outcome) -> Option<f64> {
+    if matches!(outcome.status, Status::Falls | Status::Stands) {
+        return judge_certificate(scene, method, outcome);
+    }
     let (Some(bracket), Some(forces), Some(mechanism)) =
         (outcome.bracket, &outcome.forces, &outcome.mechanism)
     else {
@@ -67,6 +73,39 @@ pub fn judge(scene: &Scene, method: &str, outcome: &mut Outcome) -> Option<f64> 
         append(
             &mut outcome.reason,
             &format!("no proof: {}", worst(&statics, &collapse)),
+        );
+    }
+    Some(residual)
+}
+
+/// The residual of what proves `falls` (a mechanism) or `stands` (forces at λ = 0 and a ray): refutes
+/// the status where that fails, lowers it to `undecided` where nothing is given.
+fn judge_certificate(scene: &Scene, method: &str, outcome: &mut Outcome) -> Option<f64> {
+    let residual = match (
+        outcome.status,
+        &outcome.mechanism,
+        &outcome.forces,
+        &outcome.ray,
+    ) {
+        (Status::Falls, Some(mechanism), _, _) => falling_violation(scene, mechanism),
+        (Status::Stands, _, Some(forces), Some(ray)) => StaticResidual::of(scene, forces, 0.0)
+            .largest()
+            .max(StaticResidual::of_ray(scene, ray).largest()),
+        // The pushover saw it fall; it never claims more than what it saw.
+        (Status::Falls, None, _, _) if method == "pushover" => return None,
+        (status, _, _, _) => {
+            outcome.status = Status::Undecided;
+            let text = format!("claims that it {} without a proof", status.name());
+            append(&mut outcome.reason, &text);
+            return None;
+        }
+    };
+    // Written so that a NaN refutes.
+    let holds = residual <= VERIFIED_RESIDUAL;
+    if !holds {
+        refute(
+            outcome,
+            format!("refuted by the judge: residual {residual:.1e}"),
         );
     }
     Some(residual)

@@ -4,7 +4,7 @@ use std::fmt;
 
 use crate::mechanism::Mechanism;
 use crate::method::JointForce;
-use crate::scene::{Point, Scene, Side, Vector, Wrench};
+use crate::scene::{Block, Point, Scene, Side, Vector, Wrench};
 
 /// Violations of static admissibility, as fractions of the total weight.
 #[derive(Clone, Copy, Debug, Default)]
@@ -20,20 +20,34 @@ pub struct StaticResidual {
 impl StaticResidual {
     /// Violations of a force state at the multiplier `lambda`.
     pub fn of(scene: &Scene, forces: &[JointForce], lambda: f64) -> Self {
-        let weight = scene.total_weight();
-        let units = [weight, weight, weight * scene.height()];
+        let loads = scene.blocks.iter().map(|block| {
+            let (dead, live) = (block.dead(), block.live());
+            std::array::from_fn(|k| dead[k] + lambda * live[k])
+        });
+        Self::under(scene, forces, loads.collect(), scene.total_weight())
+    }
+
+    /// Violations of a ray: forces that balance the live load for λ = 1 and nothing else, as
+    /// fractions of the total live load, or of the weight where there is none.
+    pub fn of_ray(scene: &Scene, ray: &[JointForce]) -> Self {
+        let loads = scene.blocks.iter().map(Block::live);
+        Self::under(scene, ray, loads.collect(), live_unit(scene))
+    }
+
+    fn under(scene: &Scene, forces: &[JointForce], loads: Vec<Wrench>, unit: f64) -> Self {
+        let units = [unit, unit, unit * scene.height()];
         let mut out = Self::default();
-        for balance in balances(scene, forces, lambda) {
+        for balance in balances(scene, forces, loads) {
             for (value, unit) in balance.iter().zip(units) {
                 out.equilibrium = larger(out.equilibrium, value.abs() / unit);
             }
         }
         for (joint, force) in scene.joints.iter().zip(forces) {
             let [n1, n2] = force.normal;
-            out.tension = larger(out.tension, -n1 / weight);
-            out.tension = larger(out.tension, -n2 / weight);
+            out.tension = larger(out.tension, -n1 / unit);
+            out.tension = larger(out.tension, -n2 / unit);
             let excess = force.shear.abs() - joint.friction * (n1 + n2);
-            out.friction = larger(out.friction, excess / weight);
+            out.friction = larger(out.friction, excess / unit);
         }
         out
     }
@@ -54,13 +68,9 @@ impl fmt::Display for StaticResidual {
     }
 }
 
-/// Unbalanced wrench of every block.
-fn balances(scene: &Scene, forces: &[JointForce], lambda: f64) -> Vec<Wrench> {
-    let mut sums: Vec<Wrench> = Vec::with_capacity(scene.blocks.len());
-    for block in &scene.blocks {
-        let (dead, live) = (block.dead(), block.live());
-        sums.push(std::array::from_fn(|k| dead[k] + lambda * live[k]));
-    }
+/// Unbalanced wrench of every block, from those of its loads.
+fn balances(scene: &Scene, forces: &[JointForce], loads: Vec<Wrench>) -> Vec<Wrench> {
+    let mut sums = loads;
     for (joint, force) in scene.joints.iter().zip(forces) {
         let tangential = joint.tangent() * force.shear;
         let parts: [(Point, Vector); 3] = [
@@ -84,6 +94,16 @@ fn add(scene: &Scene, sums: &mut [Wrench], block: usize, point: Point, force: Ve
     sum[0] += force.x;
     sum[1] += force.y;
     sum[2] += arm.perp(&force);
+}
+
+/// Force unit of a ray: the total live load for λ = 1, or the weight where there is none.
+pub fn live_unit(scene: &Scene) -> f64 {
+    let live = scene.total_live();
+    if live == 0.0 {
+        scene.total_weight()
+    } else {
+        live
+    }
 }
 
 /// Power of the live load (λ = 1) and of the dead load on a mechanism.
@@ -133,7 +153,22 @@ fn larger(maximum: f64, value: f64) -> f64 {
 
 /// Largest violation of opening ≥ μ|slip|, the associative flow rule.
 pub fn associative_violation(scene: &Scene, mechanism: &Mechanism) -> f64 {
-    let unit = rate_unit(scene, mechanism);
+    flow_violation(scene, mechanism, rate_unit(scene, mechanism))
+}
+
+/// Largest violation of opening ≥ μ|slip| of a mechanism that proves a fall: the dead load alone
+/// does positive work on it. Scaled so that this work is 1 for the total weight; infinite where
+/// there is none. Forces that held the scene would have to be 1/violation times its weight.
+pub fn falling_violation(scene: &Scene, mechanism: &Mechanism) -> f64 {
+    let dead = dead_power(scene, mechanism);
+    if dead > 0.0 {
+        flow_violation(scene, mechanism, scene.total_weight() / dead)
+    } else {
+        f64::INFINITY
+    }
+}
+
+fn flow_violation(scene: &Scene, mechanism: &Mechanism, unit: f64) -> f64 {
     let rates = mechanism.joint_rates(scene);
     let violations = scene.joints.iter().zip(&rates).flat_map(|(joint, rate)| {
         let opening = rate.opening;

@@ -111,10 +111,13 @@ pub struct Outcome {
     pub bracket: Option<Bracket>,
     /// Crack slope of a closed form (no mechanism behind it) or of the mechanism.
     pub crack: Option<Crack>,
-    /// Velocities of every block at collapse.
+    /// Velocities of every block at collapse; with the status `falls`, under the dead load alone.
     pub mechanism: Option<Mechanism>,
-    /// Forces of every joint at the multiplier `bracket.lower`.
+    /// Forces of every joint at the multiplier `bracket.lower`; with the status `stands`, at λ = 0.
     pub forces: Option<Vec<JointForce>>,
+    /// With the status `stands`: forces within friction that balance the live load for λ = 1 and
+    /// nothing else, so that `forces` + λ · `ray` is a state for every λ ≥ 0.
+    pub ray: Option<Vec<JointForce>>,
     /// Every collapse state that the answer rests on, lowest λ first; only the interval has them.
     pub states: Vec<CollapseState>,
     /// Effort.
@@ -134,6 +137,7 @@ impl Outcome {
             crack: None,
             mechanism: None,
             forces: None,
+            ray: None,
             states: Vec::new(),
             work: Work::default(),
             checks: Vec::new(),

@@ -127,6 +127,12 @@ impl Scene {
         loads.map(|load| load.dead.norm()).sum()
     }
 
+    /// Sum of the magnitudes of all live forces for λ = 1.
+    pub fn total_live(&self) -> f64 {
+        let loads = self.blocks.iter().flat_map(|block| &block.loads);
+        loads.map(|load| load.live.norm()).sum()
+    }
+
     /// Lower-left and upper-right corner of all blocks.
     pub fn bounds(&self) -> (Point, Point) {
         let mut boxes = self.blocks.iter().map(|block| block.shape.bounds());

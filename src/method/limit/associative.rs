@@ -3,6 +3,7 @@
 
 use super::program::{Ending, Margins, Program};
 use super::reduction;
+use super::standing::{own_weight, without_optimum};
 use crate::judge;
 use crate::mechanism::{Mechanism, VELOCITY_THRESHOLDS, crack_slope};
 use crate::method::{Bracket, JointForce, Method, Outcome, Settings, Status, Work};
@@ -22,57 +23,77 @@ impl Method for Associative {
 
     fn solve(&self, scene: &Scene, _settings: &Settings) -> Outcome {
         let mut work = Work::default();
+        let standing = match own_weight(scene, &mut work) {
+            Ok(forces) => forces,
+            Err(outcome) => return *outcome,
+        };
         // Dilatancy pushes head joints that are in contact far beyond the stagger line: on paper-3
         // even 920 of 1176 blocks give 3e-8 too much, and no smaller part saves time.
         let open = scene.head_joints == HeadJoints::Open;
         for part in reduction::parts(scene).into_iter().filter(|_| open) {
             if let Ok(mut answer) = optimum(&part.scene, &mut work)
-                && let Some(forces) = part.complete(scene, answer.lambda, &answer.forces, &mut work)
+                && let Some(forces) =
+                    part.complete(scene, answer.bracket.lower, &answer.forces, &mut work)
             {
                 answer.mechanism = part.lift(scene, &answer.mechanism);
+                answer.forces = forces;
                 work.modelled = part.scene.blocks.len();
-                return bracket(scene, Optimum { forces, ..answer }, work);
+                return outcome(scene, answer, work);
             }
         }
         work.modelled = scene.blocks.len();
         match optimum(scene, &mut work) {
-            Ok(answer) => bracket(scene, answer, work),
-            Err(ending) => Outcome {
-                work,
-                ..without_optimum(&ending)
-            },
+            Ok(answer) => outcome(scene, answer, work),
+            Err(ending) => without_optimum(scene, &ending, standing, &mut work),
         }
     }
 }
 
 /// Forces and mechanism of λ_A, in the case's units.
 struct Optimum {
-    lambda: f64,
     forces: Vec<JointForce>,
     mechanism: Mechanism,
+    bracket: Bracket,
 }
 
-/// Solves the program with margins, or without where it has no optimum with them: a scene that can
-/// lock, or one without slack anywhere, may still have one.
+/// Solves the program with margins; with finer ones where those are too wide for a small λ; without
+/// any where it has no optimum with them: a scene that can lock, or one without slack anywhere, may
+/// still have one.
 fn optimum(scene: &Scene, work: &mut Work) -> Result<Optimum, Ending> {
-    let mut program = Program::new(scene);
-    program.set_margins(EXACT);
-    work.programs += 1;
-    let mut ending = program.solve();
-    if !matches!(ending, Ending::Solved(_)) {
-        program = Program::new(scene);
-        work.programs += 1;
-        ending = program.solve();
-    }
-    let Ending::Solved(solution) = ending else {
-        return Err(ending);
+    let Ok(found) = solved(scene, Some(EXACT), work) else {
+        let mut found = solved(scene, None, work)?;
+        // Without margins the ends may cross by what the solver leaves.
+        let bracket = &mut found.bracket;
+        bracket.lower = bracket.lower.min(bracket.upper);
+        return Ok(found);
     };
-    work.iterations += solution.iterations;
-    Ok(Optimum {
-        lambda: solution.lambda,
-        forces: program.scale().forces(&solution.forces),
-        mechanism: program.scale().mechanism(&solution.velocity),
-    })
+    if is_one_number(&found.bracket) {
+        return Ok(found);
+    }
+    let finer = solved(scene, Some(FINER), work);
+    let finer = finer.ok().filter(|finer| is_one_number(&finer.bracket));
+    Ok(finer.unwrap_or(found))
+}
+
+fn solved(scene: &Scene, margins: Option<Margins>, work: &mut Work) -> Result<Optimum, Ending> {
+    let mut program = Program::new(scene);
+    if let Some(margins) = margins {
+        program.set_margins(margins);
+    }
+    match program.solve_counted(work) {
+        Ending::Solved(solution) => {
+            let mechanism = program.scale().mechanism(&solution.velocity);
+            Ok(Optimum {
+                forces: program.scale().forces(&solution.forces),
+                bracket: Bracket {
+                    lower: solution.lambda,
+                    upper: judge::kinematic_multiplier(scene, &mechanism),
+                },
+                mechanism,
+            })
+        }
+        ending => Err(ending),
+    }
 }
 
 /// Ten times what Clarabel leaves at the program's tolerance.
@@ -81,43 +102,25 @@ const EXACT: Margins = Margins {
     opening: 1e-10,
 };
 
-/// The outcome of a program without an optimum, for any method that starts with this one.
-pub fn without_optimum(ending: &Ending) -> Outcome {
-    match ending {
-        Ending::Infeasible => Outcome::without_number(
-            Status::Falls,
-            "the solver finds no equilibrium within friction at any multiplier",
-        ),
-        Ending::Unbounded => Outcome::without_number(
-            Status::Stands,
-            "the solver finds a force state that grows with the multiplier without limit",
-        ),
-        Ending::GaveUp(why) => {
-            Outcome::without_number(Status::Undecided, format!("the solver gave up: {why}"))
-        }
-        Ending::Solved(_) => Outcome::without_number(Status::Failed, "solved, but not read"),
-    }
+/// What it leaves on scenes small enough to need no more.
+const FINER: Margins = Margins {
+    force: 3e-13,
+    opening: 3e-12,
+};
+
+/// NaN is no number, nor are ends that cross by more than rounding.
+fn is_one_number(bracket: &Bracket) -> bool {
+    (-1e-9..=VERIFIED_WIDTH).contains(&bracket.relative_width())
 }
 
-/// Both sides of λ_A, from the forces and from the mechanism of one solution.
-fn bracket(scene: &Scene, optimum: Optimum, work: Work) -> Outcome {
+/// The outcome of both sides of λ_A.
+fn outcome(scene: &Scene, optimum: Optimum, work: Work) -> Outcome {
     let Optimum {
-        lambda,
         forces,
         mechanism,
+        bracket,
     } = optimum;
-    let bracket = Bracket {
-        lower: lambda,
-        upper: judge::kinematic_multiplier(scene, &mechanism),
-    };
-    if bracket.upper < 0.0 {
-        return Outcome {
-            work,
-            mechanism: Some(mechanism),
-            ..Outcome::without_number(Status::Falls, "a mechanism moves without any push")
-        };
-    }
-    let (status, reason) = if bracket.relative_width() <= VERIFIED_WIDTH {
+    let (status, reason) = if is_one_number(&bracket) {
         (Status::Verified, String::new())
     } else {
         let width = bracket.relative_width();

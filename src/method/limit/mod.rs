@@ -5,8 +5,8 @@ mod interval;
 mod program;
 mod reduction;
 mod sequential;
-
-use associative::without_optimum;
+mod standing;
+mod vertical;
 
 pub use associative::Associative;
 pub use interval::Interval;

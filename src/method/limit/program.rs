@@ -10,6 +10,8 @@
 //! with slope μ and intercept 0 for Coulomb's law. Every method of this folder differs only in
 //! slope, intercept and cost, so an iteration changes numbers and never the pattern.
 
+use std::fmt;
+
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{
     DefaultSettings, DefaultSolver, IPSolver, SolverStatus,
@@ -17,7 +19,7 @@ use clarabel::solver::{
 };
 
 use crate::mechanism::{Mechanism, Motion};
-use crate::method::JointForce;
+use crate::method::{JointForce, Work};
 use crate::scene::{Scene, Side, Vector};
 
 /// Friction law of one joint: |t| ≤ slope · (n1 + n2) + intercept, the intercept in units of the
@@ -45,12 +47,24 @@ pub struct Margins {
 pub enum Ending {
     /// The solver reports an optimum. That is its word, not a proof.
     Solved(Solution),
-    /// No force state satisfies the rows, for any λ.
-    Infeasible,
+    /// No force state satisfies the rows, for any λ; velocities as in [`Solution`] by which the
+    /// solver shows that. Its word again.
+    Infeasible(Vec<f64>),
     /// λ can grow without limit.
     Unbounded,
     /// The solver gave up; its own word for why.
     GaveUp(String),
+}
+
+impl fmt::Display for Ending {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Ending::Solved(_) => write!(f, "the solver finds an optimum"),
+            Ending::Infeasible(_) => write!(f, "the solver finds no equilibrium within friction"),
+            Ending::Unbounded => write!(f, "the solver finds λ without limit"),
+            Ending::GaveUp(why) => write!(f, "the solver gave up: {why}"),
+        }
+    }
 }
 
 /// A force state and the mechanism dual to it, in dimensionless form: total weight 1, wall height
@@ -76,9 +90,22 @@ pub struct Program {
     friction_at: Vec<[usize; 4]>,
     rows_of_blocks: usize,
     scale: Scale,
-    /// The multiplier, where it is no variable.
-    fixed: Option<f64>,
+    goal: Goal,
 }
+
+/// What a program looks for. All but `Forces` have a variable of their own behind the forces.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Goal {
+    /// The largest λ.
+    Multiplier,
+    /// Any forces at this λ.
+    Forces(f64),
+    /// Forces at this λ as far inside all their limits as possible, up to [`ENOUGH`].
+    Slack(f64),
+}
+
+/// Slack that a block's mean weight may have, at most: forces that can lock have no limit.
+const ENOUGH: f64 = 0.01;
 
 /// Units of the dimensionless program. Without them Clarabel reports "solved" far from the
 /// optimum: on paper-3 1 % away at tolerance 1e-6 (measured: total weight 1 cures it, weight of
@@ -128,19 +155,33 @@ const TOLERANCE: f64 = 1e-10;
 impl Program {
     /// Assembles the associative program of a scene: Coulomb's law in every joint, λ to be largest.
     pub fn new(scene: &Scene) -> Self {
-        Self::assemble(scene, Scale::of(scene), None)
+        Self::assemble(scene, Scale::of(scene), Goal::Multiplier)
     }
 
     /// Assembles the program that only asks for forces at a given λ, in given units.
     pub fn at_multiplier(scene: &Scene, lambda: f64, scale: Scale) -> Self {
-        Self::assemble(scene, scale, Some(lambda))
+        Self::assemble(scene, scale, Goal::Forces(lambda))
     }
 
-    fn assemble(scene: &Scene, scale: Scale, fixed: Option<f64>) -> Self {
+    /// Assembles the program for the forces at a given λ with the largest slack m: every corner
+    /// force and every distance of a shear from its limit is at least m. Negative slack shows how
+    /// far the scene is from standing, and its mechanism moves without more push: this program has
+    /// an optimum on either side, where the one of [`Program::at_multiplier`] has none.
+    pub fn with_slack(scene: &Scene, lambda: f64) -> Self {
+        Self::assemble(scene, Scale::of(scene), Goal::Slack(lambda))
+    }
+
+    fn assemble(scene: &Scene, scale: Scale, goal: Goal) -> Self {
         let rows_of_blocks = 3 * scene.blocks.len();
         let joints = scene.joints.len();
-        let (lambda, rows) = (3 * joints, rows_of_blocks + 4 * joints);
-        let columns = lambda + usize::from(fixed.is_none());
+        let has_slack = matches!(goal, Goal::Slack(_));
+        let fixed = match goal {
+            Goal::Multiplier => None,
+            Goal::Forces(lambda) | Goal::Slack(lambda) => Some(lambda),
+        };
+        let inequalities = 4 * joints + usize::from(has_slack);
+        let rows = rows_of_blocks + inequalities;
+        let columns = 3 * joints + usize::from(!matches!(goal, Goal::Forces(_)));
         let mut entries = Entries::default();
         let mut friction_at = Vec::with_capacity(joints);
         for (j, joint) in scene.joints.iter().enumerate() {
@@ -170,15 +211,21 @@ impl Program {
                 }
             }
         }
-        if fixed.is_none() {
+        if has_slack {
+            for row in rows_of_blocks..rows {
+                entries.push(row, 1.0);
+            }
+            right[rows - 1] = ENOUGH / scene.blocks.len() as f64;
+        }
+        if columns > 3 * joints {
             entries.close_column();
         }
         let matrix = CscMatrix::new(rows, columns, entries.starts, entries.rows, entries.values);
         let mut cost = vec![0.0; columns];
-        if fixed.is_none() {
-            cost[lambda] = -1.0;
+        if let Some(last) = cost.get_mut(3 * joints) {
+            *last = -1.0;
         }
-        let cones = [ZeroConeT(rows_of_blocks), NonnegativeConeT(4 * joints)];
+        let cones = [ZeroConeT(rows_of_blocks), NonnegativeConeT(inequalities)];
         let solver = DefaultSolver::new(
             &CscMatrix::zeros((columns, columns)),
             &cost,
@@ -195,7 +242,7 @@ impl Program {
             friction_at,
             rows_of_blocks,
             scale,
-            fixed,
+            goal,
         }
     }
 
@@ -236,18 +283,26 @@ impl Program {
         updated.expect("presolve is off, so updates are allowed");
     }
 
-    /// Changes the cost: `lambda` · λ − Σ `normal`[j] · (n1 + n2) is to be largest.
+    /// Changes the cost: `lambda` · λ (or the slack) − Σ `normal`[j] · (n1 + n2) is to be largest.
     pub fn set_cost(&mut self, lambda: f64, normal: &[f64]) {
         let mut cost = vec![0.0; self.solver.solution.x.len()];
         for (j, price) in normal.iter().enumerate() {
             cost[3 * j] = *price;
             cost[3 * j + 1] = *price;
         }
-        if self.fixed.is_none() {
-            cost[3 * normal.len()] = -lambda;
+        if let Some(last) = cost.get_mut(3 * normal.len()) {
+            *last = -lambda;
         }
         let updated = self.solver.update_q(&cost);
         updated.expect("presolve is off, so updates are allowed");
+    }
+
+    /// Solves the program as it stands and counts it.
+    pub fn solve_counted(&mut self, work: &mut Work) -> Ending {
+        let ending = self.solve();
+        work.programs += 1;
+        work.iterations += self.solver.solution.iterations as usize;
+        ending
     }
 
     /// Solves the program as it stands.
@@ -257,7 +312,7 @@ impl Program {
         match solution.status {
             SolverStatus::Solved | SolverStatus::AlmostSolved => Ending::Solved(self.read()),
             SolverStatus::PrimalInfeasible | SolverStatus::AlmostPrimalInfeasible => {
-                Ending::Infeasible
+                Ending::Infeasible(solution.z[..self.rows_of_blocks].to_vec())
             }
             SolverStatus::DualInfeasible | SolverStatus::AlmostDualInfeasible => Ending::Unbounded,
             status @ (SolverStatus::Unsolved
@@ -277,7 +332,10 @@ impl Program {
             shear: q[2],
         });
         Solution {
-            lambda: self.fixed.unwrap_or_else(|| lambda[0]),
+            lambda: match self.goal {
+                Goal::Multiplier => lambda[0],
+                Goal::Forces(lambda) | Goal::Slack(lambda) => lambda,
+            },
             forces: forces.collect(),
             velocity: solution.z[..self.rows_of_blocks].to_vec(),
             iterations: solution.iterations as usize,

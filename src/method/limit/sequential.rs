@@ -1,8 +1,8 @@
 //! Sequential linear programming for non-associative friction, the paper's micro-block method
 //! (Gilbert, Casapulla & Ahmed, Computers & Structures 84 (2006) 873-887).
 
-use super::associative::without_optimum;
 use super::program::{Ending, Friction, Program, Solution};
+use super::standing::{own_weight, without_optimum};
 use crate::mechanism::{VELOCITY_THRESHOLDS, crack_slope};
 use crate::method::{Bracket, Method, Outcome, Settings, Status, Work};
 use crate::scene::Scene;
@@ -82,15 +82,15 @@ impl Method for Sequential {
 
 /// Runs the procedure with settings of one's own.
 pub fn sequential(scene: &Scene, settings: &SequentialSettings) -> Outcome {
-    let mut program = Program::new(scene);
-    let start = match program.solve() {
-        Ending::Solved(solution) => solution,
-        ending => return without_optimum(&ending),
+    let mut work = Work::default();
+    let standing = match own_weight(scene, &mut work) {
+        Ok(forces) => forces,
+        Err(outcome) => return *outcome,
     };
-    let mut work = Work {
-        programs: 1,
-        iterations: start.iterations,
-        ..Work::default()
+    let mut program = Program::new(scene);
+    let start = match program.solve_counted(&mut work) {
+        Ending::Solved(solution) => solution,
+        ending => return without_optimum(scene, &ending, standing, &mut work),
     };
     let mut frozen = normal_forces(&start);
     let mut lambdas = vec![start.lambda];
@@ -101,14 +101,12 @@ pub fn sequential(scene: &Scene, settings: &SequentialSettings) -> Outcome {
             break SequentialEnding::StepLimit;
         }
         program.set_friction(&substitute_law(scene, &frozen, alpha, settings.cohesion));
-        work.programs += 1;
-        last = match program.solve() {
+        last = match program.solve_counted(&mut work) {
             Ending::Solved(solution) => solution,
-            Ending::Infeasible => break SequentialEnding::SubProgramInfeasible,
+            Ending::Infeasible(_) => break SequentialEnding::SubProgramInfeasible,
             Ending::Unbounded => break SequentialEnding::SubProgramUnbounded,
             Ending::GaveUp(_) => break SequentialEnding::SubProgramUnsolved,
         };
-        work.iterations += last.iterations;
         lambdas.push(last.lambda);
         let at_floor = alpha <= settings.last_alpha;
         if at_floor && has_settled(&lambdas, settings) {

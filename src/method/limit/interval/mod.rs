@@ -11,7 +11,7 @@ mod starts;
 
 use super::program::{Ending, Scale};
 use super::reduction::{self, Part};
-use super::without_optimum;
+use super::standing::{own_weight, without_optimum};
 use crate::mechanism::{VELOCITY_THRESHOLDS, crack_slope};
 use crate::method::{Bracket, CollapseState, Method, Outcome, Settings, Status, Work};
 use crate::scene::Scene;
@@ -28,6 +28,10 @@ impl Method for Interval {
 
     fn solve(&self, scene: &Scene, settings: &Settings) -> Outcome {
         let mut work = Work::default();
+        let standing = match own_weight(scene, &mut work) {
+            Ok(forces) => forces,
+            Err(outcome) => return *outcome,
+        };
         for part in reduction::parts(scene) {
             if let Ok(ends) = search(scene, Some(&part), settings, &mut work)
                 && let Some(outcome) = report(scene, &ends, work)
@@ -40,10 +44,7 @@ impl Method for Interval {
                 work,
                 ..Outcome::without_number(Status::Undecided, endings(&ends))
             }),
-            Err(ending) => Outcome {
-                work,
-                ..without_optimum(&ending)
-            },
+            Err(ending) => without_optimum(scene, &ending, standing, &mut work),
         }
     }
 }

@@ -93,12 +93,21 @@ impl Failure {
 /// Programs of one start until it is given up.
 const PATIENCE: usize = 60;
 
+/// Infeasible frozen programs of one start until it goes back to a Coulomb state's own forces.
+const REFUSALS: usize = 4;
+
+fn halfway(a: &[f64], b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| (a + b) / 2.0).collect()
+}
+
 /// The search on one scene.
 pub(super) struct Search<'a> {
     scene: &'a Scene,
     program: Program,
     coulomb: Vec<Friction>,
     free: Vec<f64>,
+    /// N of the last Coulomb state: capacities frozen there hold at least that state.
+    safe: Option<Vec<f64>>,
     pub(super) work: Work,
 }
 
@@ -121,6 +130,7 @@ impl<'a> Search<'a> {
             program: Program::new(scene),
             coulomb: coulomb.collect(),
             free: vec![0.0; scene.joints.len()],
+            safe: None,
             work: Work::default(),
         }
     }
@@ -131,24 +141,22 @@ impl<'a> Search<'a> {
 
     /// Normal forces of the associative state; the ending where there is none.
     pub(super) fn associative(&mut self) -> Result<Vec<f64>, Ending> {
-        self.work.programs += 1;
-        match self.program.solve() {
+        self.program.set_friction(&self.coulomb);
+        self.program.set_cost(1.0, &self.free);
+        match self.program.solve_counted(&mut self.work) {
             Ending::Solved(solution) => {
-                self.work.iterations += solution.iterations;
-                Ok(totals(&solution.forces))
+                let normal = totals(&solution.forces);
+                self.safe = Some(normal.clone());
+                Ok(normal)
             }
             ending => Err(ending),
         }
     }
 
     fn solve(&mut self) -> Result<Solution, Failure> {
-        self.work.programs += 1;
-        match self.program.solve() {
-            Ending::Solved(solution) => {
-                self.work.iterations += solution.iterations;
-                Ok(solution)
-            }
-            Ending::Infeasible => Err(Failure::Infeasible),
+        match self.program.solve_counted(&mut self.work) {
+            Ending::Solved(solution) => Ok(solution),
+            Ending::Infeasible(_) => Err(Failure::Infeasible),
             Ending::Unbounded => Err(Failure::Unbounded),
             Ending::GaveUp(_) => Err(Failure::Unsolved),
         }
@@ -192,8 +200,17 @@ impl<'a> Search<'a> {
     pub(super) fn close(&mut self, mut normal: Vec<f64>) -> Result<State, Failure> {
         let mut last_gap = f64::INFINITY;
         let end = self.work.programs + PATIENCE;
+        let mut refused = 0;
         while self.work.programs < end {
-            let above = self.frozen(&normal)?;
+            let above = match self.frozen(&normal) {
+                // Inclined joints may need more shear than these capacities give.
+                Err(Failure::Infeasible) if refused < REFUSALS => {
+                    refused += 1;
+                    normal = self.nearer_to_safe(&normal, refused)?;
+                    continue;
+                }
+                frozen => frozen?,
+            };
             let prices = self.prices(&above.velocity);
             let below = self.nearest(&prices, 1.0)?;
             let gap = prices.gap(&below);
@@ -201,19 +218,28 @@ impl<'a> Search<'a> {
                 return Ok(State::new(below, above.velocity, prices));
             }
             // (b) alone stalls on walls with openings; blending alone is slow.
+            let coulomb = totals(&below.forces);
+            self.safe = Some(coulomb.clone());
             if gap < 0.5 * last_gap {
-                normal = totals(&below.forces);
+                normal = coulomb;
             } else {
-                let new = totals(&above.forces);
-                normal = normal
-                    .iter()
-                    .zip(&new)
-                    .map(|(a, b)| (a + b) / 2.0)
-                    .collect();
+                normal = halfway(&normal, &totals(&above.forces));
             }
             last_gap = gap;
         }
         Err(Failure::Open)
+    }
+
+    /// Half the way to normal forces that carry a Coulomb state, the whole way at last.
+    fn nearer_to_safe(&mut self, normal: &[f64], refused: usize) -> Result<Vec<f64>, Failure> {
+        let safe = match self.safe.clone() {
+            Some(safe) => safe,
+            None => self.associative().map_err(|_| Failure::Unsolved)?,
+        };
+        Ok(match refused {
+            REFUSALS => safe,
+            _ => halfway(normal, &safe),
+        })
     }
 
     /// (c) The state with the lowest (`sign` −1) or highest (+1) λ among those of one mechanism,

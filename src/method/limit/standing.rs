@@ -1,0 +1,121 @@
+//! Whether a scene stands under its own weight, and whether any push can collapse it, with the
+//! proof of either answer. The solver's word is none: every state and mechanism here has passed
+//! the judge's own residuals.
+
+use super::program::{Ending, Margins, Program, Scale};
+use super::vertical;
+use crate::judge::{StaticResidual, VERIFIED_RESIDUAL, falling_violation, live_unit};
+use crate::mechanism::Mechanism;
+use crate::method::{JointForce, Outcome, Status, Work};
+use crate::scene::Scene;
+
+/// Forces of every joint at λ = 0, or the outcome `falls` with a mechanism that moves under the
+/// dead load alone, or `undecided`.
+///
+/// A scene that some λ ≠ 0 would hold falls nevertheless, so that a feasible program for λ_A says
+/// nothing. Walls of level beds are mostly settled from top to bottom without a program.
+pub(super) fn own_weight(scene: &Scene, work: &mut Work) -> Result<Vec<JointForce>, Box<Outcome>> {
+    let stands = |forces: &[JointForce]| {
+        StaticResidual::of(scene, forces, 0.0).largest() <= VERIFIED_RESIDUAL
+    };
+    if let Some(forces) = vertical::forces(scene).filter(|forces| stands(forces)) {
+        return Ok(forces);
+    }
+    let mut word = String::new();
+    for opening in OPENINGS {
+        let mut program = Program::with_slack(scene, 0.0);
+        program.set_cost(1.0, &vec![-opening; scene.joints.len()]);
+        let velocity = match program.solve_counted(work) {
+            Ending::Solved(solution) => {
+                let forces = program.scale().forces(&solution.forces);
+                if stands(&forces) {
+                    return Ok(forces);
+                }
+                solution.velocity
+            }
+            // No forces at all, not even tensile ones.
+            Ending::Infeasible(certificate) => certificate,
+            ending @ (Ending::Unbounded | Ending::GaveUp(_)) => {
+                word = format!(": {ending}");
+                continue;
+            }
+        };
+        if let Some(outcome) = falls(scene, program.scale().mechanism(&velocity), *work) {
+            return Err(Box::new(outcome));
+        }
+    }
+    let reason = format!("neither forces nor a mechanism are proved at λ = 0{word}");
+    Err(Box::new(Outcome {
+        work: *work,
+        ..Outcome::without_number(Status::Undecided, reason)
+    }))
+}
+
+/// Openings beyond the flow rule, the mechanism's total opening and slip being 1: first enough to
+/// cover what the solver leaves, then none, for scenes that do not fall by much.
+const OPENINGS: [f64; 2] = [1e-10, 0.0];
+
+/// The outcome `falls`, where the mechanism proves it.
+fn falls(scene: &Scene, mechanism: Mechanism, work: Work) -> Option<Outcome> {
+    let proved = falling_violation(scene, &mechanism) <= VERIFIED_RESIDUAL;
+    proved.then(|| Outcome {
+        mechanism: Some(mechanism),
+        work,
+        ..Outcome::without_number(Status::Falls, "a mechanism moves without any push")
+    })
+}
+
+/// The outcome of a scene whose program for λ_A has no optimum although `standing` holds it at
+/// λ = 0: `stands` where a ray of forces proves that, else `undecided`.
+pub(super) fn without_optimum(
+    scene: &Scene,
+    ending: &Ending,
+    standing: Vec<JointForce>,
+    work: &mut Work,
+) -> Outcome {
+    let ray = matches!(ending, Ending::Unbounded).then(|| ray(scene, work));
+    let outcome = match ray.flatten() {
+        Some(ray) => Outcome {
+            forces: Some(standing),
+            ray: Some(ray),
+            ..Outcome::without_number(Status::Stands, "forces grow with the push without limit")
+        },
+        None => Outcome::without_number(Status::Undecided, format!("no proof: {ending}")),
+    };
+    Outcome {
+        work: *work,
+        ..outcome
+    }
+}
+
+/// Distance of forces from their limits, so that what the solver leaves stays inside them.
+const INSIDE: Margins = Margins {
+    force: 1e-11,
+    opening: 0.0,
+};
+
+/// Forces that balance the live load for λ = 1 and nothing else, within friction: they can be added
+/// to any state without limit.
+fn ray(scene: &Scene, work: &mut Work) -> Option<Vec<JointForce>> {
+    let mut pushed = scene.clone();
+    for load in pushed.blocks.iter_mut().flat_map(|block| &mut block.loads) {
+        load.dead = load.live;
+    }
+    let scale = Scale {
+        force: live_unit(scene),
+        length: scene.height(),
+    };
+    for margins in [Some(INSIDE), None] {
+        let mut program = Program::at_multiplier(&pushed, 0.0, scale);
+        if let Some(margins) = margins {
+            program.set_margins(margins);
+        }
+        if let Ending::Solved(solution) = program.solve_counted(work) {
+            let ray = scale.forces(&solution.forces);
+            if StaticResidual::of_ray(scene, &ray).largest() <= VERIFIED_RESIDUAL {
+                return Some(ray);
+            }
+        }
+    }
+    None
+}
