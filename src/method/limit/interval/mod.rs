@@ -124,14 +124,18 @@ fn collapse_state(
 /// Smallest relative fall of λ that counts as one.
 const FALL: f64 = 1e-7;
 
+/// Starts beyond which more of them no longer mean more patience with each.
+const PATIENT: usize = 12;
+
 /// From a start to a state, then down: the lowest state of each mechanism, and on to a neighbour of
 /// that mechanism until λ stops falling. One start asks for a first state only; with more of them
 /// each one is followed the more patiently.
 fn follow(search: &mut Search, start: Start, starts: usize) -> Result<Way, Failure> {
     let first = search.close(start.normal)?;
     let mut lowest = search.extreme_of(&first, -1.0);
+    let patience = starts.min(PATIENT);
     let (mut idle, mut step) = (0, 0);
-    while idle + 1 < starts && step < 6 * starts {
+    while idle + 1 < patience && step < 6 * patience {
         match search.neighbour(&lowest, step) {
             Some(next) if next.lambda < lowest.lambda * (1.0 - FALL) => {
                 lowest = next;
@@ -179,9 +183,14 @@ fn report(scene: &Scene, ends: &[End], work: Work) -> Option<Outcome> {
     })
 }
 
-/// Which start ended where: λ of its lowest state, and how far up that mechanism goes.
+/// Starts that are told one by one.
+const TOLD: usize = 8;
+
+/// Which start ended where: λ of its lowest state, and how far up that mechanism goes; of many
+/// starts the first ones, then how many of the others ended how.
 fn endings(ends: &[End]) -> String {
-    let texts = ends.iter().map(|end| match &end.states {
+    let (first, others) = ends.split_at(ends.len().min(TOLD));
+    let texts = first.iter().map(|end| match &end.states {
         Ok(found) => {
             let range = found.same_mechanism.as_ref();
             let range = range.map_or(String::new(), |high| format!(" to {:.5}", high.lambda));
@@ -189,6 +198,17 @@ fn endings(ends: &[End]) -> String {
         }
         Err(failure) => format!("{}: {}", end.name, failure.in_words()),
     });
-    let texts: Vec<String> = texts.collect();
+    let mut texts: Vec<String> = texts.collect();
+    let verified = others.iter().filter(|end| end.states.is_ok()).count();
+    if !others.is_empty() {
+        texts.push(format!("and {} more: {verified} verified", others.len()));
+    }
+    for failure in Failure::ALL {
+        let failed = |end: &&End| end.states.as_ref().err() == Some(&failure);
+        match others.iter().filter(failed).count() {
+            0 => {}
+            count => texts.push(format!("{count} {}", failure.in_words())),
+        }
+    }
     format!("lowest found, no bound; {}", texts.join(", "))
 }

@@ -79,6 +79,14 @@ pub(super) enum Failure {
 }
 
 impl Failure {
+    pub(super) const ALL: [Failure; 5] = [
+        Failure::Open,
+        Failure::Infeasible,
+        Failure::Unbounded,
+        Failure::Unsolved,
+        Failure::PartOnly,
+    ];
+
     pub(super) fn in_words(self) -> &'static str {
         match self {
             Failure::Open => "gap stayed open",
