@@ -145,6 +145,7 @@ fn worst(statics: &StaticResidual, collapse: &CollapseResidual) -> &'static str 
             collapse.idle_friction,
             "a slipping joint carries less than μN",
         ),
+        (collapse.gap, "small violations add up to a gap"),
     ];
     let worst = named.iter().max_by(|a, b| a.0.total_cmp(&b.0));
     worst.expect("the list is not empty").1
