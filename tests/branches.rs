@@ -1,36 +1,17 @@
 //! Walls with several branches of collapse states, which single methods miss.
 
+mod scenes;
+
 use trilith::method::limit::Interval;
 use trilith::method::{Method, Settings, Status};
-use trilith::scene::{HeadJoints, Piece, Push, Wall};
-
-fn wall(courses: &[&str]) -> Wall {
-    let piece = |letter| match letter {
-        'h' => Piece::Half,
-        'g' => Piece::Gap,
-        _ => Piece::Unit,
-    };
-    Wall {
-        unit_length: 4.0,
-        unit_height: 1.75,
-        thickness: 1.0,
-        unit_weight: 1.0,
-        courses: courses
-            .iter()
-            .map(|course| course.chars().map(piece).collect())
-            .collect(),
-        friction: 0.65,
-        overburden: 0.0,
-        push: Push::Right,
-    }
-}
+use trilith::scene::HeadJoints;
 
 /// With open head joints λ_A of this bond is 0.38095, and states without dilatancy reach down to
 /// 0.36571: there the sequential method settles, and the pushover stands up to 0.3677. A search
 /// that follows the gap alone ended at 0.38095 from each of 40 starts.
 #[test]
 fn the_lower_branch_of_an_irregular_bond_is_found() {
-    let wall = wall(&["h1h", "1hh", "h1h", "hh1", "h1h"]);
+    let wall = scenes::wall(&["h1h", "1hh", "h1h", "hh1", "h1h"], 0.65);
     let scene = wall.scene(HeadJoints::Open).expect("the wall can be laid");
     let outcome = Interval.solve(&scene, &Settings::default());
     assert_eq!(outcome.status, Status::Verified);
