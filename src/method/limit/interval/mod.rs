@@ -33,19 +33,29 @@ impl Method for Interval {
             Err(outcome) => return *outcome,
         };
         for part in reduction::parts(scene) {
-            if let Ok(ends) = search(scene, Some(&part), settings, &mut work)
-                && let Some(outcome) = report(scene, &ends, work)
-            {
+            let Ok(ends) = search(scene, Some(&part), settings, &mut work) else {
+                continue;
+            };
+            // A gap that stays open is no matter of the part's size.
+            let is_open = |end: &End| matches!(end.states, Err(Failure::Open));
+            if ends.iter().all(is_open) {
+                return undecided(&ends, work);
+            }
+            if let Some(outcome) = report(scene, &ends, work) {
                 return outcome;
             }
         }
         match search(scene, None, settings, &mut work) {
-            Ok(ends) => report(scene, &ends, work).unwrap_or_else(|| Outcome {
-                work,
-                ..Outcome::without_number(Status::Undecided, endings(&ends))
-            }),
+            Ok(ends) => report(scene, &ends, work).unwrap_or_else(|| undecided(&ends, work)),
             Err(ending) => without_optimum(scene, &ending, standing, &mut work),
         }
+    }
+}
+
+fn undecided(ends: &[End], work: Work) -> Outcome {
+    Outcome {
+        work,
+        ..Outcome::without_number(Status::Undecided, endings(ends))
     }
 }
 
