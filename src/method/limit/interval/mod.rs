@@ -6,6 +6,7 @@
 //! verifies. They are no bounds: λ_A bounds all of them from above, no useful rigorous lower bound
 //! is known.
 
+mod outer;
 mod search;
 mod starts;
 
@@ -13,7 +14,7 @@ use super::program::{Ending, Scale};
 use super::reduction::{self, Part};
 use super::standing::{own_weight, without_optimum};
 use crate::mechanism::{VELOCITY_THRESHOLDS, crack_slope};
-use crate::method::{Bracket, CollapseState, Method, Outcome, Settings, Status, Work};
+use crate::method::{Bracket, CollapseState, JointForce, Method, Outcome, Settings, Status, Work};
 use crate::scene::Scene;
 use search::{Failure, Search, State};
 use starts::Start;
@@ -41,12 +42,14 @@ impl Method for Interval {
             if ends.iter().all(is_open) {
                 return undecided(&ends, work);
             }
-            if let Some(outcome) = report(scene, &ends, work) {
+            if let Some(outcome) = report(scene, &ends, &standing, &mut work) {
                 return outcome;
             }
         }
         match search(scene, None, settings, &mut work) {
-            Ok(ends) => report(scene, &ends, work).unwrap_or_else(|| undecided(&ends, work)),
+            Ok(ends) => {
+                report(scene, &ends, &standing, &mut work).unwrap_or_else(|| undecided(&ends, work))
+            }
             Err(ending) => without_optimum(scene, &ending, standing, &mut work),
         }
     }
@@ -171,7 +174,12 @@ struct Way {
 }
 
 /// The outcome, or `None` where no start found a state.
-fn report(scene: &Scene, ends: &[End], work: Work) -> Option<Outcome> {
+fn report(
+    scene: &Scene,
+    ends: &[End],
+    standing: &[JointForce],
+    work: &mut Work,
+) -> Option<Outcome> {
     let mut states: Vec<CollapseState> = Vec::new();
     for found in ends.iter().filter_map(|end| end.states.as_ref().ok()) {
         states.push(found.lowest.clone());
@@ -179,6 +187,11 @@ fn report(scene: &Scene, ends: &[End], work: Work) -> Option<Outcome> {
     }
     states.sort_by(|a, b| a.lambda.total_cmp(&b.lambda));
     let (low, high) = (states.first()?, states.last()?);
+    let outer = match outer::frictionless(scene, standing, work) {
+        Some(lambda) => format!("rigorous are {lambda:.5} and associative"),
+        None => "rigorous is associative alone".to_owned(),
+    };
+    let reason = format!("found, no bounds ({outer}); {}", endings(ends));
     Some(Outcome {
         bracket: Some(Bracket {
             lower: low.lambda,
@@ -188,8 +201,8 @@ fn report(scene: &Scene, ends: &[End], work: Work) -> Option<Outcome> {
         mechanism: Some(low.mechanism.clone()),
         forces: Some(low.forces.clone()),
         states,
-        work,
-        ..Outcome::without_number(Status::Verified, endings(ends))
+        work: *work,
+        ..Outcome::without_number(Status::Verified, reason)
     })
 }
 
@@ -220,5 +233,5 @@ fn endings(ends: &[End]) -> String {
             count => texts.push(format!("{count} {}", failure.in_words())),
         }
     }
-    format!("lowest found, no bound; {}", texts.join(", "))
+    texts.join(", ")
 }

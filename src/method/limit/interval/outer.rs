@@ -1,0 +1,71 @@
+//! The rigorous outer bound from below, so that nobody takes the lowest state found for one.
+
+use crate::mechanism::{Mechanism, Motion};
+use crate::method::limit::program::{Ending, Friction, Program};
+use crate::method::{JointForce, Work};
+use crate::scene::{Scene, Vector};
+
+/// λ of the same scene without friction, which no collapse multiplier undercuts; `None` where the
+/// scene needs friction to stand. On a wall with a level base it is 0 and never tight.
+///
+/// `standing` are forces at λ = 0. Where they need no friction, and the whole scene can slide with
+/// the push without closing a joint, λ is 0 without a program.
+pub(super) fn frictionless(scene: &Scene, standing: &[JointForce], work: &mut Work) -> Option<f64> {
+    if standing.iter().all(|force| force.shear == 0.0) && slides_freely(scene) {
+        return Some(0.0);
+    }
+    let smooth = Friction {
+        slope: 0.0,
+        intercept: 0.0,
+    };
+    let mut program = Program::new(scene);
+    program.set_friction(&vec![smooth; scene.joints.len()]);
+    match program.solve_counted(work) {
+        // Only printed, and rounded down by more than the solver leaves.
+        Ending::Solved(solution) => Some(solution.lambda - 1e-6),
+        Ending::Infeasible(_) | Ending::Unbounded | Ending::GaveUp(_) => None,
+    }
+}
+
+/// Whether all blocks can move sideways together, with the push and against nothing but friction.
+fn slides_freely(scene: &Scene) -> bool {
+    let sideways = Motion {
+        velocity: Vector::new(scene.push.sign(), 0.0),
+        rotation: 0.0,
+    };
+    let mechanism = Mechanism {
+        motions: vec![sideways; scene.blocks.len()],
+    };
+    let rates = mechanism.joint_rates(scene);
+    let level = rates
+        .iter()
+        .all(|rate| rate.opening.iter().all(|&opening| opening == 0.0));
+    let dead = scene.blocks.iter().map(|block| block.dead()[0]);
+    level && dead.sum::<f64>() == 0.0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::method::limit::standing::own_weight;
+    use crate::scene::{HeadJoints, Piece, Push, Wall};
+
+    #[test]
+    fn a_wall_on_a_level_base_has_no_bound_but_zero() {
+        let wall = Wall {
+            unit_length: 4.0,
+            unit_height: 1.75,
+            thickness: 1.0,
+            unit_weight: 1.0,
+            courses: vec![vec![Piece::Unit; 3]; 2],
+            friction: 0.65,
+            overburden: 1.0,
+            push: Push::Left,
+        };
+        let scene = wall.scene(HeadJoints::Contact).expect("it can be laid");
+        let mut work = Work::default();
+        let standing = own_weight(&scene, &mut work).expect("it stands");
+        assert_eq!(frictionless(&scene, &standing, &mut work), Some(0.0));
+        assert_eq!(work.programs, 0);
+    }
+}
