@@ -2,8 +2,8 @@
 //! shown afterwards to have had no reason to move.
 
 use super::engine::State;
+use super::measure::{displacement, farthest};
 use super::model::Model;
-use super::search::{displacement, farthest};
 use super::settings::TALL;
 use crate::scene::{Push, Scene, Side};
 

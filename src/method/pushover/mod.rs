@@ -11,6 +11,9 @@ mod checks;
 mod engine;
 mod freeze;
 mod groups;
+mod hint;
+mod hold;
+mod measure;
 mod model;
 mod search;
 mod settings;
@@ -145,10 +148,10 @@ fn self_checks(
     let lambda = found.lower as f64 / GRID;
     let pushed = [x + lambda * model.live[0], y + lambda * model.live[1]];
     let carried = |contacts: &[Contact]| reaction(contacts, |side| freeze.holds(side));
-    let drift = search::displacement(model, &found.settled.states, &found.rest.states);
+    let drift = measure::displacement(model, &found.settled.states, &found.rest.states);
     let closed = off_joints(scene, &found.rest.contacts);
     vec![
-        checks::at_rest(search::speed(model, &found.settled.states)),
+        checks::at_rest(measure::speed(model, &found.settled.states)),
         checks::supports_carry(
             model.dead,
             carried(&found.settled.contacts),

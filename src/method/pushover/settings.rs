@@ -29,6 +29,8 @@ pub struct Settings {
     /// scene as laid; renewed at every step, points follow the small movements before collapse,
     /// which costs λ 0.1 to 0.4 % in small walls and 4 % in a slender arch.
     pub recycle_distance: f64,
+    /// Time over which a step of λ is applied; at once, it would overshoot.
+    pub ramp: f64,
     /// Time over which rest or collapse must show.
     pub window: f64,
     /// Time after which a state that neither rests nor collapses is unclear.
@@ -70,19 +72,20 @@ impl Settings {
             stabilization: 1,
             prediction: 0.02,
             recycle_distance: 0.02,
+            ramp: 0.5,
             window: 0.5,
             patience: 200.0,
             // Stopping at every dip of the energy follows a step most gently, but keeps the slow
             // modes of a tall wall from ever settling.
             damp_below: if tall { 0.5 } else { 1.0 },
             settled_speed: 1e-7,
-            runaway: if tall { 0.1 } else { 0.02 },
-            collapse: if tall { 0.3 } else { 0.1 },
+            runaway: 2e-3 * model.courses.max(10.0),
+            collapse: 6e-3 * model.courses.max(6.0),
             fall: 1.0,
             drift: 0.02 * model.courses.max(5.0),
             first_increment: 5_000,
             largest: 10_000_000,
-            tolerance: 4e-4 * (model.courses / 12.0).max(1.0).powi(2),
+            tolerance: if model.courses > 30.0 { 3.9e-3 } else { 8e-4 },
             budget: 200_000,
         }
     }

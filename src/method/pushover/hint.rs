@@ -1,0 +1,121 @@
+//! Where to look next: steps that double, then an extrapolation of how fast too large loads ran
+//! away. Nothing here decides anything; it only spares holds.
+
+/// What is known about where the limit may be, in grid units of λ.
+#[derive(Clone, Debug)]
+pub struct Hint {
+    increment: u64,
+    /// Loads that ran away, lowest last, and the acceleration with which they did.
+    runaways: Vec<(u64, f64)>,
+    /// The last step ran away below the estimate: it was too long.
+    overshot: bool,
+}
+
+/// Part of the distance to the nearest runaway by which an extrapolation may be wrong.
+const DOUBT: f64 = 0.05;
+
+impl Hint {
+    /// Nothing known; the first step is `increment`.
+    pub fn new(increment: u64) -> Self {
+        Self {
+            increment,
+            runaways: Vec::new(),
+            overshot: false,
+        }
+    }
+
+    /// The limit that two runaways extrapolate: the acceleration grows with the excess.
+    pub fn estimate(&self) -> Option<f64> {
+        let [.., (far, fast), (near, slow)] = self.runaways[..] else {
+            return None;
+        };
+        let (far, near) = (far as f64, near as f64);
+        let at = near - slow * (far - near) / (fast - slow);
+        (slow > 0.0 && fast > slow && at < near).then_some(at)
+    }
+
+    /// The lowest load that ran away.
+    fn high(&self) -> Option<u64> {
+        self.runaways.last().map(|&(load, _)| load)
+    }
+
+    /// A load near the limit, as far as known: what the finest step is measured with.
+    pub fn near(&self, lower: u64) -> u64 {
+        self.high()
+            .map_or(lower + self.increment, |high| lower.midpoint(high))
+    }
+
+    /// The load to try after a rest at `lower`: no more than `finest` above it where the limit
+    /// seems to lie in between, and then so that it lies in the middle.
+    pub fn next(&self, lower: u64, finest: u64) -> u64 {
+        let Some(high) = self.high() else {
+            return lower + self.increment;
+        };
+        if high - lower <= finest {
+            return lower + finest;
+        }
+        let half = (finest / 2).max(1);
+        let middle = (lower.midpoint(high) / half * half).max(lower + half);
+        let (low, width) = (lower as f64, finest as f64);
+        let estimate = self.estimate().filter(|&at| at > low && !self.overshot);
+        let Some(at) = estimate else {
+            return middle;
+        };
+        if at - low <= 0.75 * width {
+            return lower + finest;
+        }
+        let doubt = (DOUBT * (high as f64 - at)).max(0.5 * width);
+        let below = ((at - doubt) / half as f64).round() as u64 * half;
+        if below > lower {
+            return below;
+        }
+        let above = ((at + doubt) / half as f64).round() as u64 * half;
+        above.clamp(lower + finest, high)
+    }
+
+    /// The scene rests at `lower`.
+    pub fn rested(&mut self, lower: u64, finest: u64) {
+        self.overshot = false;
+        match self.high() {
+            None => self.increment = larger(self.increment),
+            Some(high) if high <= lower => {
+                // It had overshot.
+                self.runaways.clear();
+                self.increment = finest;
+            }
+            Some(_) => {}
+        }
+    }
+
+    /// A step to `load` ran away with this acceleration.
+    pub fn ran_away(&mut self, load: u64, acceleration: f64) {
+        self.overshot = self.estimate().is_some_and(|at| load as f64 <= at);
+        self.runaways.retain(|&(known, _)| known > load);
+        self.runaways.push((load, acceleration));
+    }
+}
+
+/// Largest increment of the series 1, 2, 5, 10, … that is no more than `tolerance` of λ.
+pub fn finest_increment(lambda: u64, tolerance: f64) -> u64 {
+    let limit = lambda as f64 * tolerance;
+    let mut increment = 1;
+    while larger(increment) as f64 <= limit {
+        increment = larger(increment);
+    }
+    increment
+}
+
+/// The next increment of the series 1, 2, 5, 10, …
+fn larger(increment: u64) -> u64 {
+    match leading_digit(increment) {
+        2 => increment / 2 * 5,
+        _ => increment * 2,
+    }
+}
+
+fn leading_digit(mut number: u64) -> u64 {
+    while number >= 10 {
+        number /= 10;
+    }
+    number
+}

@@ -1,0 +1,96 @@
+//! Holding a load until the blocks rest or run away.
+
+use super::engine::{Engine, State};
+use super::measure::{displacement, kinetic_energy, speed};
+use super::model::Model;
+use super::settings::{GRID, Settings};
+
+/// How a hold at constant λ ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Held {
+    /// Speeds fell below the limit and stayed there without help.
+    Rest,
+    /// Displaced beyond the limit and not slowing down.
+    Collapse {
+        /// What takes a point from rest to its speed over its displacement, in g.
+        acceleration: f64,
+    },
+    /// Neither within the time allowed.
+    Unclear,
+}
+
+/// Holds loads on one model.
+pub struct Hold<'a> {
+    model: &'a Model,
+    settings: &'a Settings,
+}
+
+impl<'a> Hold<'a> {
+    /// For a model and its settings.
+    pub fn new(model: &'a Model, settings: &'a Settings) -> Self {
+        Self { model, settings }
+    }
+
+    /// The scene under its weight alone.
+    pub fn settle(&mut self, engine: &mut Engine) -> Held {
+        let settings = self.settings;
+        self.hold(engine, [0.0; 2], settings.settled_speed, settings.fall)
+    }
+
+    /// From rest at one load to another, in grid units. `last`: a collapse counts.
+    pub fn step(&mut self, engine: &mut Engine, loads: [u64; 2], finest: u64, last: bool) -> Held {
+        let settings = self.settings;
+        let limit = match last {
+            true => settings.collapse,
+            false => settings.runaway,
+        };
+        // An unbalanced tenth of the smallest increment would reach this speed in a window.
+        let slow = 0.1 * finest as f64 / GRID * settings.window;
+        self.hold(engine, loads.map(|load| load as f64 / GRID), slow, limit)
+    }
+
+    /// Holds λ until the blocks rest at speeds below `slow`, or move further than `limit` without
+    /// slowing down. Kinetic damping: whenever the kinetic energy falls, all blocks are stopped,
+    /// so that a step is followed quasi-statically; the last window must stay at rest without it.
+    fn hold(&mut self, engine: &mut Engine, loads: [f64; 2], slow: f64, limit: f64) -> Held {
+        let settings = self.settings;
+        let from: Vec<State> = engine.states();
+        let steps = (settings.window / engine.dt()).ceil() as usize;
+        let windows = (settings.patience / settings.window).ceil() as usize;
+        let ramp = (settings.ramp / engine.dt()).ceil().max(1.0);
+        let mut before = f64::INFINITY;
+        let mut energy = 0.0;
+        for window in 0..windows {
+            let ramping = ((window * steps) as f64) < ramp - 1.0;
+            let damped = ramping || before > slow;
+            let mut peak: f64 = 0.0;
+            for step in 0..steps {
+                let part = ((window * steps + step + 1) as f64 / ramp).min(1.0);
+                engine.multiplier = loads[0] + part * (loads[1] - loads[0]);
+                engine.step();
+                if engine.broken {
+                    return Held::Unclear;
+                }
+                let states = engine.states();
+                let now = speed(self.model, &states);
+                peak = peak.max(now);
+                let moved = displacement(self.model, &from, &states);
+                if moved > limit && now >= before {
+                    let acceleration = now * now / (2.0 * moved);
+                    return Held::Collapse { acceleration };
+                }
+                let present = kinetic_energy(self.model, &states);
+                let falling = present < settings.damp_below * energy;
+                if damped && falling {
+                    engine.stop();
+                }
+                energy = if falling { 0.0 } else { present.max(energy) };
+            }
+            if !damped && peak <= slow {
+                return Held::Rest;
+            }
+            before = peak;
+        }
+        Held::Unclear
+    }
+}
