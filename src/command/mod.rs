@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use trilith::method::Settings;
+use trilith::method::{Accuracy, Settings};
 use trilith::scene::HeadJoints;
 
 /// Validation and regression harness for the limit analysis of dry-joint masonry walls.
@@ -51,6 +51,9 @@ struct RunArguments {
     #[arg(long, value_name = "N", default_value_t = Settings::default().starts as u64,
           value_parser = clap::value_parser!(u64).range(1..=10_000))]
     starts: u64,
+    /// Error that the pushover states: 1, 0.2 or 0.05 % (2, 0.4 or 0.2 % above 30 courses).
+    #[arg(long, default_value = "normal")]
+    accuracy: AccuracyArgument,
     /// Also write results.csv, results.json and one record a case into this folder.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
@@ -80,6 +83,23 @@ impl From<HeadJointsArgument> for HeadJoints {
         match argument {
             HeadJointsArgument::Contact => HeadJoints::Contact,
             HeadJointsArgument::Open => HeadJoints::Open,
+        }
+    }
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum AccuracyArgument {
+    Coarse,
+    Normal,
+    Fine,
+}
+
+impl From<AccuracyArgument> for Accuracy {
+    fn from(argument: AccuracyArgument) -> Self {
+        match argument {
+            AccuracyArgument::Coarse => Accuracy::Coarse,
+            AccuracyArgument::Normal => Accuracy::Normal,
+            AccuracyArgument::Fine => Accuracy::Fine,
         }
     }
 }

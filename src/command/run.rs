@@ -20,6 +20,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<u8, Stop> {
         methods,
         settings: Settings {
             starts: arguments.starts as usize,
+            accuracy: arguments.accuracy.into(),
         },
         head_joints: arguments.head_joints.map(Into::into),
     };

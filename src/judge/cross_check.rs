@@ -7,9 +7,6 @@ use crate::scene::HeadJoints;
 /// Convergence tolerance of the sequential method: what it may exceed λ_A by through c0.
 const COHESION_BIAS: f64 = 1e-4;
 
-/// Stated relative error of the pushover.
-const PUSHOVER_ERROR: f64 = 2e-3;
-
 /// Outcomes of one scene by method name.
 pub type Answers<'a> = [(&'static str, &'a Outcome)];
 
@@ -90,7 +87,8 @@ fn sequential_below_associative(associative: Bracket, sequential: Bracket) -> (S
 
 /// The open pushover's bracket meets [lowest known, λ_A], widened by its stated error.
 fn pushover_check(answers: &Answers) -> Option<(String, Verdict)> {
-    let pushover = bracket_of(answers, "pushover")?;
+    let (_, outcome) = answers.iter().find(|(name, _)| *name == "pushover")?;
+    let (pushover, error) = (outcome.bracket?, outcome.stated_error?);
     let known = ["associative", "sequential", "interval"];
     let lowest = known
         .iter()
@@ -98,14 +96,12 @@ fn pushover_check(answers: &Answers) -> Option<(String, Verdict)> {
         .map(|bracket| bracket.lower)
         .fold(f64::INFINITY, f64::min);
     let highest = bracket_of(answers, "associative")?.upper;
-    let (low, high) = (
-        lowest * (1.0 - PUSHOVER_ERROR),
-        highest * (1.0 + PUSHOVER_ERROR),
-    );
+    let (low, high) = (lowest * (1.0 - error), highest * (1.0 + error));
     let meets = pushover.upper >= low && pushover.lower <= high;
     let text = format!(
-        "pushover {} [{low:.4}, {high:.4}], lowest known to associative widened by 0.2 %",
-        if meets { "meets" } else { "misses" }
+        "pushover {} [{low:.4}, {high:.4}], lowest known to associative widened by {} %",
+        if meets { "meets" } else { "misses" },
+        crate::record::short(100.0 * error, 2)
     );
     Some((text, Verdict::of(meets)))
 }

@@ -24,11 +24,43 @@ pub trait Method: Sync {
 pub struct Settings {
     /// Starts of the interval's search.
     pub starts: usize,
+    /// Error that the pushover may state.
+    pub accuracy: Accuracy,
 }
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { starts: 2 }
+        Self {
+            starts: 2,
+            accuracy: Accuracy::Normal,
+        }
+    }
+}
+
+/// How accurate the pushover has to be; everything else about it follows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Accuracy {
+    /// 1 %; 2 % above 30 courses.
+    Coarse,
+    /// 0.2 %; 0.4 % above 30 courses.
+    #[default]
+    Normal,
+    /// 0.05 %; 0.2 % above 30 courses.
+    Fine,
+}
+
+impl Accuracy {
+    /// The error that a bracket states, relative to λ: of either end against the limit.
+    pub fn stated_error(self, courses: f64) -> f64 {
+        let tall = courses > 30.0;
+        match self {
+            Accuracy::Coarse if tall => 2e-2,
+            Accuracy::Coarse => 1e-2,
+            Accuracy::Normal if tall => 4e-3,
+            Accuracy::Normal => 2e-3,
+            Accuracy::Fine if tall => 2e-3,
+            Accuracy::Fine => 5e-4,
+        }
     }
 }
 

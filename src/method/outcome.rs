@@ -109,6 +109,8 @@ pub struct Outcome {
     pub status: Status,
     /// The multiplier, where there is one to vouch for.
     pub bracket: Option<Bracket>,
+    /// Error that the method states for its bracket, relative to λ; `None` where it states none.
+    pub stated_error: Option<f64>,
     /// Crack slope of a closed form (no mechanism behind it) or of the mechanism.
     pub crack: Option<Crack>,
     /// Velocities of every block at collapse; with the status `falls`, under the dead load alone.
@@ -134,6 +136,7 @@ impl Outcome {
         Self {
             status,
             bracket: None,
+            stated_error: None,
             crack: None,
             mechanism: None,
             forces: None,

@@ -23,7 +23,7 @@ mod verify;
 
 pub use checks::Check;
 pub use settings::Settings;
-pub use verify::{halved, mirrored, verify};
+pub use verify::{mirrored, verify};
 
 use crate::mechanism::{Mechanism, Motion, crack_slope};
 use crate::method::{self, Bracket, Method, Outcome, Status, Work};
@@ -46,13 +46,18 @@ impl Method for Pushover {
         "pushover"
     }
 
-    fn solve(&self, scene: &Scene, _settings: &method::Settings) -> Outcome {
-        solve_with(scene, |settings| settings)
+    fn solve(&self, scene: &Scene, settings: &method::Settings) -> Outcome {
+        solve_with(scene, settings, |settings| settings)
     }
 }
 
-/// The pushover with changed settings.
-pub fn solve_with(scene: &Scene, change: impl Fn(Settings) -> Settings) -> Outcome {
+/// The pushover with its own settings, which follow from the user's and the scene, changed.
+pub fn solve_with(
+    scene: &Scene,
+    user: &method::Settings,
+    change: impl Fn(Settings) -> Settings,
+) -> Outcome {
+    let settings = |model: &Model| change(Settings::new(model, user.accuracy));
     // In an arch, joints of every direction carry its thrust; in a coursed wall, what a perpend
     // carries depends on how the wall came to be.
     let has_heads = scene
@@ -65,26 +70,26 @@ pub fn solve_with(scene: &Scene, change: impl Fn(Settings) -> Settings) -> Outco
         return Outcome::without_number(Status::Undecided, reason);
     }
     let Some(freeze) = freeze::beyond_stagger(scene) else {
-        return run(scene, &change, &Freeze::default()).0;
+        return run(scene, &settings, &Freeze::default()).0;
     };
-    let (outcome, moved) = run(scene, &change, &freeze);
+    let (outcome, moved) = run(scene, &settings, &freeze);
     if !moved {
         return outcome;
     }
     let spent = outcome.work.block_steps;
-    let mut outcome = run(scene, &change, &Freeze::default()).0;
+    let mut outcome = run(scene, &settings, &Freeze::default()).0;
     outcome.work.block_steps += spent;
     outcome
 }
 
 /// One search with a part of the scene held fixed, and whether that part might have moved.
-fn run(scene: &Scene, change: &impl Fn(Settings) -> Settings, freeze: &Freeze) -> (Outcome, bool) {
+fn run(scene: &Scene, settings: &impl Fn(&Model) -> Settings, freeze: &Freeze) -> (Outcome, bool) {
     let undecided = |reason: String| Outcome::without_number(Status::Undecided, reason);
     let model = match Model::new(scene, &freeze.frozen) {
         Ok(model) => model,
         Err(reason) => return (undecided(reason), false),
     };
-    let settings = change(Settings::new(&model));
+    let settings = settings(&model);
     let Some(mut engine) = Engine::new(&model, &settings) else {
         let reason = "the engine cannot take a shape of the scene";
         return (undecided(reason.into()), false);
@@ -101,7 +106,7 @@ fn run(scene: &Scene, change: &impl Fn(Settings) -> Settings, freeze: &Freeze) -
             moved &= freeze.moved(&model, &found.settled.states, &found.collapsed);
             let mut checks = self_checks(scene, &model, &settings, freeze, &found);
             checks.insert(0, sees);
-            judged(scene, &model, &found, &checks)
+            judged(scene, &model, &settings, &found, &checks)
         }
         Search::Undecided(reason) => undecided(reason),
         Search::Falls(reason) => Outcome::without_number(Status::Falls, reason),
@@ -114,7 +119,13 @@ fn run(scene: &Scene, change: &impl Fn(Settings) -> Settings, freeze: &Freeze) -
 }
 
 /// The outcome of a bracket, after the self-checks.
-fn judged(scene: &Scene, model: &Model, found: &Found, checks: &[Check]) -> Outcome {
+fn judged(
+    scene: &Scene,
+    model: &Model,
+    settings: &Settings,
+    found: &Found,
+    checks: &[Check],
+) -> Outcome {
     let texts: Vec<String> = checks.iter().map(|check| check.text.clone()).collect();
     if let Some(failed) = checks.iter().find(|check| !check.passed) {
         let reason = format!("a self-check failed: {}", failed.text);
@@ -129,6 +140,7 @@ fn judged(scene: &Scene, model: &Model, found: &Found, checks: &[Check]) -> Outc
             lower: found.lower as f64 / GRID,
             upper: found.upper as f64 / GRID,
         }),
+        stated_error: Some(settings.stated_error),
         crack: crack_slope(scene, &mechanism, DISPLACEMENT_THRESHOLDS),
         mechanism: Some(mechanism),
         checks: texts,

@@ -2,6 +2,7 @@
 //! in √(H_c/g) and speeds in √(g·H_c).
 
 use super::model::Model;
+use crate::method::Accuracy;
 
 /// λ is a whole number of these; brackets then print exactly with five decimals.
 pub const GRID: f64 = 1e5;
@@ -54,19 +55,27 @@ pub struct Settings {
     pub largest: u64,
     /// Width of the bracket relative to λ.
     pub tolerance: f64,
+    /// Error that is stated for the bracket, relative to λ.
+    pub stated_error: f64,
     /// Time steps after which the search gives up.
     pub budget: usize,
 }
 
 impl Settings {
     /// Settings for a model.
-    pub fn new(model: &Model) -> Self {
+    pub fn new(model: &Model, accuracy: Accuracy) -> Self {
+        let stated_error = accuracy.stated_error(model.courses);
+        let finer = match accuracy {
+            Accuracy::Coarse => 0.5,
+            Accuracy::Normal => 1.0,
+            Accuracy::Fine => 2.0,
+        };
         // Fewer courses than 8 still need the substep of 8: it also resolves a block's rocking.
-        let substep = 0.025 / model.courses.max(8.0);
+        let substep = 0.025 / model.courses.max(8.0) / finer;
         let tall = model.courses >= TALL;
         Self {
             substep,
-            substeps: 32,
+            substeps: (32.0 * finer) as usize,
             contact_frequency: 0.25 / substep,
             damping_ratio: 10.0,
             stabilization: 1,
@@ -85,7 +94,8 @@ impl Settings {
             drift: 0.02 * model.courses.max(5.0),
             first_increment: 5_000,
             largest: 10_000_000,
-            tolerance: if model.courses > 30.0 { 3.9e-3 } else { 8e-4 },
+            tolerance: if model.courses > 30.0 { 0.95 } else { 0.4 } * stated_error,
+            stated_error,
             budget: 200_000,
         }
     }

@@ -175,7 +175,15 @@ fn verification_passes_on_a_column_and_fails_on_a_foreign_bracket() {
         .scene(HeadJoints::Open)
         .unwrap();
     let mut outcome = pushover(&scene);
-    assert!(verify(&scene, &outcome).iter().all(|check| check.passed));
+    assert!(
+        verify(&scene, &method::Settings::default(), &outcome)
+            .iter()
+            .all(|check| check.passed)
+    );
     outcome.bracket = Some(Bracket::point(0.41));
-    assert!(verify(&scene, &outcome).iter().all(|check| !check.passed));
+    assert!(
+        verify(&scene, &method::Settings::default(), &outcome)
+            .iter()
+            .all(|check| !check.passed)
+    );
 }

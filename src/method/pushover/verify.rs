@@ -3,27 +3,27 @@
 use super::checks::{Check, agree};
 use super::settings::Settings;
 use super::solve_with;
-use crate::method::Outcome;
+use crate::method::{self, Outcome};
 use crate::scene::{Point, Polygon, PolygonError, Push, Scene, Vector};
-
-/// Part of λ by which two runs may differ: the error that is claimed for a bracket.
-const AGREEMENT: f64 = 2e-3;
 
 /// Repeats a bracketed pushover with half the substep and on the mirrored scene. Empty where
 /// `outcome` has no bracket.
-pub fn verify(scene: &Scene, outcome: &Outcome) -> Vec<Check> {
-    let Some(bracket) = outcome.bracket else {
+pub fn verify(scene: &Scene, user: &method::Settings, outcome: &Outcome) -> Vec<Check> {
+    let (Some(bracket), Some(error)) = (outcome.bracket, outcome.stated_error) else {
         return Vec::new();
     };
     let compare = |other: Option<Outcome>, what: &str| match other.map(|o| (o.bracket, o.reason)) {
-        Some((Some(other), _)) => agree(bracket, other, AGREEMENT, what),
+        Some((Some(other), _)) => agree(bracket, other, error, what),
         Some((None, reason)) => failed(what, &reason),
         None => failed(what, "the scene cannot be mirrored"),
     };
     vec![
-        compare(Some(halved(scene)), "half the substep"),
         compare(
-            mirrored(scene).ok().map(|m| solve_with(&m, |s| s)),
+            Some(solve_with(scene, user, Settings::halved)),
+            "half the substep",
+        ),
+        compare(
+            mirrored(scene).ok().map(|m| solve_with(&m, user, |s| s)),
             "mirrored",
         ),
     ]
@@ -34,11 +34,6 @@ fn failed(what: &str, reason: &str) -> Check {
         passed: false,
         text: format!("{what}: {reason}"),
     }
-}
-
-/// The pushover with half the substep.
-pub fn halved(scene: &Scene) -> Outcome {
-    solve_with(scene, Settings::halved)
 }
 
 /// The scene seen from behind: everything mirrored about the middle of the blocks, the push too.
