@@ -54,6 +54,12 @@ struct RunArguments {
     /// Error that the pushover states: 1, 0.2 or 0.05 % (2, 0.4 or 0.2 % above 30 courses).
     #[arg(long, default_value = "normal")]
     accuracy: AccuracyArgument,
+    /// Repeat each pushover with half the substep, mirrored and undamped; all must agree.
+    #[arg(long)]
+    verify: bool,
+    /// Push walls with head joints in contact also beyond 200 blocks, which takes long.
+    #[arg(long)]
+    long_ranges: bool,
     /// Also write results.csv, results.json and one record a case into this folder.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,

@@ -21,6 +21,8 @@ pub(super) fn run(arguments: &RunArguments) -> Result<u8, Stop> {
         settings: Settings {
             starts: arguments.starts as usize,
             accuracy: arguments.accuracy.into(),
+            verify: arguments.verify,
+            long_ranges: arguments.long_ranges,
         },
         head_joints: arguments.head_joints.map(Into::into),
     };

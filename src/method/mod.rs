@@ -26,6 +26,11 @@ pub struct Settings {
     pub starts: usize,
     /// Error that the pushover may state.
     pub accuracy: Accuracy,
+    /// Whether the pushover repeats itself with half the substep, mirrored and without kinetic
+    /// damping, and gives no number where that changes it.
+    pub verify: bool,
+    /// Whether the pushover varies head joints in contact on walls of any number of blocks.
+    pub long_ranges: bool,
 }
 
 impl Default for Settings {
@@ -33,6 +38,8 @@ impl Default for Settings {
         Self {
             starts: 2,
             accuracy: Accuracy::Normal,
+            verify: false,
+            long_ranges: false,
         }
     }
 }

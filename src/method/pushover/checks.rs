@@ -43,6 +43,15 @@ pub fn at_rest(speed: f64) -> Check {
     }
 }
 
+/// Displacement under the own weight alone, in course heights: contacts too soft for the scene,
+/// too few substeps and blocks that overlap at the start show here.
+pub fn settles_little(settlement: f64, limit: f64) -> Check {
+    Check {
+        passed: settlement <= limit,
+        text: format!("settled by {settlement:.1e} H_c, at most {limit:.1e}"),
+    }
+}
+
 /// What is fixed carries what loads the blocks: the sum of both, relative to the weight.
 pub fn supports_carry(load: [f64; 2], reaction: [f64; 2], weight: f64, when: &str) -> Check {
     let limit = 1e-4;
@@ -107,6 +116,7 @@ mod tests {
     #[test]
     fn every_other_check_can_fail() {
         assert!(at_rest(1e-7).passed && !at_rest(1e-5).passed && !at_rest(f64::NAN).passed);
+        assert!(settles_little(1e-3, 2e-3).passed && !settles_little(f64::NAN, 2e-3).passed);
         assert!(small_drift(0.05, 0.1).passed && !small_drift(0.2, 0.1).passed);
         assert!(open_stays_open(0.0, 1.0).passed && !open_stays_open(0.01, 1.0).passed);
         let at = |lower, upper| Bracket { lower, upper };

@@ -15,6 +15,7 @@ mod hint;
 mod hold;
 mod measure;
 mod model;
+mod range;
 mod search;
 mod settings;
 #[cfg(test)]
@@ -27,7 +28,7 @@ pub use verify::{mirrored, verify};
 
 use crate::mechanism::{Mechanism, Motion, crack_slope};
 use crate::method::{self, Bracket, Method, Outcome, Status, Work};
-use crate::scene::{HeadJoints, JointClass, Scene, Side, Vector};
+use crate::scene::{HeadJoints, Joint, JointClass, Scene, Side, Vector};
 use engine::{Contact, Engine, State};
 use freeze::Freeze;
 use model::Model;
@@ -36,6 +37,10 @@ use settings::GRID;
 
 /// Thresholds for displacements, which hold elastic movements beside the collapse.
 const DISPLACEMENT_THRESHOLDS: [f64; 2] = [1e-2, 5e-3];
+
+/// Natural frequency of the contacts times the substep beyond which walls jitter, with a margin
+/// for rounding.
+const MOST_STIFF: f64 = 0.2501;
 
 /// The pushover method.
 #[derive(Clone, Copy, Debug, Default)]
@@ -47,8 +52,25 @@ impl Method for Pushover {
     }
 
     fn solve(&self, scene: &Scene, settings: &method::Settings) -> Outcome {
-        solve_with(scene, settings, |settings| settings)
+        let outcome = if has_perpends(scene) {
+            range::over_variations(scene, settings)
+        } else {
+            solve_with(scene, settings, |settings| settings)
+        };
+        match settings.verify {
+            true => verify::confirmed(scene, settings, outcome),
+            false => outcome,
+        }
     }
+}
+
+/// Whether head joints of a coursed wall are in contact: what they carry depends on how the wall
+/// came to be. In an arch, joints of every direction carry its thrust.
+fn has_perpends(scene: &Scene) -> bool {
+    let head = |joint: &Joint| joint.class == JointClass::Head;
+    scene.head_joints == HeadJoints::Contact
+        && scene.coursed.is_some()
+        && scene.joints.iter().any(head)
 }
 
 /// The pushover with its own settings, which follow from the user's and the scene, changed.
@@ -58,17 +80,6 @@ pub fn solve_with(
     change: impl Fn(Settings) -> Settings,
 ) -> Outcome {
     let settings = |model: &Model| change(Settings::new(model, user.accuracy));
-    // In an arch, joints of every direction carry its thrust; in a coursed wall, what a perpend
-    // carries depends on how the wall came to be.
-    let has_heads = scene
-        .joints
-        .iter()
-        .any(|joint| joint.class == JointClass::Head);
-    if scene.head_joints == HeadJoints::Contact && has_heads && scene.coursed.is_some() {
-        let reason = "with head joints in contact the pushover has no unique answer: it depends \
-                      on how tightly the perpends were closed before the push";
-        return Outcome::without_number(Status::Undecided, reason);
-    }
     let Some(freeze) = freeze::beyond_stagger(scene) else {
         return run(scene, &settings, &Freeze::default()).0;
     };
@@ -90,10 +101,15 @@ fn run(scene: &Scene, settings: &impl Fn(&Model) -> Settings, freeze: &Freeze) -
         Err(reason) => return (undecided(reason), false),
     };
     let settings = settings(&model);
+    if settings.contact_frequency * settings.substep > MOST_STIFF {
+        let reason = "the contacts are stiffer than the substep can hold";
+        return (undecided(reason.into()), false);
+    }
     let Some(mut engine) = Engine::new(&model, &settings) else {
         let reason = "the engine cannot take a shape of the scene";
         return (undecided(reason.into()), false);
     };
+    let laid = engine.states();
     engine.step();
     let fixed = |side| freeze.holds(side);
     let sees = checks::sees_joints(&scene.joints, &engine.contacts(), fixed);
@@ -105,7 +121,14 @@ fn run(scene: &Scene, settings: &impl Fn(&Model) -> Settings, freeze: &Freeze) -
         Search::Found(found) => {
             moved &= freeze.moved(&model, &found.settled.states, &found.collapsed);
             let mut checks = self_checks(scene, &model, &settings, freeze, &found);
-            checks.insert(0, sees);
+            let settlement = measure::displacement(&model, &laid, &found.settled.states);
+            checks.splice(
+                0..0,
+                [
+                    sees,
+                    checks::settles_little(settlement, settings.settlement),
+                ],
+            );
             judged(scene, &model, &settings, &found, &checks)
         }
         Search::Undecided(reason) => undecided(reason),

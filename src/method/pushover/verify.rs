@@ -1,32 +1,65 @@
-//! Checks that cost further runs: half the substep, and the mirrored scene.
+//! Checks that cost further runs: half the substep, the mirrored scene, no kinetic damping.
 
 use super::checks::{Check, agree};
 use super::settings::Settings;
 use super::solve_with;
-use crate::method::{self, Outcome};
+use crate::method::{self, Outcome, Status};
 use crate::scene::{Point, Polygon, PolygonError, Push, Scene, Vector};
 
-/// Repeats a bracketed pushover with half the substep and on the mirrored scene. Empty where
-/// `outcome` has no bracket.
+/// An outcome after [`verify`]: the figures join its checks, and without agreement it loses its
+/// number. A range over variations is compared with nothing, it is a comparison already.
+pub fn confirmed(scene: &Scene, user: &method::Settings, outcome: Outcome) -> Outcome {
+    let (Some(_), false) = (outcome.bracket, super::has_perpends(scene)) else {
+        return outcome;
+    };
+    let checks = verify(scene, user, &outcome);
+    let mut texts = outcome.checks.clone();
+    texts.extend(checks.iter().map(|check| check.text.clone()));
+    if let Some(failed) = checks.iter().find(|check| !check.passed) {
+        let reason = format!("a check under --verify failed: {}", failed.text);
+        return Outcome {
+            checks: texts,
+            work: outcome.work,
+            ..Outcome::without_number(Status::Undecided, reason)
+        };
+    }
+    let figures: Vec<&str> = checks.iter().map(|check| check.text.as_str()).collect();
+    Outcome {
+        reason: figures.join("; "),
+        checks: texts,
+        ..outcome
+    }
+}
+
+/// Repeats a bracketed pushover with half the substep, on the mirrored scene and without kinetic
+/// damping. Empty where `outcome` has no bracket.
 pub fn verify(scene: &Scene, user: &method::Settings, outcome: &Outcome) -> Vec<Check> {
     let (Some(bracket), Some(error)) = (outcome.bracket, outcome.stated_error) else {
         return Vec::new();
     };
-    let compare = |other: Option<Outcome>, what: &str| match other.map(|o| (o.bracket, o.reason)) {
-        Some((Some(other), _)) => agree(bracket, other, error, what),
-        Some((None, reason)) => failed(what, &reason),
-        None => failed(what, "the scene cannot be mirrored"),
+    let undamped = |settings| Settings {
+        damp_below: 0.0,
+        ..settings
     };
-    vec![
-        compare(
-            Some(solve_with(scene, user, Settings::halved)),
+    let runs = [
+        (
             "half the substep",
+            Ok(solve_with(scene, user, Settings::halved)),
         ),
-        compare(
-            mirrored(scene).ok().map(|m| solve_with(&m, user, |s| s)),
+        (
             "mirrored",
+            mirrored(scene).map(|m| solve_with(&m, user, |s| s)),
         ),
-    ]
+        ("undamped", Ok(solve_with(scene, user, undamped))),
+    ];
+    let check = |(what, run): (&str, Result<Outcome, PolygonError>)| match run {
+        Ok(run) => match run.bracket {
+            Some(other) => agree(bracket, other, error, what),
+            None => failed(what, &run.reason),
+        },
+        Err(e) => failed(what, &e.to_string()),
+    };
+    runs.into_iter().map(check).collect()
 }
 
 fn failed(what: &str, reason: &str) -> Check {
