@@ -1,0 +1,287 @@
+//! Undecided or a right answer, never a confident wrong one.
+
+use trilith::method::pushover::{Settings, solve_with};
+use trilith::method::{Outcome, Settings as User};
+use trilith::scene::{Course, HeadJoints, Load, Piece, Point, Polygon, Push, Scene, Vector, Wall};
+
+/// paper-1 and its verified open value (HiGHS through `oracle.py --start open`).
+const PAPER_1: f64 = 0.639969;
+
+fn course(text: &str) -> Course {
+    let piece = |kind| match kind {
+        'h' => Piece::Half,
+        _ => Piece::Unit,
+    };
+    text.chars().map(piece).collect()
+}
+
+fn wall(unit: [f64; 2], friction: f64, courses: &[&str]) -> Wall {
+    Wall {
+        unit_length: unit[0],
+        unit_height: unit[1],
+        thickness: 1.0,
+        unit_weight: 1.0,
+        courses: courses.iter().map(|text| course(text)).collect(),
+        friction,
+        overburden: 0.0,
+        push: Push::Right,
+    }
+}
+
+fn paper_1() -> Wall {
+    wall([4.0, 1.75], 0.65, &["h1111h", "11111"].repeat(3))
+}
+
+fn open(wall: &Wall) -> Scene {
+    wall.scene(HeadJoints::Open).expect("the wall can be laid")
+}
+
+fn with(scene: &Scene, change: impl Fn(Settings) -> Settings) -> Outcome {
+    solve_with(scene, &User::default(), change)
+}
+
+fn pushed(scene: &Scene) -> Outcome {
+    with(scene, |settings| settings)
+}
+
+/// Within `tolerance` of `exact`, or without a number and with a reason.
+fn assert_honest(what: &str, outcome: &Outcome, exact: f64, tolerance: f64) {
+    match outcome.bracket {
+        Some(bracket) => assert!(
+            bracket.error(exact) <= tolerance,
+            "{what}: {bracket:?} for {exact}: {:?}",
+            outcome.checks
+        ),
+        None => assert!(!outcome.reason.is_empty(), "{what}"),
+    }
+}
+
+fn assert_answered(what: &str, outcome: &Outcome, exact: f64, tolerance: f64) {
+    assert!(outcome.bracket.is_some(), "{what}: {}", outcome.reason);
+    assert_honest(what, outcome, exact, tolerance);
+}
+
+/// dt 1/60 s in 4 substeps, frequency 30 / s, damping ratio 5, prediction 0.002 length units,
+/// here with courses of 1.75 m: their unit of time is 0.42 s.
+#[test]
+fn rapiers_default_parameters() {
+    let second = (9.81f64 / 1.75).sqrt();
+    let outcome = with(&open(&paper_1()), |settings| Settings {
+        substep: second / 240.0,
+        substeps: 4,
+        contact_frequency: 30.0 / second,
+        damping_ratio: 5.0,
+        prediction: 0.002,
+        ..settings
+    });
+    assert_honest("default parameters", &outcome, PAPER_1, 2e-3);
+}
+
+#[test]
+fn too_few_substeps() {
+    for factor in [2.0, 4.0, 8.0, 16.0, 32.0] {
+        let outcome = with(&open(&paper_1()), |settings| Settings {
+            substep: settings.substep * factor,
+            substeps: (32.0 / factor) as usize,
+            contact_frequency: settings.contact_frequency / factor,
+            ..settings
+        });
+        assert_honest(&format!("substep × {factor}"), &outcome, PAPER_1, 2e-3);
+        // Contacts as stiff as the short substep allowed: beyond what the solver can hold.
+        let outcome = with(&open(&paper_1()), |settings| Settings {
+            substep: settings.substep * factor,
+            substeps: (32.0 / factor) as usize,
+            ..settings
+        });
+        assert_honest(
+            &format!("substep × {factor}, stiff"),
+            &outcome,
+            PAPER_1,
+            2e-3,
+        );
+    }
+}
+
+#[test]
+fn other_units_and_a_far_origin() {
+    for scale in [1e-3, 1e3] {
+        let wall = Wall {
+            unit_length: 4.0 * scale,
+            unit_height: 1.75 * scale,
+            ..paper_1()
+        };
+        assert_answered(
+            &format!("scale {scale}"),
+            &pushed(&open(&wall)),
+            PAPER_1,
+            1e-3,
+        );
+    }
+    let far = moved(&open(&paper_1()), |_, p| p + Vector::new(1e6, -1e6));
+    assert_answered("1e6 away", &pushed(&far), PAPER_1, 1e-3);
+}
+
+/// Every corner and load through `to`, which gets the block too (`None`: a support).
+fn moved(scene: &Scene, to: impl Fn(Option<usize>, Point) -> Point) -> Scene {
+    let mut scene = scene.clone();
+    let shape = |id, shape: &Polygon| {
+        let corners = shape.corners().iter().map(|&p| to(id, p)).collect();
+        Polygon::new(corners).expect("as valid as before")
+    };
+    for (id, block) in scene.blocks.iter_mut().enumerate() {
+        block.shape = shape(Some(id), &block.shape);
+        for load in &mut block.loads {
+            load.point = to(Some(id), load.point);
+        }
+    }
+    for support in &mut scene.supports {
+        *support = shape(None, support);
+    }
+    for joint in &mut scene.joints {
+        joint.ends = joint.ends.map(|p| to(Some(joint.to), p));
+    }
+    scene
+}
+
+/// Every course 1 % of a unit's length too low, so that it overlaps the one below.
+#[test]
+fn an_initial_overlap() {
+    let overlapping = moved(&open(&paper_1()), |id, p| match id {
+        Some(id) => {
+            let course = (0..6).rev().find(|c| id >= [0, 6, 11, 17, 22, 28][*c]);
+            p - Vector::new(0.0, 0.04 * (1 + course.unwrap_or(0)) as f64)
+        }
+        None => p,
+    });
+    assert_honest("overlap", &pushed(&overlapping), PAPER_1, 2e-3);
+    // One block alone.
+    let one = moved(&open(&paper_1()), |id, p| match id {
+        Some(13) => p - Vector::new(0.0, 0.04),
+        _ => p,
+    });
+    assert_honest("overlap of one block", &pushed(&one), PAPER_1, 2e-3);
+}
+
+/// Without friction nothing can be pushed. With much, the pushover stands between its value at
+/// μ = 0.65 and the associative one of the same scene (verified to 1e-6 by the linear programs).
+#[test]
+fn little_and_much_friction() {
+    let smooth = Wall {
+        friction: 0.0,
+        ..paper_1()
+    };
+    let outcome = pushed(&open(&smooth));
+    let still = outcome
+        .bracket
+        .is_none_or(|b| b.lower == 0.0 && b.upper <= 1e-4);
+    assert!(still, "{outcome:?}");
+    let rough = Wall {
+        friction: 3.0,
+        ..paper_1()
+    };
+    let outcome = pushed(&open(&rough));
+    let associative = trilith::method::METHODS
+        .iter()
+        .find(|m| m.name() == "associative");
+    let highest = associative.and_then(|m| m.solve(&open(&rough), &User::default()).bracket);
+    let highest = highest.expect("associative answers").upper;
+    let sound = outcome
+        .bracket
+        .is_none_or(|b| b.lower <= highest * 1.002 && b.lower >= 0.639);
+    assert!(sound, "{:?} above {highest}", outcome.bracket);
+}
+
+/// The top course 100 and 1000 times heavier, against the associative open value of the same scene
+/// (verified to 1e-6 by the linear programs).
+#[test]
+fn a_heavy_top_course() {
+    for factor in [100.0, 1000.0] {
+        let mut scene = open(&paper_1());
+        let top = scene.bounds().1.y;
+        for block in &mut scene.blocks {
+            if (block.shape.bounds().1.y - top).abs() < 1e-9 {
+                let heavier = |load: &Load| Load {
+                    dead: load.dead * factor,
+                    live: load.live * factor,
+                    ..*load
+                };
+                block.loads = block.loads.iter().map(heavier).collect();
+            }
+        }
+        let associative = trilith::method::METHODS
+            .iter()
+            .find(|m| m.name() == "associative");
+        let exact = associative.and_then(|m| m.solve(&scene, &User::default()).bracket);
+        let exact = exact.expect("associative answers").upper;
+        assert_honest(
+            &format!("top × {factor} ({exact})"),
+            &pushed(&scene),
+            exact,
+            2e-3,
+        );
+    }
+}
+
+/// min(μ, b/h) and min(μ, b/H), in closed form.
+#[test]
+fn slender_blocks_and_columns() {
+    for slender in [0.5, 0.2, 0.1, 0.05] {
+        let block = wall([slender, 1.0], 0.65, &["1"]);
+        assert_answered(
+            &format!("b/h {slender}"),
+            &pushed(&open(&block)),
+            slender,
+            2e-3,
+        );
+    }
+    for (count, friction) in [(2, 0.65), (5, 0.65), (10, 0.65), (10, 0.05), (20, 0.65)] {
+        let column = wall([1.0, 0.5], friction, &vec!["1"; count]);
+        let exact = f64::min(friction, 2.0 / count as f64);
+        let what = format!("column of {count}, μ {friction}");
+        assert_answered(&what, &pushed(&open(&column)), exact, 2e-3);
+    }
+}
+
+/// The whole scene turned by 0.2 rad, gravity and push with it: slanted polygons instead of level
+/// rectangles, the same λ.
+#[test]
+fn a_turned_scene() {
+    let (sin, cos) = 0.2f64.sin_cos();
+    let turn = |v: Vector| Vector::new(cos * v.x - sin * v.y, sin * v.x + cos * v.y);
+    let mut turned = moved(&open(&paper_1()), |_, p| Point::from(turn(p.coords)));
+    for block in &mut turned.blocks {
+        for load in &mut block.loads {
+            (load.dead, load.live) = (turn(load.dead), turn(load.live));
+        }
+    }
+    for joint in &mut turned.joints {
+        joint.normal = turn(joint.normal);
+    }
+    turned.coursed = None;
+    assert_answered("turned", &pushed(&turned), PAPER_1, 2e-3);
+}
+
+/// Tilting the ground by atan λ is the same as pushing: with gravity tilted half way the push that
+/// is left is the other half; tilted beyond the limit the wall has none.
+#[test]
+fn tilted_gravity() {
+    for (lambda, stands) in [(PAPER_1 * 0.5, true), (PAPER_1 * 1.01, false)] {
+        let mut tilted = open(&paper_1());
+        for block in &mut tilted.blocks {
+            for load in &mut block.loads {
+                load.dead += load.live * lambda;
+            }
+        }
+        let outcome = pushed(&tilted);
+        match outcome.bracket {
+            // λ counts on from the tilt.
+            Some(rest) => {
+                assert!(stands, "{rest:?}");
+                let sum = (lambda + rest.lower, lambda + rest.upper);
+                let near = |end: f64| (end - PAPER_1).abs() <= 2e-3 * PAPER_1;
+                assert!(near(sum.0) && near(sum.1), "{sum:?}");
+            }
+            None => assert!(!stands, "{}", outcome.reason),
+        }
+    }
+}
