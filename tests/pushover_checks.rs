@@ -1,8 +1,9 @@
 //! What `--verify` compares, and head joints in contact as a range.
 
 use trilith::case;
+use trilith::mechanism::Mechanism;
 use trilith::method::pushover::Pushover;
-use trilith::method::{Method, Outcome, Settings, Status};
+use trilith::method::{Collapse, Method, Outcome, Settings, Status};
 use trilith::scene::{HeadJoints, Scene};
 
 fn scene(name: &str, head_joints: HeadJoints) -> Scene {
@@ -74,4 +75,48 @@ fn twenty_runs_give_the_same_bits() {
             assert_eq!(first.work, again.work);
         }
     }
+}
+
+/// The first slip comes before the collapse, and says so by a lower bracket; a block on a plane
+/// slips and runs away at once (min(μ, b/h) = 0.3).
+#[test]
+fn first_slip_is_not_above_the_collapse() {
+    let settings = Settings {
+        collapse: Collapse::FirstSlip,
+        ..Settings::default()
+    };
+    for name in ["paper-1", "paper-2", "sliding-block"] {
+        let scene = scene(name, HeadJoints::Open);
+        let collapse = bracketed(&scene, &Settings::default()).bracket;
+        let outcome = Pushover.solve(&scene, &settings);
+        assert_eq!(outcome.status, Status::Estimate, "{}", outcome.reason);
+        assert!(outcome.reason.starts_with("first slip") && outcome.stated_error.is_none());
+        let slip = outcome.bracket;
+        let (collapse, slip) = (collapse.expect("bracketed"), slip.expect("bracketed"));
+        assert!(
+            slip.lower <= collapse.upper,
+            "{name}: {slip:?} {collapse:?}"
+        );
+    }
+}
+
+#[test]
+fn a_recording_ends_in_the_collapse() {
+    let settings = Settings {
+        recording: true,
+        ..Settings::default()
+    };
+    let scene = scene("paper-1", HeadJoints::Open);
+    let outcome = bracketed(&scene, &settings);
+    let frames = outcome.recording.len();
+    assert!((50..200).contains(&frames), "{frames} frames");
+    let moved = |frame: &Mechanism| {
+        let far = frame.motions.iter().map(|motion| motion.velocity.norm());
+        far.fold(0.0, f64::max)
+    };
+    let (first, last) = (&outcome.recording[0], &outcome.recording[frames - 1]);
+    assert!(moved(last) > 10.0 * moved(first));
+    // Without being asked, nothing is kept, and nothing else changes.
+    let plain = bracketed(&scene, &Settings::default());
+    assert!(plain.recording.is_empty() && plain.bracket == outcome.bracket);
 }

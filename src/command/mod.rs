@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use trilith::method::{Accuracy, Settings};
+use trilith::method::{Accuracy, Collapse, Settings};
 use trilith::scene::HeadJoints;
 
 /// Validation and regression harness for the limit analysis of dry-joint masonry walls.
@@ -57,6 +57,9 @@ struct RunArguments {
     /// Repeat each pushover with half the substep, mirrored and undamped; all must agree.
     #[arg(long)]
     verify: bool,
+    /// What counts as collapse in the pushover.
+    #[arg(long, default_value = "runaway")]
+    collapse: CollapseArgument,
     /// Push walls with head joints in contact also beyond 200 blocks, which takes long.
     #[arg(long)]
     long_ranges: bool,
@@ -106,6 +109,23 @@ impl From<AccuracyArgument> for Accuracy {
             AccuracyArgument::Coarse => Accuracy::Coarse,
             AccuracyArgument::Normal => Accuracy::Normal,
             AccuracyArgument::Fine => Accuracy::Fine,
+        }
+    }
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum CollapseArgument {
+    /// Blocks run away and do not slow down.
+    Runaway,
+    /// A joint has slipped, though it may come to rest.
+    FirstSlip,
+}
+
+impl From<CollapseArgument> for Collapse {
+    fn from(argument: CollapseArgument) -> Self {
+        match argument {
+            CollapseArgument::Runaway => Collapse::Runaway,
+            CollapseArgument::FirstSlip => Collapse::FirstSlip,
         }
     }
 }

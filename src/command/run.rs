@@ -11,11 +11,18 @@ use trilith::record::record;
 use trilith::report::{self, Comparison};
 use trilith::run::{CaseResult, Plan};
 
-use super::{Format, REFUTED, RunArguments, Stop, print};
+use super::{CollapseArgument, Format, REFUTED, RunArguments, Stop, print};
 
 pub(super) fn run(arguments: &RunArguments) -> Result<u8, Stop> {
     let (methods, misplaced) = methods(&arguments.method)?;
-    let cases = read(&[arguments.cases.as_slice(), &misplaced].concat())?;
+    let mut cases = read(&[arguments.cases.as_slice(), &misplaced].concat())?;
+    if matches!(arguments.collapse, CollapseArgument::FirstSlip) {
+        // References of the pushover are of the collapse, which is not what it was asked for.
+        for case in &mut cases {
+            case.references
+                .retain(|reference| reference.method != "pushover");
+        }
+    }
     let plan = Plan {
         methods,
         settings: Settings {
@@ -23,6 +30,8 @@ pub(super) fn run(arguments: &RunArguments) -> Result<u8, Stop> {
             accuracy: arguments.accuracy.into(),
             verify: arguments.verify,
             long_ranges: arguments.long_ranges,
+            collapse: arguments.collapse.into(),
+            ..Settings::default()
         },
         head_joints: arguments.head_joints.map(Into::into),
     };

@@ -29,6 +29,10 @@ pub struct Settings {
     /// Whether the pushover repeats itself with half the substep, mirrored and without kinetic
     /// damping, and gives no number where that changes it.
     pub verify: bool,
+    /// What the pushover calls collapse.
+    pub collapse: Collapse,
+    /// Whether the pushover keeps how the blocks moved in the collapse.
+    pub recording: bool,
     /// Whether the pushover varies head joints in contact on walls of any number of blocks.
     pub long_ranges: bool,
 }
@@ -39,6 +43,8 @@ impl Default for Settings {
             starts: 2,
             accuracy: Accuracy::Normal,
             verify: false,
+            collapse: Collapse::Runaway,
+            recording: false,
             long_ranges: false,
         }
     }
@@ -69,6 +75,16 @@ impl Accuracy {
             Accuracy::Fine => 5e-4,
         }
     }
+}
+
+/// What a pushover calls collapse.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Collapse {
+    /// Blocks run away and do not slow down.
+    #[default]
+    Runaway,
+    /// A joint has slipped by a thousandth of the course height, though it may come to rest.
+    FirstSlip,
 }
 
 /// Every method, in the order in which tables show them. A new one is one file and one line.

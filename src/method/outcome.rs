@@ -122,6 +122,9 @@ pub struct Outcome {
     pub ray: Option<Vec<JointForce>>,
     /// Every collapse state that the answer rests on, lowest λ first; only the interval has them.
     pub states: Vec<CollapseState>,
+    /// On request, displacements of every block since the scene settled, at times a constant step
+    /// apart from the last rest to the end of the collapse.
+    pub recording: Vec<Mechanism>,
     /// Effort.
     pub work: Work,
     /// Self-checks that ran, with their figures, in words.
@@ -142,6 +145,7 @@ impl Outcome {
             forces: None,
             ray: None,
             states: Vec::new(),
+            recording: Vec::new(),
             work: Work::default(),
             checks: Vec::new(),
             reason: reason.into(),

@@ -23,12 +23,21 @@ pub enum Held {
 pub struct Hold<'a> {
     model: &'a Model,
     settings: &'a Settings,
+    /// The last hold, thinned to fewer than twice the frames asked for.
+    pub frames: Vec<Vec<State>>,
+    /// Time steps between two frames.
+    stride: usize,
 }
 
 impl<'a> Hold<'a> {
     /// For a model and its settings.
     pub fn new(model: &'a Model, settings: &'a Settings) -> Self {
-        Self { model, settings }
+        Self {
+            model,
+            settings,
+            frames: Vec::new(),
+            stride: 1,
+        }
     }
 
     /// The scene under its weight alone.
@@ -60,6 +69,7 @@ impl<'a> Hold<'a> {
         let ramp = (settings.ramp / engine.dt()).ceil().max(1.0);
         let mut before = f64::INFINITY;
         let mut energy = 0.0;
+        (self.frames, self.stride) = (Vec::new(), 1);
         for window in 0..windows {
             let ramping = ((window * steps) as f64) < ramp - 1.0;
             let damped = ramping || before > slow;
@@ -72,6 +82,7 @@ impl<'a> Hold<'a> {
                     return Held::Unclear;
                 }
                 let states = engine.states();
+                self.keep(&states, window * steps + step);
                 let now = speed(self.model, &states);
                 peak = peak.max(now);
                 let moved = displacement(self.model, &from, &states);
@@ -92,5 +103,21 @@ impl<'a> Hold<'a> {
             before = peak;
         }
         Held::Unclear
+    }
+
+    /// Keeps every frame at first, and fewer as the hold grows longer.
+    fn keep(&mut self, states: &[State], step: usize) {
+        if self.settings.frames == 0 || !step.is_multiple_of(self.stride) {
+            return;
+        }
+        self.frames.push(states.to_vec());
+        if self.frames.len() >= 2 * self.settings.frames {
+            let mut index = 0;
+            self.frames.retain(|_| {
+                index += 1;
+                index % 2 == 1
+            });
+            self.stride *= 2;
+        }
     }
 }

@@ -18,6 +18,8 @@ pub struct Found {
     pub rest: Seen,
     /// Blocks when the collapse at `upper` was called.
     pub collapsed: Vec<State>,
+    /// The collapse, where frames are asked for.
+    pub frames: Vec<Vec<State>>,
 }
 
 /// What a rest state looked like.
@@ -51,7 +53,15 @@ pub enum Search {
 /// extrapolate the limit. That is only a hint of where to look: the bracket is a proved rest and a
 /// collapse from it by a step no longer than the tolerance. A longer step overshoots, so its
 /// collapse says no more than that the limit is near.
-pub fn search(engine: &mut Engine, model: &Model, settings: &Settings) -> Search {
+///
+/// `slip` gives the largest slip of a joint between two states; a rest with more of it than the
+/// settings allow is a collapse too.
+pub fn search(
+    engine: &mut Engine,
+    model: &Model,
+    settings: &Settings,
+    slip: impl Fn(&[State], &[State]) -> f64,
+) -> Search {
     let mut hold = Hold::new(model, settings);
     match hold.settle(engine) {
         Held::Rest => {}
@@ -94,7 +104,13 @@ pub fn search(engine: &mut Engine, model: &Model, settings: &Settings) -> Search
                 "the scene still stands at λ = {lambda}; nothing larger is tried"
             ));
         }
-        match hold.step(engine, [lower, target], finest, last) {
+        let held = match hold.step(engine, [lower, target], finest, last) {
+            Held::Rest if slip(&settled.states, &engine.states()) > settings.slip => {
+                Held::Collapse { acceleration: 0.0 }
+            }
+            held => held,
+        };
+        match held {
             Held::Rest => {
                 rest = engine.checkpoint();
                 seen = Seen::now(engine);
@@ -109,6 +125,7 @@ pub fn search(engine: &mut Engine, model: &Model, settings: &Settings) -> Search
                     settled,
                     rest: seen,
                     collapsed: engine.states(),
+                    frames: hold.frames,
                 }));
             }
             Held::Collapse { acceleration } => {

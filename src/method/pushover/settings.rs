@@ -2,7 +2,7 @@
 //! in √(H_c/g) and speeds in √(g·H_c).
 
 use super::model::Model;
-use crate::method::Accuracy;
+use crate::method::{self, Accuracy, Collapse};
 
 /// λ is a whole number of these; brackets then print exactly with five decimals.
 pub const GRID: f64 = 1e5;
@@ -45,6 +45,10 @@ pub struct Settings {
     pub runaway: f64,
     /// Displacement beyond which the last, small step has collapsed.
     pub collapse: f64,
+    /// Slip of a joint since the scene settled beyond which it counts as collapse.
+    pub slip: f64,
+    /// Time steps of a collapse that are kept.
+    pub frames: usize,
     /// Displacement under the own weight alone beyond which the contacts are too soft for the scene.
     pub settlement: f64,
     /// Displacement under the own weight alone beyond which the scene falls.
@@ -92,6 +96,8 @@ impl Settings {
             settled_speed: 1e-7,
             runaway: 2e-3 * model.courses.max(10.0),
             collapse: 6e-3 * model.courses.max(6.0),
+            slip: f64::INFINITY,
+            frames: 0,
             // paper-1 settles by 1.4e-4 and loses nothing up to 6e-4, but 2.7 % of λ at 2.2e-3.
             settlement: if accuracy == Accuracy::Coarse {
                 6e-3
@@ -105,6 +111,18 @@ impl Settings {
             tolerance: if model.courses > 30.0 { 0.95 } else { 0.4 } * stated_error,
             stated_error,
             budget: 200_000,
+        }
+    }
+
+    /// The same with the definition of collapse and the recording that a user asks for.
+    pub fn asked(self, user: &method::Settings) -> Self {
+        Self {
+            slip: match user.collapse {
+                Collapse::Runaway => f64::INFINITY,
+                Collapse::FirstSlip => 1e-3,
+            },
+            frames: if user.recording { 100 } else { 0 },
+            ..self
         }
     }
 
