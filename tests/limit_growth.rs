@@ -12,7 +12,13 @@ use trilith::scene::{HeadJoints, Scene};
 fn measure(method: &dyn Method, scene: &Scene) -> (f64, f64) {
     reset_peak();
     let clock = cpu_time::ThreadTime::now();
-    let mut outcome = method.solve(scene, &Settings { starts: 1 });
+    let mut outcome = method.solve(
+        scene,
+        &Settings {
+            starts: 1,
+            ..Settings::default()
+        },
+    );
     let seconds = clock.elapsed().as_secs_f64();
     let peak = peak();
     judge(scene, method.name(), &mut outcome);
