@@ -55,9 +55,9 @@ pub struct Settings {
     pub fall: f64,
     /// Displacement up to the last load at rest beyond which that is no longer the scene as laid.
     pub drift: f64,
-    /// First increment of λ, in [`GRID`] units.
+    /// First increment of λ, in `GRID` units.
     pub first_increment: u64,
-    /// Largest λ that is tried, in [`GRID`] units.
+    /// Largest λ that is tried, in `GRID` units.
     pub largest: u64,
     /// Width of the bracket relative to λ.
     pub tolerance: f64,
