@@ -104,7 +104,8 @@ pub fn csv(results: &[CaseResult]) -> Result<String, csv::Error> {
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
-/// JSON: a list of the CSV's rows with numbers as numbers and `null` where CSV is empty.
+/// JSON: a list of the CSV's rows with numbers as numbers and `null` where CSV is empty, and with
+/// the self-checks that ran, in words.
 ///
 /// # Errors
 /// Those of the JSON writer; none is expected in memory.
@@ -118,6 +119,7 @@ pub fn json(results: &[CaseResult]) -> Result<String, serde_json::Error> {
             ] {
                 value[key] = as_number(&value[key]);
             }
+            value["checks"] = row.outcome.checks.clone().into();
             rows.push(value);
         }
     }

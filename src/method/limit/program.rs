@@ -283,7 +283,8 @@ impl Program {
         updated.expect("presolve is off, so updates are allowed");
     }
 
-    /// Changes the cost: `lambda` · λ (or the slack) − Σ `normal`[j] · (n1 + n2) is to be largest.
+    /// Changes the cost: `lambda` · λ (or the slack) − Σ price · (n1 + n2) is to be largest, with
+    /// one price a joint in `normal`.
     pub fn set_cost(&mut self, lambda: f64, normal: &[f64]) {
         let mut cost = vec![0.0; self.solver.solution.x.len()];
         for (j, price) in normal.iter().enumerate() {
