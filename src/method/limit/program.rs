@@ -18,9 +18,10 @@ use clarabel::solver::{
     SupportedConeT::{NonnegativeConeT, ZeroConeT},
 };
 
-use crate::mechanism::{Mechanism, Motion};
+use super::columns::{Entries, equilibrium_column};
+use super::scale::Scale;
 use crate::method::{JointForce, Work};
-use crate::scene::{Scene, Side, Vector};
+use crate::scene::Scene;
 
 /// Friction law of one joint: |t| ≤ slope · (n1 + n2) + intercept, the intercept in units of the
 /// scene's total weight.
@@ -106,47 +107,6 @@ enum Goal {
 
 /// Slack that a block's mean weight may have, at most: forces that can lock have no limit.
 const ENOUGH: f64 = 0.01;
-
-/// Units of the dimensionless program. Without them Clarabel reports "solved" far from the
-/// optimum: on paper-3 1 % away at tolerance 1e-6 (measured: total weight 1 cures it, weight of
-/// each block 1 does not).
-#[derive(Clone, Copy, Debug)]
-pub struct Scale {
-    /// Force unit: the scene's total weight.
-    pub force: f64,
-    /// Length unit: the height of the blocks.
-    pub length: f64,
-}
-
-impl Scale {
-    /// The units of a scene.
-    pub fn of(scene: &Scene) -> Self {
-        Self {
-            force: scene.total_weight(),
-            length: scene.height(),
-        }
-    }
-
-    /// Forces back in the case's unit.
-    pub fn forces(&self, forces: &[JointForce]) -> Vec<JointForce> {
-        let back = |force: &JointForce| JointForce {
-            normal: force.normal.map(|n| n * self.force),
-            shear: force.shear * self.force,
-        };
-        forces.iter().map(back).collect()
-    }
-
-    /// Velocities as a mechanism in the case's length unit.
-    pub fn mechanism(&self, velocity: &[f64]) -> Mechanism {
-        let motion = |u: &[f64]| Motion {
-            velocity: Vector::new(u[0], u[1]),
-            rotation: u[2] / self.length,
-        };
-        Mechanism {
-            motions: velocity.chunks_exact(3).map(motion).collect(),
-        }
-    }
-}
 
 /// Relative tolerance of all programs. 1e-8 leaves 9e-8 of λ on a wall of 915 blocks, 1e-10 less
 /// than 1e-9, for a fifth more iterations.
@@ -355,60 +315,5 @@ fn settings() -> DefaultSettings<f64> {
         tol_gap_rel: TOLERANCE,
         tol_feas: TOLERANCE,
         ..DefaultSettings::default()
-    }
-}
-
-/// Force of one variable of a joint (0, 1: corner forces; 2: shear) in the equilibrium rows.
-fn equilibrium_column(scene: &Scene, scale: &Scale, j: usize, kind: usize, out: &mut Entries) {
-    let joint = &scene.joints[j];
-    let (point, direction) = match kind {
-        2 => (joint.ends[0], joint.tangent()),
-        corner => (joint.ends[corner], joint.normal),
-    };
-    let mut bodies = [(Some(joint.to), 1.0), (None, -1.0)];
-    if let Side::Block(from) = joint.from {
-        bodies[1].0 = Some(from);
-    }
-    // Rows of a column must ascend.
-    bodies.sort_by_key(|body| body.0);
-    for (block, sign) in bodies {
-        let Some(block) = block else { continue };
-        let arm = (point - scene.blocks[block].shape.centroid()) / scale.length;
-        let wrench = [direction.x, direction.y, arm.perp(&direction)];
-        for (k, value) in wrench.into_iter().enumerate() {
-            if value != 0.0 {
-                out.push(3 * block + k, sign * value);
-            }
-        }
-    }
-}
-
-/// Compressed columns under construction.
-struct Entries {
-    starts: Vec<usize>,
-    rows: Vec<usize>,
-    values: Vec<f64>,
-}
-
-impl Default for Entries {
-    fn default() -> Self {
-        Self {
-            starts: vec![0],
-            rows: Vec::new(),
-            values: Vec::new(),
-        }
-    }
-}
-
-impl Entries {
-    /// Adds to the open column; returns the position of the value.
-    fn push(&mut self, row: usize, value: f64) -> usize {
-        self.rows.push(row);
-        self.values.push(value);
-        self.values.len() - 1
-    }
-
-    fn close_column(&mut self) {
-        self.starts.push(self.rows.len());
     }
 }

@@ -2,7 +2,8 @@
 //! proof of either answer. The solver's word is none: every state and mechanism here has passed
 //! the judge's own residuals.
 
-use super::program::{Ending, Margins, Program, Scale};
+use super::program::{Ending, Margins, Program};
+use super::scale::Scale;
 use super::vertical;
 use crate::judge::{StaticResidual, VERIFIED_RESIDUAL, falling_violation, live_unit};
 use crate::mechanism::Mechanism;

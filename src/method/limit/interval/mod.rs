@@ -10,8 +10,9 @@ mod outer;
 mod search;
 mod starts;
 
-use super::program::{Ending, Scale};
+use super::program::Ending;
 use super::reduction::{self, Part};
+use super::scale::Scale;
 use super::standing::{own_weight, without_optimum};
 use crate::mechanism::{VELOCITY_THRESHOLDS, crack_slope};
 use crate::method::{Bracket, CollapseState, JointForce, Method, Outcome, Settings, Status, Work};

@@ -1,0 +1,46 @@
+//! Units of the dimensionless program, and the way back to the case's own.
+
+use crate::mechanism::{Mechanism, Motion};
+use crate::method::JointForce;
+use crate::scene::{Scene, Vector};
+
+/// Units of the dimensionless program. Without them Clarabel reports "solved" far from the
+/// optimum: on paper-3 1 % away at tolerance 1e-6 (measured: total weight 1 cures it, weight of
+/// each block 1 does not).
+#[derive(Clone, Copy, Debug)]
+pub struct Scale {
+    /// Force unit: the scene's total weight.
+    pub force: f64,
+    /// Length unit: the height of the blocks.
+    pub length: f64,
+}
+
+impl Scale {
+    /// The units of a scene.
+    pub fn of(scene: &Scene) -> Self {
+        Self {
+            force: scene.total_weight(),
+            length: scene.height(),
+        }
+    }
+
+    /// Forces back in the case's unit.
+    pub fn forces(&self, forces: &[JointForce]) -> Vec<JointForce> {
+        let back = |force: &JointForce| JointForce {
+            normal: force.normal.map(|n| n * self.force),
+            shear: force.shear * self.force,
+        };
+        forces.iter().map(back).collect()
+    }
+
+    /// Velocities as a mechanism in the case's length unit.
+    pub fn mechanism(&self, velocity: &[f64]) -> Mechanism {
+        let motion = |u: &[f64]| Motion {
+            velocity: Vector::new(u[0], u[1]),
+            rotation: u[2] / self.length,
+        };
+        Mechanism {
+            motions: velocity.chunks_exact(3).map(motion).collect(),
+        }
+    }
+}
