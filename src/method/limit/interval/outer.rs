@@ -1,12 +1,13 @@
 //! The rigorous outer bound from below, so that nobody takes the lowest state found for one.
 
+use crate::judge::{StaticResidual, VERIFIED_RESIDUAL};
 use crate::mechanism::{Mechanism, Motion};
-use crate::method::limit::program::{Ending, Friction, Program};
+use crate::method::limit::program::{Ending, Program};
 use crate::method::{JointForce, Work};
 use crate::scene::{Scene, Vector};
 
-/// λ of the same scene without friction, which no collapse multiplier undercuts; `None` where the
-/// scene needs friction to stand. On a wall with a level base it is 0 and never tight.
+/// λ of forces without friction, which no collapse multiplier undercuts; `None` where the scene needs
+/// friction to stand, or where such forces are not proved. On a wall with a level base it is 0 and never tight.
 ///
 /// `standing` are forces at λ = 0. Where they need no friction, and the whole scene can slide with
 /// the push without closing a joint, λ is 0 without a program.
@@ -14,17 +15,18 @@ pub(super) fn frictionless(scene: &Scene, standing: &[JointForce], work: &mut Wo
     if standing.iter().all(|force| force.shear == 0.0) && slides_freely(scene) {
         return Some(0.0);
     }
-    let smooth = Friction {
-        slope: 0.0,
-        intercept: 0.0,
-    };
-    let mut program = Program::new(scene);
-    program.set_friction(&vec![smooth; scene.joints.len()]);
-    match program.solve_counted(work) {
-        // Only printed, and rounded down by more than the solver leaves.
-        Ending::Solved(solution) => Some(solution.lambda - 1e-6),
-        Ending::Infeasible(_) | Ending::Unbounded | Ending::GaveUp(_) => None,
+    let mut smooth = scene.clone();
+    for joint in &mut smooth.joints {
+        joint.friction = 0.0;
     }
+    let mut program = Program::new(&smooth);
+    let Ending::Solved(solution) = program.solve_counted(work) else {
+        return None;
+    };
+    // Forces without friction prove their own λ and nothing above it; the solver's word does not.
+    let forces = program.scale().forces(&solution.forces);
+    let residual = StaticResidual::of(&smooth, &forces, solution.lambda);
+    (residual.largest() <= VERIFIED_RESIDUAL).then_some(solution.lambda)
 }
 
 /// Whether all blocks can move sideways together, with the push and against nothing but friction.
