@@ -1,12 +1,103 @@
-//! Runs methods on cases. The only place with a clock.
+//! Runs methods on scenes: the one runner of `run`, sweeps, charts and atlas. The only place with a
+//! clock.
 
 use cpu_time::ThreadTime;
 use rayon::prelude::*;
 
 use crate::case::Case;
 use crate::judge::{Check, cross_check, judge, open_never_raises, reference_checks};
-use crate::method::{Bracket, Method, Outcome, Settings};
-use crate::scene::{HeadJoints, Scene};
+use crate::method::{Bracket, Method, Outcome, Settings, Status};
+use crate::scene::{HeadJoints, Push, Scene};
+
+/// One method on one wall.
+#[derive(Clone, Copy)]
+pub struct Task<'a> {
+    /// The scene; or one a direction, where the wall is pushed both ways and the weaker side counts.
+    pub sides: &'a [Scene],
+    /// The method.
+    pub method: &'a dyn Method,
+    /// Its settings.
+    pub settings: Settings,
+}
+
+/// The judged answer of one task.
+#[derive(Clone, Debug)]
+pub struct Answer {
+    /// The answer, its status set by the judge.
+    pub outcome: Outcome,
+    /// Which of the task's sides it is about.
+    pub side: usize,
+    /// Residual that the judge computed, where there was something to judge.
+    pub residual: Option<f64>,
+    /// CPU time of the method over all sides, seconds.
+    pub seconds: f64,
+}
+
+/// Runs one task and judges it.
+///
+/// # Panics
+/// Where the task has no scene.
+pub fn solve(task: &Task) -> Answer {
+    let answers = task.sides.iter().enumerate().map(|(side, scene)| {
+        let clock = ThreadTime::now();
+        let mut outcome = task.method.solve(scene, &task.settings);
+        let seconds = clock.elapsed().as_secs_f64();
+        let residual = judge(scene, task.method.name(), &mut outcome);
+        Answer {
+            outcome,
+            side,
+            residual,
+            seconds,
+        }
+    });
+    let answers: Vec<Answer> = answers.collect();
+    weaker(task.sides, answers)
+}
+
+/// Runs tasks on all cores. `finished` is called after each; answers keep the order of the tasks.
+pub fn solve_all(tasks: &[Task], finished: impl Fn(usize, &Answer) + Sync) -> Vec<Answer> {
+    let solved = tasks.par_iter().enumerate().map(|(index, task)| {
+        let answer = solve(task);
+        finished(index, &answer);
+        answer
+    });
+    solved.collect()
+}
+
+/// The answer of the side that gives way first. A side without an honest answer leaves the wall
+/// without one, as it may be the weaker.
+fn weaker(sides: &[Scene], mut answers: Vec<Answer>) -> Answer {
+    let seconds = answers.iter().map(|answer| answer.seconds).sum();
+    let works: Vec<_> = answers.iter().map(|answer| answer.outcome.work).collect();
+    let rank = |answer: &Answer| match (answer.outcome.status, answer.outcome.bracket) {
+        (Status::Failed, _) => (0, 0.0),
+        (Status::Falls, _) => (1, 0.0),
+        (Status::Stands, _) => (4, 0.0),
+        (_, Some(bracket)) => (3, bracket.lower),
+        (_, None) => (2, 0.0),
+    };
+    let ranked = |a: &Answer, b: &Answer| {
+        let ((a, x), (b, y)) = (rank(a), rank(b));
+        a.cmp(&b).then(x.total_cmp(&y))
+    };
+    // A stable sort: of equal sides, the first.
+    answers.sort_by(ranked);
+    let mut answer = answers.swap_remove(0);
+    if let [_, _, ..] = sides {
+        let side = match sides[answer.side].push {
+            Push::Right => "pushed right",
+            Push::Left => "pushed left",
+        };
+        let reason = match (answer.outcome.bracket, answer.outcome.reason.as_str()) {
+            (Some(_), "") => format!("weaker when {side}"),
+            (Some(_), reason) => format!("weaker when {side}; {reason}"),
+            (None, reason) => format!("{side}: {reason}"),
+        };
+        answer.outcome.reason = reason;
+        answer.outcome.work = works.into_iter().fold(Default::default(), |a, b| a + b);
+    }
+    Answer { seconds, ..answer }
+}
 
 /// The judged answer of one method for one scene of a case.
 #[derive(Clone, Debug)]
@@ -14,7 +105,9 @@ pub struct Row {
     /// Head joints of the scene.
     pub head_joints: HeadJoints,
     /// Name of the method.
-    pub method: &'static str,
+    pub method: String,
+    /// Which of the scene's sides the answer is about.
+    pub side: usize,
     /// The answer, its status set by the judge.
     pub outcome: Outcome,
     /// Residual that the judge computed, where there was something to judge.
@@ -28,26 +121,39 @@ pub struct Row {
 pub struct CaseResult {
     /// The case.
     pub case: Case,
-    /// The scenes that were run, one a head-joint setting.
-    pub scenes: Vec<(HeadJoints, Scene)>,
-    /// One row a method and scene, methods in their own order, then contact before open.
+    /// What was run for each head-joint setting: one scene a direction of the push.
+    pub scenes: Vec<(HeadJoints, Vec<Scene>)>,
+    /// One row a method and head-joint setting, methods in their own order, then contact before
+    /// open.
     pub rows: Vec<Row>,
     /// The cross-check and the references.
     pub checks: Vec<Check>,
 }
 
+impl CaseResult {
+    /// The scene that a row's answer is about.
+    ///
+    /// # Panics
+    /// Where the row is of another result.
+    pub fn scene(&self, row: &Row) -> &Scene {
+        let mut scenes = self.scenes.iter();
+        let found = scenes.find(|(head_joints, _)| *head_joints == row.head_joints);
+        &found.expect("the row is of this result").1[row.side]
+    }
+}
+
 /// What to run.
 #[derive(Clone)]
-pub struct Plan {
+pub struct Plan<'a> {
     /// The methods, in the order of the rows.
-    pub methods: Vec<&'static dyn Method>,
+    pub methods: Vec<&'a dyn Method>,
     /// Settings of the methods.
     pub settings: Settings,
     /// Head joints instead of the case's own.
     pub head_joints: Option<HeadJoints>,
 }
 
-impl Plan {
+impl Plan<'_> {
     /// Number of method runs for these cases.
     pub fn runs(&self, cases: &[Case]) -> usize {
         let scenes: usize = cases.iter().map(|case| self.scenes(case).len()).sum();
@@ -61,38 +167,43 @@ impl Plan {
 }
 
 /// Runs every method of the plan on every scene of every case, on all cores, and judges them.
-/// `finished` is called after each method run; results keep the order of the cases.
+/// `finished` is called with case and method after each run; results keep the order of the cases.
 pub fn run(cases: &[Case], plan: &Plan, finished: impl Fn(&str, &str) + Sync) -> Vec<CaseResult> {
-    let scenes: Vec<Vec<(HeadJoints, Scene)>> = cases
+    let scenes: Vec<Vec<(HeadJoints, Vec<Scene>)>> = cases
         .iter()
         .map(|case| {
             let settings = plan.scenes(case).into_iter();
-            settings.map(|head| (head, case.scene(head))).collect()
+            settings.map(|head| (head, case.sides(head))).collect()
         })
         .collect();
-    let mut jobs = Vec::new();
+    let (mut of_task, mut tasks) = (Vec::new(), Vec::new());
     for (index, of_case) in scenes.iter().enumerate() {
-        for method in &plan.methods {
-            jobs.extend(
-                of_case
-                    .iter()
-                    .map(|(head, scene)| (index, *method, *head, scene)),
-            );
+        for &method in &plan.methods {
+            for (head_joints, sides) in of_case {
+                of_task.push((index, *head_joints));
+                tasks.push(Task {
+                    sides,
+                    method,
+                    settings: plan.settings,
+                });
+            }
         }
     }
-    let rows: Vec<(usize, Row)> = jobs
-        .into_par_iter()
-        .map(|(index, method, head_joints, scene)| {
-            let row = run_one(method, &plan.settings, head_joints, scene);
-            finished(&cases[index].name, method.name());
-            (index, row)
-        })
-        .collect();
-    let mut of_cases: Vec<Vec<Row>> = cases.iter().map(|_| Vec::new()).collect();
-    for (index, row) in rows {
-        of_cases[index].push(row);
+    let answers = solve_all(&tasks, |task, _| {
+        finished(&cases[of_task[task].0].name, tasks[task].method.name());
+    });
+    let mut rows: Vec<Vec<Row>> = cases.iter().map(|_| Vec::new()).collect();
+    for (((index, head_joints), task), answer) in of_task.into_iter().zip(&tasks).zip(answers) {
+        rows[index].push(Row {
+            head_joints,
+            method: task.method.name().to_owned(),
+            side: answer.side,
+            outcome: answer.outcome,
+            residual: answer.residual,
+            seconds: answer.seconds,
+        });
     }
-    let parts = cases.iter().zip(scenes).zip(of_cases);
+    let parts = cases.iter().zip(scenes).zip(rows);
     parts
         .map(|((case, scenes), rows)| CaseResult {
             checks: check(case, &scenes, &rows),
@@ -103,30 +214,13 @@ pub fn run(cases: &[Case], plan: &Plan, finished: impl Fn(&str, &str) + Sync) ->
         .collect()
 }
 
-fn run_one(
-    method: &'static dyn Method,
-    settings: &Settings,
-    head_joints: HeadJoints,
-    scene: &Scene,
-) -> Row {
-    let clock = ThreadTime::now();
-    let mut outcome = method.solve(scene, settings);
-    let seconds = clock.elapsed().as_secs_f64();
-    let residual = judge(scene, method.name(), &mut outcome);
-    Row {
-        head_joints,
-        method: method.name(),
-        outcome,
-        residual,
-        seconds,
-    }
-}
-
-fn check(case: &Case, scenes: &[(HeadJoints, Scene)], rows: &[Row]) -> Vec<Check> {
+fn check(case: &Case, scenes: &[(HeadJoints, Vec<Scene>)], rows: &[Row]) -> Vec<Check> {
     let mut checks = Vec::new();
     for (head_joints, _) in scenes {
         let of_scene = rows.iter().filter(|row| row.head_joints == *head_joints);
-        let answers: Vec<_> = of_scene.map(|row| (row.method, &row.outcome)).collect();
+        let answers: Vec<_> = of_scene
+            .map(|row| (row.method.as_str(), &row.outcome))
+            .collect();
         checks.extend(cross_check(*head_joints, &answers));
         checks.extend(reference_checks(case, *head_joints, &answers));
     }
@@ -143,4 +237,72 @@ fn check(case: &Case, scenes: &[(HeadJoints, Scene)], rows: &[Row]) -> Vec<Check
     );
     checks.extend(open_never_raises(contact, open));
     checks
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{Piece, Wall};
+
+    /// Answers what the direction of the push says.
+    struct Told([fn() -> Outcome; 2]);
+
+    impl Method for Told {
+        fn name(&self) -> &str {
+            "told"
+        }
+
+        fn solve(&self, scene: &Scene, _settings: &Settings) -> Outcome {
+            self.0[usize::from(scene.push == Push::Left)]()
+        }
+    }
+
+    fn sides() -> [Scene; 2] {
+        [Push::Right, Push::Left].map(|push| {
+            let wall = Wall {
+                unit_length: 1.0,
+                unit_height: 1.0,
+                thickness: 1.0,
+                unit_weight: 1.0,
+                courses: vec![vec![Piece::Unit]],
+                friction: 0.5,
+                overburden: 0.0,
+                push,
+            };
+            wall.scene(HeadJoints::Open).unwrap()
+        })
+    }
+
+    fn at(lambda: f64) -> Outcome {
+        Outcome {
+            bracket: Some(Bracket::point(lambda)),
+            ..Outcome::without_number(Status::Estimate, "told")
+        }
+    }
+
+    fn answer(told: [fn() -> Outcome; 2]) -> Answer {
+        solve(&Task {
+            sides: &sides(),
+            method: &Told(told),
+            settings: Settings::default(),
+        })
+    }
+
+    #[test]
+    fn the_weaker_side_answers_and_is_named() {
+        let answer = answer([|| at(0.5), || at(0.4)]);
+        assert_eq!(answer.outcome.bracket, Some(Bracket::point(0.4)));
+        assert_eq!(answer.side, 1);
+        assert_eq!(answer.outcome.reason, "weaker when pushed left; told");
+    }
+
+    #[test]
+    fn a_side_without_an_answer_leaves_the_wall_without_one() {
+        let answer = answer([
+            || at(0.5),
+            || Outcome::without_number(Status::Undecided, "why"),
+        ]);
+        assert_eq!(answer.outcome.status, Status::Undecided);
+        assert_eq!(answer.outcome.reason, "pushed left: why");
+    }
 }

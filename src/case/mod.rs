@@ -52,7 +52,12 @@ impl Case {
         check::case(&document, &name, &file::parse(&document)?)
     }
 
-    /// What every method gets.
+    /// What every method gets, one scene a direction of the push.
+    pub fn sides(&self, head_joints: HeadJoints) -> Vec<Scene> {
+        vec![self.scene(head_joints)]
+    }
+
+    /// The first of [`sides`](Self::sides).
     ///
     /// # Panics
     /// Only where `wall` was changed by hand into one that cannot be laid: reading a case lays its

@@ -8,7 +8,7 @@ use crate::scene::HeadJoints;
 const COHESION_BIAS: f64 = 1e-4;
 
 /// Outcomes of one scene by method name.
-pub type Answers<'a> = [(&'static str, &'a Outcome)];
+pub type Answers<'a> = [(&'a str, &'a Outcome)];
 
 fn bracket_of(answers: &Answers, method: &str) -> Option<Bracket> {
     let found = answers.iter().find(|(name, _)| *name == method)?;

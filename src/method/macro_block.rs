@@ -9,7 +9,7 @@ use crate::scene::{RegularWall, Scene};
 pub struct MacroBlock;
 
 impl Method for MacroBlock {
-    fn name(&self) -> &'static str {
+    fn name(&self) -> &str {
         "macro-block"
     }
 

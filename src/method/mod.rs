@@ -4,8 +4,10 @@ pub mod limit;
 pub mod macro_block;
 mod outcome;
 pub mod pushover;
+mod settings;
 
 pub use outcome::{Bracket, CollapseState, JointForce, Outcome, Status, Work};
+pub use settings::{Accuracy, Collapse, Settings};
 
 use crate::scene::Scene;
 
@@ -13,78 +15,10 @@ use crate::scene::Scene;
 /// a published value, and holds no clock.
 pub trait Method: Sync {
     /// The name in tables, cases and on the command line.
-    fn name(&self) -> &'static str;
+    fn name(&self) -> &str;
 
     /// The answer for one scene. Every ending is a status; nothing here panics on a valid scene.
     fn solve(&self, scene: &Scene, settings: &Settings) -> Outcome;
-}
-
-/// What a user may change about the methods; the defaults are what tables show.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Settings {
-    /// Starts of the interval's search.
-    pub starts: usize,
-    /// Error that the pushover may state.
-    pub accuracy: Accuracy,
-    /// Whether the pushover repeats itself with half the substep, mirrored and without kinetic
-    /// damping, and gives no number where that changes it.
-    pub verify: bool,
-    /// What the pushover calls collapse.
-    pub collapse: Collapse,
-    /// Whether the pushover keeps how the blocks moved in the collapse.
-    pub recording: bool,
-    /// Whether the pushover varies head joints in contact on walls of any number of blocks.
-    pub long_ranges: bool,
-}
-
-impl Default for Settings {
-    fn default() -> Self {
-        Self {
-            starts: 2,
-            accuracy: Accuracy::Normal,
-            verify: false,
-            collapse: Collapse::Runaway,
-            recording: false,
-            long_ranges: false,
-        }
-    }
-}
-
-/// How accurate the pushover has to be; everything else about it follows.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Accuracy {
-    /// 1 %; 2 % above 30 courses.
-    Coarse,
-    /// 0.2 %; 0.4 % above 30 courses.
-    #[default]
-    Normal,
-    /// 0.05 %; 0.2 % above 30 courses.
-    Fine,
-}
-
-impl Accuracy {
-    /// The error that a bracket states, relative to λ: of either end against the limit.
-    pub fn stated_error(self, courses: f64) -> f64 {
-        let tall = courses > 30.0;
-        match self {
-            Accuracy::Coarse if tall => 2e-2,
-            Accuracy::Coarse => 1e-2,
-            Accuracy::Normal if tall => 4e-3,
-            Accuracy::Normal => 2e-3,
-            Accuracy::Fine if tall => 2e-3,
-            Accuracy::Fine => 5e-4,
-        }
-    }
-}
-
-/// What a pushover calls collapse.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Collapse {
-    /// Blocks run away and do not slow down.
-    #[default]
-    Runaway,
-    /// A joint has slipped by a thousandth of the course height, though it may come to rest.
-    FirstSlip,
 }
 
 /// Every method, in the order in which tables show them. A new one is one file and one line.

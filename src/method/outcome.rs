@@ -1,5 +1,7 @@
 //! What a method answers. It holds no time, so no time can reach a snapshot.
 
+use std::ops::Add;
+
 use crate::mechanism::{Crack, Mechanism};
 
 /// What a result may be used for.
@@ -100,6 +102,19 @@ pub struct Work {
     pub iterations: usize,
     /// Time steps of the pushover, times the blocks that can move.
     pub block_steps: usize,
+}
+
+impl Add for Work {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            modelled: self.modelled + other.modelled,
+            programs: self.programs + other.programs,
+            iterations: self.iterations + other.iterations,
+            block_steps: self.block_steps + other.block_steps,
+        }
+    }
 }
 
 /// The answer of one method for one scene.

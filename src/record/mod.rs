@@ -16,8 +16,8 @@ use crate::scene::{HeadJoints, JointClass, Scene};
 /// The whole record of a case: geometry, one line a method, one line a check.
 pub fn record(result: &CaseResult) -> String {
     let mut text = title(result);
-    for (head_joints, scene) in &result.scenes {
-        text.push_str(&fingerprint(*head_joints, scene));
+    for (head_joints, sides) in &result.scenes {
+        text.push_str(&fingerprint(*head_joints, &sides[0]));
         text.push('\n');
     }
     text.push('\n');

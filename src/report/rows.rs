@@ -58,17 +58,13 @@ fn flat<'a>(result: &CaseResult, row: &'a Row) -> Flat<'a> {
     let outcome = &row.outcome;
     let text = |value: Option<f64>| value.map_or(String::new(), nine_digits);
     let name = &result.case.name;
-    let scene = result
-        .scenes
-        .iter()
-        .find(|(head, _)| *head == row.head_joints);
-    let (blocks, joints) = scene.map_or((0, 0), |(_, s)| (s.blocks.len(), s.joints.len()));
+    let scene = result.scene(row);
     Flat {
         case: match row.head_joints {
             HeadJoints::Contact => name.clone(),
             HeadJoints::Open => format!("{name}@open"),
         },
-        method: row.method,
+        method: &row.method,
         status: outcome.status.name(),
         lower: text(outcome.bracket.map(|b| b.lower)),
         upper: text(outcome.bracket.map(|b| b.upper)),
@@ -78,8 +74,8 @@ fn flat<'a>(result: &CaseResult, row: &'a Row) -> Flat<'a> {
         residual: text(row.residual),
         seconds: text(Some(row.seconds)),
         reason: &outcome.reason,
-        blocks,
-        joints,
+        blocks: scene.blocks.len(),
+        joints: scene.joints.len(),
         modelled: outcome.work.modelled,
         programs: outcome.work.programs,
         iterations: outcome.work.iterations,

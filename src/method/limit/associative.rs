@@ -17,7 +17,7 @@ pub struct Associative;
 pub const VERIFIED_WIDTH: f64 = 1e-6;
 
 impl Method for Associative {
-    fn name(&self) -> &'static str {
+    fn name(&self) -> &str {
         "associative"
     }
 

@@ -71,7 +71,7 @@ impl SequentialEnding {
 }
 
 impl Method for Sequential {
-    fn name(&self) -> &'static str {
+    fn name(&self) -> &str {
         "sequential"
     }
 

@@ -47,7 +47,7 @@ const MOST_STIFF: f64 = 0.2501;
 pub struct Pushover;
 
 impl Method for Pushover {
-    fn name(&self) -> &'static str {
+    fn name(&self) -> &str {
         "pushover"
     }
 

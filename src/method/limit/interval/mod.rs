@@ -24,7 +24,7 @@ use starts::Start;
 pub struct Interval;
 
 impl Method for Interval {
-    fn name(&self) -> &'static str {
+    fn name(&self) -> &str {
         "interval"
     }
 
