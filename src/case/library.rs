@@ -47,10 +47,19 @@ pub fn embedded() -> impl Iterator<Item = (&'static str, &'static str)> {
 
 /// The three walls of the paper's Table 1.
 pub fn paper() -> Vec<Case> {
+    first(PAPER)
+}
+
+/// Every embedded case.
+pub fn library() -> Vec<Case> {
+    first(EMBEDDED.len())
+}
+
+fn first(count: usize) -> Vec<Case> {
     let read = |(path, text): (&str, &str)| {
         Case::read(path, text.as_bytes()).expect("a test reads every embedded case")
     };
-    embedded().take(PAPER).map(read).collect()
+    embedded().take(count).map(read).collect()
 }
 
 /// The cases that an argument names: a `.toml` file, all those below a folder (hidden ones left

@@ -13,7 +13,7 @@ mod template;
 use std::path::Path;
 
 pub use complaint::Complaint;
-pub use library::{collect, embedded, find, paper};
+pub use library::{collect, embedded, find, library, paper};
 pub use reference::{Kind, METHOD_NAMES, Quantity, Reference};
 pub use template::template;
 

@@ -1,14 +1,15 @@
 //! Commands: arguments in, text and an exit status out.
 
 mod cases;
+mod check;
+mod plan;
 mod run;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
-use trilith::method::{Accuracy, Collapse, Settings};
-use trilith::scene::HeadJoints;
+use plan::PlanArguments;
 
 /// Validation and regression harness for the limit analysis of dry-joint masonry walls.
 #[derive(Parser)]
@@ -22,6 +23,8 @@ struct Arguments {
 enum Command {
     /// Run the methods on cases and print published beside computed.
     Run(RunArguments),
+    /// Check cases against their references and against each other; none named: the whole library.
+    Check(CheckArguments),
     /// List the cases that are built in, and the methods.
     List,
     /// Print a case as it is read: its file, blocks and joints.
@@ -41,28 +44,8 @@ struct RunArguments {
     /// Case files, folders of them, or names of built-in cases; none: the paper's three walls.
     #[arg(value_name = "CASE")]
     cases: Vec<String>,
-    /// Only these methods; `trilith list` names them.
-    #[arg(long, value_name = "NAME", num_args = 1.., value_delimiter = ',')]
-    method: Vec<String>,
-    /// Head joints instead of what the case says.
-    #[arg(long)]
-    head_joints: Option<HeadJointsArgument>,
-    /// Starts of the interval's search; more may find lower states.
-    #[arg(long, value_name = "N", default_value_t = Settings::default().starts as u64,
-          value_parser = clap::value_parser!(u64).range(1..=10_000))]
-    starts: u64,
-    /// Error that the pushover states: 1, 0.2 or 0.05 % (2, 0.4 or 0.2 % above 30 courses).
-    #[arg(long, default_value = "normal")]
-    accuracy: AccuracyArgument,
-    /// Repeat each pushover with half the substep, mirrored and undamped; all must agree.
-    #[arg(long)]
-    verify: bool,
-    /// What counts as collapse in the pushover.
-    #[arg(long, default_value = "runaway")]
-    collapse: CollapseArgument,
-    /// Push walls with head joints in contact also beyond 200 blocks, which takes long.
-    #[arg(long)]
-    long_ranges: bool,
+    #[command(flatten)]
+    plan: PlanArguments,
     /// Also write results.csv, results.json and one record a case into this folder.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
@@ -74,60 +57,23 @@ struct RunArguments {
     record: Option<PathBuf>,
 }
 
+#[derive(Args)]
+struct CheckArguments {
+    /// Case files, folders of them, or names of built-in cases; none: the whole library.
+    #[arg(value_name = "CASE")]
+    cases: Vec<String>,
+    #[command(flatten)]
+    plan: PlanArguments,
+    /// Also write results.csv, results.json and one record a case into this folder.
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+}
+
 #[derive(Clone, Copy, ValueEnum)]
 enum Format {
     Table,
     Csv,
     Json,
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-enum HeadJointsArgument {
-    Contact,
-    Open,
-}
-
-impl From<HeadJointsArgument> for HeadJoints {
-    fn from(argument: HeadJointsArgument) -> Self {
-        match argument {
-            HeadJointsArgument::Contact => HeadJoints::Contact,
-            HeadJointsArgument::Open => HeadJoints::Open,
-        }
-    }
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-enum AccuracyArgument {
-    Coarse,
-    Normal,
-    Fine,
-}
-
-impl From<AccuracyArgument> for Accuracy {
-    fn from(argument: AccuracyArgument) -> Self {
-        match argument {
-            AccuracyArgument::Coarse => Accuracy::Coarse,
-            AccuracyArgument::Normal => Accuracy::Normal,
-            AccuracyArgument::Fine => Accuracy::Fine,
-        }
-    }
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-enum CollapseArgument {
-    /// Blocks run away and do not slow down.
-    Runaway,
-    /// A joint has slipped, though it may come to rest.
-    FirstSlip,
-}
-
-impl From<CollapseArgument> for Collapse {
-    fn from(argument: CollapseArgument) -> Self {
-        match argument {
-            CollapseArgument::Runaway => Collapse::Runaway,
-            CollapseArgument::FirstSlip => Collapse::FirstSlip,
-        }
-    }
 }
 
 /// Exit status of a result that failed, a published value violated, a record that changed.
@@ -155,6 +101,7 @@ impl Stop {
 pub fn main() -> ExitCode {
     let done = match Arguments::parse().command {
         Command::Run(arguments) => run::run(&arguments),
+        Command::Check(arguments) => check::check(&arguments),
         Command::List => cases::list(),
         Command::Show { case } => cases::show(&case),
         Command::New { name } => cases::new(&name),

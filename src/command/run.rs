@@ -6,41 +6,16 @@ use std::time::Duration;
 use indicatif::{ProgressBar, ProgressStyle};
 use trilith::case::{self, Case};
 use trilith::judge::Verdict;
-use trilith::method::{METHODS, Method, Settings, Status};
+use trilith::method::Status;
 use trilith::record::record;
 use trilith::report::{self, Comparison};
 use trilith::run::{CaseResult, Plan};
 
-use super::{CollapseArgument, Format, REFUTED, RunArguments, Stop, print};
+use super::{Format, REFUTED, RunArguments, Stop, print};
 
 pub(super) fn run(arguments: &RunArguments) -> Result<u8, Stop> {
-    let (methods, misplaced) = methods(&arguments.method)?;
-    let mut cases = read(&[arguments.cases.as_slice(), &misplaced].concat())?;
-    if matches!(arguments.collapse, CollapseArgument::FirstSlip) {
-        // References of the pushover are of the collapse, which is not what it was asked for.
-        for case in &mut cases {
-            case.references
-                .retain(|reference| reference.method != "pushover");
-        }
-    }
-    let plan = Plan {
-        methods,
-        settings: Settings {
-            starts: arguments.starts as usize,
-            accuracy: arguments.accuracy.into(),
-            verify: arguments.verify,
-            long_ranges: arguments.long_ranges,
-            collapse: arguments.collapse.into(),
-            ..Settings::default()
-        },
-        head_joints: arguments.head_joints.map(Into::into),
-    };
-    let bar = progress_bar(plan.runs(&cases) as u64);
-    let results = trilith::run::run(&cases, &plan, |case, method| {
-        bar.set_message(format!("{case} {method}"));
-        bar.inc(1);
-    });
-    bar.finish_and_clear();
+    let (cases, plan) = arguments.plan.read(&arguments.cases, case::paper)?;
+    let results = with_progress(&cases, &plan);
     let text = match arguments.format {
         Format::Table => report::table(&results),
         Format::Csv => csv(&results)?,
@@ -61,27 +36,15 @@ pub(super) fn run(arguments: &RunArguments) -> Result<u8, Stop> {
     })
 }
 
-fn read(arguments: &[String]) -> Result<Vec<Case>, Stop> {
-    case::collect(arguments).map_err(|complaints| {
-        let texts: Vec<String> = complaints.iter().map(ToString::to_string).collect();
-        Stop::bad_input(texts.join("\n\n"))
-    })
-}
-
-/// The methods of these names in the list's own order, each once; all of them without a name. What
-/// names no method but a case, as in `--method associative paper-1`, is handed back.
-fn methods(names: &[String]) -> Result<(Vec<&'static dyn Method>, Vec<String>), Stop> {
-    let known = |name: &str| METHODS.iter().any(|method| method.name() == name);
-    let (names, others): (Vec<String>, Vec<String>) =
-        names.iter().cloned().partition(|name| known(name));
-    if let Some(other) = others.iter().find(|other| case::find(other).is_err()) {
-        let list = METHODS.map(|method| method.name()).join(", ");
-        let text = format!("error: there is no method named `{other}`\nhelp: methods are {list}");
-        return Err(Stop::bad_input(text));
-    }
-    let wanted =
-        |method: &&dyn Method| names.is_empty() || names.iter().any(|n| n == method.name());
-    Ok((METHODS.into_iter().filter(wanted).collect(), others))
+/// Runs the plan with a progress bar.
+pub(super) fn with_progress(cases: &[Case], plan: &Plan) -> Vec<CaseResult> {
+    let bar = progress_bar(plan.runs(cases) as u64);
+    let results = trilith::run::run(cases, plan, |case, method| {
+        bar.set_message(format!("{case} {method}"));
+        bar.inc(1);
+    });
+    bar.finish_and_clear();
+    results
 }
 
 /// Progress on standard error, only where that is a terminal.
@@ -101,7 +64,7 @@ fn json(results: &[CaseResult]) -> Result<String, Stop> {
     report::json(results).map_err(|e| Stop::bad_input(format!("error: cannot write JSON: {e}")))
 }
 
-fn write(folder: &Path, results: &[CaseResult]) -> Result<(), Stop> {
+pub(super) fn write(folder: &Path, results: &[CaseResult]) -> Result<(), Stop> {
     let mut files = vec![
         ("results.csv".to_owned(), csv(results)?),
         ("results.json".to_owned(), json(results)?),
@@ -138,7 +101,8 @@ fn compare(folder: &Path, results: &[CaseResult]) -> Result<bool, Stop> {
     Ok(changed)
 }
 
-fn refuted(results: &[CaseResult]) -> bool {
+/// Whether a result failed or a reference or relation is violated.
+pub(super) fn refuted(results: &[CaseResult]) -> bool {
     let failed = |r: &CaseResult| {
         r.rows
             .iter()
@@ -148,19 +112,4 @@ fn refuted(results: &[CaseResult]) -> bool {
     results
         .iter()
         .any(|result| failed(result) || violated(result))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn methods_keep_their_order_and_come_once() {
-        let names = ["sequential", "paper-1", "macro-block", "sequential"].map(str::to_owned);
-        let (found, cases) = methods(&names).unwrap_or_default();
-        let found: Vec<&str> = found.iter().map(|m| m.name()).collect();
-        assert_eq!(found, ["macro-block", "sequential"]);
-        assert_eq!(cases, ["paper-1"]);
-        assert!(methods(&["guess".to_owned()]).is_err());
-    }
 }

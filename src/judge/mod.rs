@@ -8,7 +8,7 @@ mod residual;
 
 pub use check::{Check, Verdict};
 pub use cross_check::{cross_check, open_never_raises};
-pub use references::{computed, reference_checks};
+pub use references::{Comparison, comparisons, computed, reference_checks};
 pub use residual::{
     CollapseResidual, StaticResidual, dead_power, falling_violation, kinematic_multiplier,
     live_unit,

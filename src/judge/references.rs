@@ -21,6 +21,64 @@ pub fn computed(outcome: &Outcome, quantity: Quantity) -> Option<Bracket> {
     }
 }
 
+/// A reference beside what a method computed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Comparison<'a> {
+    /// The reference.
+    pub reference: &'a Reference,
+    /// The computed value, as a bracket; `None` where the method gave none.
+    pub computed: Option<Bracket>,
+    /// The farther end's distance from the reference, relative to max(|reference|, 1e-3).
+    pub error: Option<f64>,
+    /// What that says.
+    pub verdict: Verdict,
+}
+
+/// Every reference of the case about one method's answer for one head-joint setting.
+pub fn comparisons<'a>(
+    case: &'a Case,
+    head_joints: HeadJoints,
+    method: &str,
+    outcome: &Outcome,
+) -> Vec<Comparison<'a>> {
+    let about = |reference: &&Reference| {
+        reference.method == method && reference.head_joints.is_none_or(|only| only == head_joints)
+    };
+    let references = case.references.iter().filter(about);
+    references.map(|r| compare(r, outcome)).collect()
+}
+
+fn compare<'a>(reference: &'a Reference, outcome: &Outcome) -> Comparison<'a> {
+    let computed = computed(outcome, reference.quantity);
+    Comparison {
+        reference,
+        computed,
+        error: computed.map(|value| value.error(reference.value)),
+        verdict: match computed {
+            Some(value) => verdict(reference, value),
+            // A method that declines or cannot decide contradicts nothing; one that broke does.
+            None => match outcome.status {
+                Status::Failed | Status::Falls | Status::Stands => Verdict::Violated,
+                _ => Verdict::NotDecided,
+            },
+        },
+    }
+}
+
+fn verdict(reference: &Reference, value: Bracket) -> Verdict {
+    // Rounding of the sum must not decide: half a printed digit is a common tolerance.
+    let allowed = reference.tolerance * (1.0 + 1e-9) + 1e-12;
+    let distance = |end: f64| (end - reference.value).abs();
+    let distance = distance(value.lower).max(distance(value.upper));
+    match (distance <= allowed, &reference.deviation) {
+        (true, None) => Verdict::Holds,
+        // It is met after all: the case's reason is out of date.
+        (true, Some(_)) => Verdict::Marked,
+        (false, Some(_)) => Verdict::Deviates,
+        (false, None) => Verdict::Violated,
+    }
+}
+
 /// Every reference of the case that speaks of this scene and of a method that ran.
 pub fn reference_checks(case: &Case, head_joints: HeadJoints, answers: &Answers) -> Vec<Check> {
     let mut checks = Vec::new();
@@ -34,12 +92,19 @@ pub fn reference_checks(case: &Case, head_joints: HeadJoints, answers: &Answers)
         let Some((_, outcome)) = answers.iter().find(|(name, _)| *name == reference.method) else {
             continue;
         };
-        checks.push(reference_check(reference, head_joints, outcome));
+        let comparison = compare(reference, outcome);
+        checks.push(Check {
+            head_joints,
+            method: reference.method.clone(),
+            text: in_words(&comparison, outcome.status),
+            verdict: comparison.verdict,
+        });
     }
     checks
 }
 
-fn reference_check(reference: &Reference, head_joints: HeadJoints, outcome: &Outcome) -> Check {
+fn in_words(comparison: &Comparison, status: Status) -> String {
+    let reference = comparison.reference;
     let label = format!(
         "{} {} {} {}",
         reference.method,
@@ -47,49 +112,19 @@ fn reference_check(reference: &Reference, head_joints: HeadJoints, outcome: &Out
         reference.kind.name(),
         crate::record::short(reference.value, 6)
     );
-    let Some(value) = computed(outcome, reference.quantity) else {
-        let text = format!("{label}: no value, {}", outcome.status.name());
-        // A method that declines or cannot decide contradicts nothing; one that broke does.
-        let verdict = match outcome.status {
-            Status::Failed | Status::Falls | Status::Stands => Verdict::Violated,
-            _ => Verdict::NotDecided,
-        };
-        return Check {
-            head_joints,
-            method: reference.method.clone(),
-            text,
-            verdict,
-        };
+    let Some(error) = comparison.error else {
+        return format!("{label}: no value, {}", status.name());
     };
-    let error = value.error(reference.value);
-    // Rounding of the sum must not decide: half a printed digit is a common tolerance.
-    let allowed = reference.tolerance * (1.0 + 1e-9) + 1e-12;
-    let distance = (value.lower - reference.value)
-        .abs()
-        .max((value.upper - reference.value).abs());
     let text = format!(
         "{label}: error {} % ({})",
         crate::record::number(100.0 * error, 2),
         reference.source
     );
-    let verdict = match (distance <= allowed, &reference.deviation) {
-        (true, None) => Verdict::Holds,
-        // It is met after all: the case's reason is out of date.
-        (true, Some(_)) => Verdict::Marked,
-        (false, Some(_)) => Verdict::Deviates,
-        (false, None) => Verdict::Violated,
-    };
-    let text = match (&reference.deviation, verdict) {
+    match (&reference.deviation, comparison.verdict) {
         (Some(why), Verdict::Deviates) => format!("{text}: {why}"),
         (Some(_), Verdict::Marked) => {
             format!("{text}: met, although the case calls it a deviation")
         }
         _ => text,
-    };
-    Check {
-        head_joints,
-        method: reference.method.clone(),
-        text,
-        verdict,
     }
 }

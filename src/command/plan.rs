@@ -1,0 +1,164 @@
+//! Which methods run, and with which settings: the arguments that several commands share.
+
+use clap::{Args, ValueEnum};
+use trilith::case::{self, Case};
+use trilith::method::{Accuracy, Collapse, METHODS, Method, Settings};
+use trilith::run::Plan;
+use trilith::scene::HeadJoints;
+
+use super::Stop;
+
+#[derive(Args)]
+pub(super) struct PlanArguments {
+    /// Only these methods; `trilith list` names them.
+    #[arg(long, value_name = "NAME", num_args = 1.., value_delimiter = ',')]
+    method: Vec<String>,
+    /// Head joints instead of what the case says.
+    #[arg(long)]
+    head_joints: Option<HeadJointsArgument>,
+    /// Starts of the interval's search; more may find lower states.
+    #[arg(long, value_name = "N", default_value_t = Settings::default().starts as u64,
+          value_parser = clap::value_parser!(u64).range(1..=10_000))]
+    starts: u64,
+    /// Error that the pushover states: 1, 0.2 or 0.05 % (2, 0.4 or 0.2 % above 30 courses).
+    #[arg(long, default_value = "normal")]
+    accuracy: AccuracyArgument,
+    /// Repeat each pushover with half the substep, mirrored and undamped; all must agree.
+    #[arg(long)]
+    verify: bool,
+    /// What counts as collapse in the pushover.
+    #[arg(long, default_value = "runaway")]
+    collapse: CollapseArgument,
+    /// Push walls with head joints in contact also beyond 200 blocks, which takes long.
+    #[arg(long)]
+    long_ranges: bool,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum HeadJointsArgument {
+    Contact,
+    Open,
+}
+
+impl From<HeadJointsArgument> for HeadJoints {
+    fn from(argument: HeadJointsArgument) -> Self {
+        match argument {
+            HeadJointsArgument::Contact => HeadJoints::Contact,
+            HeadJointsArgument::Open => HeadJoints::Open,
+        }
+    }
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum AccuracyArgument {
+    Coarse,
+    Normal,
+    Fine,
+}
+
+impl From<AccuracyArgument> for Accuracy {
+    fn from(argument: AccuracyArgument) -> Self {
+        match argument {
+            AccuracyArgument::Coarse => Accuracy::Coarse,
+            AccuracyArgument::Normal => Accuracy::Normal,
+            AccuracyArgument::Fine => Accuracy::Fine,
+        }
+    }
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum CollapseArgument {
+    /// Blocks run away and do not slow down.
+    Runaway,
+    /// A joint has slipped, though it may come to rest.
+    FirstSlip,
+}
+
+impl From<CollapseArgument> for Collapse {
+    fn from(argument: CollapseArgument) -> Self {
+        match argument {
+            CollapseArgument::Runaway => Collapse::Runaway,
+            CollapseArgument::FirstSlip => Collapse::FirstSlip,
+        }
+    }
+}
+
+impl PlanArguments {
+    /// The plan, and the cases that `cases` and the misplaced names of `--method` stand for; none
+    /// named: those of `default`.
+    pub fn read(
+        &self,
+        cases: &[String],
+        default: fn() -> Vec<Case>,
+    ) -> Result<(Vec<Case>, Plan<'static>), Stop> {
+        let (methods, misplaced) = methods(&self.method)?;
+        let named = [cases, &misplaced].concat();
+        let mut cases = match named.is_empty() {
+            true => default(),
+            false => collect(&named)?,
+        };
+        let settings = self.settings();
+        if settings.collapse == Collapse::FirstSlip {
+            // References of the pushover are of the collapse, which is not what it was asked for.
+            for case in &mut cases {
+                case.references
+                    .retain(|reference| reference.method != "pushover");
+            }
+        }
+        let plan = Plan {
+            methods,
+            settings,
+            head_joints: self.head_joints.map(Into::into),
+        };
+        Ok((cases, plan))
+    }
+
+    fn settings(&self) -> Settings {
+        Settings {
+            starts: self.starts as usize,
+            accuracy: self.accuracy.into(),
+            verify: self.verify,
+            long_ranges: self.long_ranges,
+            collapse: self.collapse.into(),
+            ..Settings::default()
+        }
+    }
+}
+
+fn collect(arguments: &[String]) -> Result<Vec<Case>, Stop> {
+    case::collect(arguments).map_err(|complaints| {
+        let texts: Vec<String> = complaints.iter().map(ToString::to_string).collect();
+        Stop::bad_input(texts.join("\n\n"))
+    })
+}
+
+/// The methods of these names in the list's own order, each once; all of them without a name. What
+/// names no method but a case, as in `--method associative paper-1`, is handed back.
+fn methods(names: &[String]) -> Result<(Vec<&'static dyn Method>, Vec<String>), Stop> {
+    let known = |name: &str| METHODS.iter().any(|method| method.name() == name);
+    let (names, others): (Vec<String>, Vec<String>) =
+        names.iter().cloned().partition(|name| known(name));
+    if let Some(other) = others.iter().find(|other| case::find(other).is_err()) {
+        let list = METHODS.map(|method| method.name()).join(", ");
+        let text = format!("error: there is no method named `{other}`\nhelp: methods are {list}");
+        return Err(Stop::bad_input(text));
+    }
+    let wanted =
+        |method: &&dyn Method| names.is_empty() || names.iter().any(|n| n == method.name());
+    Ok((METHODS.into_iter().filter(wanted).collect(), others))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn methods_keep_their_order_and_come_once() {
+        let names = ["sequential", "paper-1", "macro-block", "sequential"].map(str::to_owned);
+        let (found, cases) = methods(&names).unwrap_or_default();
+        let found: Vec<&str> = found.iter().map(|m| m.name()).collect();
+        assert_eq!(found, ["macro-block", "sequential"]);
+        assert_eq!(cases, ["paper-1"]);
+        assert!(methods(&["guess".to_owned()]).is_err());
+    }
+}
