@@ -127,9 +127,9 @@ fn widths(scene: &Scene, mechanism: &Mechanism, threshold: f64) -> Option<(f64, 
 }
 
 /// Crack slope at two thresholds (fractions of the largest corner velocity), the finer one
-/// reported; `None` where the scene is no regular wall or nothing moves at its top edge.
+/// reported; `None` where the scene is no wall of units and halves, or nothing moves at its top edge.
 pub fn crack_slope(scene: &Scene, mechanism: &Mechanism, thresholds: [f64; 2]) -> Option<Crack> {
-    let wall = scene.coursed?;
+    let wall = scene.coursed.filter(|wall| wall.halves)?;
     let (c, e) = widths(scene, mechanism, thresholds[0])?;
     let again = widths(scene, mechanism, thresholds[1]);
     let same = |(c2, e2): (f64, f64)| {

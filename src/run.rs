@@ -265,7 +265,7 @@ mod tests {
                 thickness: 1.0,
                 unit_weight: 1.0,
                 courses: vec![vec![Piece::Unit]],
-                friction: 0.5,
+                friction: 0.5.into(),
                 overburden: 0.0,
                 push,
             };

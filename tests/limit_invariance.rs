@@ -104,7 +104,7 @@ fn assert_any_friction_gives_a_true_answer(walls: Walls) {
         let mut last = -1e-9;
         for friction in [0.0, 1e-6, 1e-3, 0.1, 0.3, 0.5, 0.7, 1.0, 1.5, 2.0, 3.0] {
             let wall = Wall {
-                friction,
+                friction: friction.into(),
                 ..wall.clone()
             };
             let scene = laid(&wall, head_joints);

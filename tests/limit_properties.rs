@@ -107,7 +107,7 @@ proptest! {
             prop_assert_eq!(judged(&Interval, &scene).status, Status::Falls);
             return Ok(());
         };
-        let smooth = laid(&Wall { friction: 0.0, ..wall }, head);
+        let smooth = laid(&Wall { friction: 0.0.into(), ..wall }, head);
         let outcome = judged(&Interval, &scene);
         prop_assert_eq!(outcome.status, Status::Verified, "{}", outcome.reason);
         let bracket = outcome.bracket.expect("verified with a bracket");
@@ -150,7 +150,7 @@ proptest! {
         let of = |wall: &Wall, head| multiplier(&laid(wall, head)).unwrap_or(f64::NEG_INFINITY);
         let lambda = of(&wall, HeadJoints::Contact);
         prop_assert!(of(&wall, HeadJoints::Open) <= lambda * (1.0 + 2e-6));
-        let rougher = Wall { friction: wall.friction * more, ..wall };
+        let rougher = Wall { friction: wall.friction.times(more), ..wall };
         prop_assert!(of(&rougher, HeadJoints::Contact) >= lambda * (1.0 - 2e-6));
     }
 }

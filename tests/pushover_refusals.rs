@@ -22,7 +22,7 @@ fn wall(unit: [f64; 2], friction: f64, courses: &[&str]) -> Wall {
         thickness: 1.0,
         unit_weight: 1.0,
         courses: courses.iter().map(|text| course(text)).collect(),
-        friction,
+        friction: friction.into(),
         overburden: 0.0,
         push: Push::Right,
     }
@@ -167,7 +167,7 @@ fn an_initial_overlap() {
 #[test]
 fn little_and_much_friction() {
     let smooth = Wall {
-        friction: 0.0,
+        friction: 0.0.into(),
         ..paper_1()
     };
     let outcome = pushed(&open(&smooth));
@@ -176,7 +176,7 @@ fn little_and_much_friction() {
         .is_none_or(|b| b.lower == 0.0 && b.upper <= 1e-4);
     assert!(still, "{outcome:?}");
     let rough = Wall {
-        friction: 3.0,
+        friction: 3.0.into(),
         ..paper_1()
     };
     let outcome = pushed(&open(&rough));

@@ -27,7 +27,7 @@ fn walls() -> impl Strategy<Value = Wall> {
                 courses: (0..courses)
                     .map(|row| course(row, units, &gaps[row * 5..row * 5 + 5]))
                     .collect(),
-                friction,
+                friction: friction.into(),
                 overburden,
                 push: Push::Right,
             },
@@ -121,9 +121,9 @@ proptest! {
         let lambda = proved(&wall, HeadJoints::Contact);
         let open = proved(&wall, HeadJoints::Open);
         prop_assert!(open <= lambda * (1.0 + 2e-6), "open {open} above contact {lambda}");
-        let rougher = Wall { friction: wall.friction * more, ..wall.clone() };
+        let rougher = Wall { friction: wall.friction.times(more), ..wall.clone() };
         prop_assert!(proved(&rougher, HeadJoints::Contact) >= lambda * (1.0 - 2e-6));
-        let smooth = Wall { friction: 0.0, ..wall };
+        let smooth = Wall { friction: 0.0.into(), ..wall };
         // Level base joints carry no push without friction; a wall may also need it to stand.
         let pushed = associative(&smooth, HeadJoints::Contact).bracket;
         prop_assert!(pushed.is_none_or(|bracket| bracket.lower < 1e-6), "{pushed:?}");
@@ -178,7 +178,7 @@ fn overburden_lowers_the_multiplier() {
             courses: std::iter::repeat_n([cut.clone(), whole.clone()], 3)
                 .flatten()
                 .collect(),
-            friction: 0.65,
+            friction: 0.65.into(),
             overburden,
             push: Push::Right,
         };

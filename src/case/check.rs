@@ -1,13 +1,13 @@
 //! From a file to a case: every value judged, the wall laid once for each setting.
 
-use std::ops::Range;
+use std::ops::{Range, RangeInclusive};
 
 use toml::Spanned;
 
 use super::complaint::{Complaint, Document, listed, nearest, shorten};
 use super::courses::{Laid, courses};
 use super::file::{self, File, Number, Unit};
-use super::{Case, Kind, METHOD_NAMES, Quantity, Reference};
+use super::{Case, Geometry, Kind, METHOD_NAMES, Quantity, Reference};
 use crate::scene::{Course, HeadJoints, Push, Wall, WallError};
 
 /// Smallest and largest size of any number: far outside of masonry in any unit, and squares of it
@@ -40,7 +40,8 @@ pub(super) fn case(document: &Document, name: &str, file: &File) -> Result<Case,
         references: references
             .map(|reference| check_reference(document, reference, &head_joints))
             .collect::<Result<_, _>>()?,
-        wall,
+        geometry: Geometry::Wall(wall),
+        pushes: pushes(document, file)?,
         head_joints,
     })
 }
@@ -65,19 +66,25 @@ fn wall(document: &Document, file: &File, courses: Vec<Course>) -> Result<Wall, 
         },
         unit_weight: positive(document, "weight", &unit.weight)?,
         courses,
-        friction: not_negative(document, "friction", &file.friction)?,
+        friction: not_negative(document, "friction", &file.friction)?.into(),
         overburden: match &file.overburden {
             None => 0.0,
             Some(value) => not_negative(document, "overburden", value)?,
         },
-        push: match &file.push {
-            None => Push::Right,
-            Some(word) => {
-                let sides = [("right", Push::Right), ("left", Push::Left)];
-                choose(document, "push", sides, word)?
-            }
-        },
+        push: Push::Right,
     })
+}
+
+fn pushes(document: &Document, file: &File) -> Result<Vec<Push>, Complaint> {
+    let Some(word) = &file.push else {
+        return Ok(vec![Push::Right]);
+    };
+    let words = [
+        ("right", vec![Push::Right]),
+        ("left", vec![Push::Left]),
+        ("both", vec![Push::Right, Push::Left]),
+    ];
+    choose(document, "push", words, word)
 }
 
 fn check_reference(
@@ -138,45 +145,59 @@ pub(super) fn choose<T, const N: usize>(
     })
 }
 
-fn positive(document: &Document, key: &str, value: &Spanned<Number>) -> Result<f64, Complaint> {
-    within(document, key, value, SMALLEST)
-}
-
-fn not_negative(document: &Document, key: &str, value: &Spanned<Number>) -> Result<f64, Complaint> {
-    // The sum turns -0.0 into 0.0.
-    within(document, key, value, 0.0).map(|number| number + 0.0)
-}
-
-/// A finite number from `least` to [`LARGEST`]; TOML knows `nan` and `inf`, we do not.
-fn within(
+pub(super) fn positive(
     document: &Document,
     key: &str,
     value: &Spanned<Number>,
-    least: f64,
+) -> Result<f64, Complaint> {
+    within(document, key, value, SMALLEST..=LARGEST)
+}
+
+pub(super) fn not_negative(
+    document: &Document,
+    key: &str,
+    value: &Spanned<Number>,
+) -> Result<f64, Complaint> {
+    // The sum turns -0.0 into 0.0.
+    within(document, key, value, 0.0..=LARGEST).map(|number| number + 0.0)
+}
+
+/// A finite number in `range`; TOML knows `nan` and `inf`, we do not.
+pub(super) fn within(
+    document: &Document,
+    key: &str,
+    value: &Spanned<Number>,
+    range: RangeInclusive<f64>,
 ) -> Result<f64, Complaint> {
     let number = value.get_ref().0;
-    if (least..=LARGEST).contains(&number) {
+    if range.contains(&number) {
         return Ok(number);
     }
+    let (least, most) = (*range.start(), *range.end());
     let title = if !number.is_finite() {
         format!("`{key}` is not a finite number")
-    } else if number < 0.0 {
+    } else if number < 0.0 && least >= 0.0 {
         format!("`{key}` is negative")
     } else if number == 0.0 {
         format!("`{key}` is zero")
+    } else if most < LARGEST {
+        format!("`{key}` is out of range")
     } else if number < least {
         format!("`{key}` is absurdly small")
     } else {
         format!("`{key}` is absurdly large")
     };
-    let least = if least == 0.0 {
-        "0".into()
-    } else {
-        format!("{least:e}")
+    let written = |end: f64| match end.abs() {
+        0.0 | 0.001..1e6 => end.to_string(),
+        _ => format!("{end:e}"),
     };
     Err(document
         .complain(value.span(), title, "out of range")
-        .help(format!("write a number from {least} to {LARGEST:e}")))
+        .help(format!(
+            "write a number from {} to {}",
+            written(least),
+            written(most)
+        )))
 }
 
 fn not_too_slender(

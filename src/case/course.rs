@@ -1,4 +1,4 @@
-//! Courses as people write them: `h` half a unit, `1` a unit, `g` a gap, `1*24` twenty-four units.
+//! Courses as people write them: `h` half a unit, `q` a quarter, `1` a unit, `g` a gap, `1*24` twenty-four units.
 
 use std::ops::Range;
 
@@ -31,7 +31,8 @@ pub(super) struct CourseError {
 }
 
 /// The pieces, for help lines.
-const PIECES: &str = "write `1` for a unit, `h` for half a unit and `g` for a gap one unit wide";
+const PIECES: &str =
+    "write `1` for a unit, `h` for half a unit, `q` for a quarter and `g` for a gap one unit wide";
 
 impl Written {
     /// Reads a course string.
@@ -77,6 +78,7 @@ fn piece(letter: char) -> Option<Piece> {
     match letter {
         '1' => Some(Piece::Unit),
         'h' => Some(Piece::Half),
+        'q' => Some(Piece::Quarter),
         'g' => Some(Piece::Gap),
         _ => None,
     }
@@ -87,7 +89,7 @@ fn unknown(letter: char, start: usize) -> CourseError {
         '*' => "write the piece, then `*`, then the count, without spaces: `1*24`".into(),
         '0' | '2'..='9' => format!("{PIECES}; a count stands behind a `*`, as in `1*24`"),
         '\t' | '\n' | '\r' => "part pieces with spaces, or with nothing".into(),
-        'H' | 'G' => format!("write a small letter: `{}`", letter.to_ascii_lowercase()),
+        'H' | 'Q' | 'G' => format!("write a small letter: `{}`", letter.to_ascii_lowercase()),
         _ => PIECES.into(),
     };
     CourseError {
@@ -131,34 +133,6 @@ fn read_count(text: &str, star: usize) -> Result<(usize, usize), CourseError> {
     }
 }
 
-/// The regular patterns that need no course strings.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Bond {
-    /// Every course is half a unit out of step with the one below.
-    Running,
-    /// Units stand directly above each other.
-    Stack,
-}
-
-/// Lays `courses` courses, each `units` wide, from the bottom. `half_first` is about running bond:
-/// whether the lowest course begins with a half unit.
-pub(super) fn lay_bond(bond: Bond, courses: usize, units: usize, half_first: bool) -> Vec<Course> {
-    let whole = vec![Piece::Unit; units];
-    let mut halved = vec![Piece::Unit; units + 1];
-    halved[0] = Piece::Half;
-    halved[units] = Piece::Half;
-    let half = |i: usize| bond == Bond::Running && i.is_multiple_of(2) == half_first;
-    (0..courses)
-        .map(|i| {
-            if half(i) {
-                halved.clone()
-            } else {
-                whole.clone()
-            }
-        })
-        .collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -184,15 +158,5 @@ mod tests {
         assert_eq!(place("1*10000 1"), 8..9);
         assert_eq!(place("1é"), 1..3);
         assert_eq!(place("  "), 0..2);
-    }
-
-    #[test]
-    fn bonds_are_what_the_strings_say() {
-        let read = |text| Written::read(text).unwrap().pieces;
-        let running = lay_bond(Bond::Running, 3, 5, true);
-        assert_eq!(running, [read("h1111h"), read("11111"), read("h1111h")]);
-        let whole_first = lay_bond(Bond::Running, 2, 1, false);
-        assert_eq!(whole_first, [read("1"), read("hh")]);
-        assert_eq!(lay_bond(Bond::Stack, 2, 2, true), [read("11"), read("11")]);
     }
 }

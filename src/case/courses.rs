@@ -5,10 +5,11 @@ use std::ops::Range;
 use toml::Spanned;
 
 use super::check::choose;
+use super::check::within;
 use super::complaint::{Complaint, Document};
-use super::course::{Bond, MOST_BLOCKS, MOST_PIECES, Written, lay_bond};
+use super::course::{MOST_BLOCKS, MOST_PIECES, Written};
 use super::file::{Courses, File, Whole};
-use crate::scene::Course;
+use crate::scene::{Bond, BondError, Course};
 
 /// Courses from bottom to top, and the strings they were read from.
 pub(super) struct Laid {
@@ -112,6 +113,7 @@ fn no_bond(document: &Document, file: &File) -> Result<(), Complaint> {
         ("bond", file.bond.as_ref().map(Spanned::span)),
         ("units", file.units.as_ref().map(Spanned::span)),
         ("first", file.first.as_ref().map(Spanned::span)),
+        ("overlap", file.overlap.as_ref().map(Spanned::span)),
     ];
     for (key, span) in spans {
         if let Some(span) = span {
@@ -137,8 +139,7 @@ fn bonded(document: &Document, file: &File, count: &Spanned<Whole>) -> Result<La
             )
             .help("add `bond = \"running\"` and `units = 5`, or write the courses as strings"));
     };
-    let bonds = [("running", Bond::Running), ("stack", Bond::Stack)];
-    let pattern = choose(document, "bond", bonds, bond)?;
+    let pattern = pattern(document, file, bond)?;
     if let Some(repeat) = &file.repeat {
         return Err(document
             .complain(
@@ -153,28 +154,81 @@ fn bonded(document: &Document, file: &File, count: &Spanned<Whole>) -> Result<La
             .complain(bond.span(), "a bond without `units`", "how wide?")
             .help("add the width of the wall in full units: `units = 5`"));
     };
-    let half_first = match &file.first {
-        None => true,
-        Some(word) if pattern == Bond::Stack => {
-            return Err(document
-                .complain(
-                    word.span(),
-                    "`first` beside a stack bond",
-                    "for running bond only",
-                )
-                .help("remove `first`: all courses of a stack bond are alike"));
-        }
-        Some(word) => choose(document, "first", [("half", true), ("whole", false)], word)?,
-    };
-    let wide = whole(document, "units", units, MOST_PIECES - 1)?;
+    let cut_first = cut_first(document, file, pattern)?;
+    let wide = whole(document, "units", units, MOST_PIECES / 2 - 1)?;
     let high = whole(document, "courses", count, MOST_BLOCKS)?;
-    if (wide + 1).saturating_mul(high) > MOST_BLOCKS {
+    if (2 * wide + 1).saturating_mul(high) > MOST_BLOCKS {
         return Err(too_many(document, count.span()));
     }
+    let courses = pattern.lay(high, wide, cut_first).map_err(|error| {
+        let BondError::Width { nearest, .. } = error;
+        let complaint = document.complain(units.span(), error.to_string(), "does not close");
+        complaint.help(format!(
+            "the nearest width that does is `units = {nearest}`"
+        ))
+    })?;
     Ok(Laid {
-        courses: lay_bond(pattern, high, wide, half_first),
+        courses,
         strings: Vec::new(),
     })
+}
+
+/// The bond of `bond` and `overlap`.
+fn pattern(document: &Document, file: &File, bond: &Spanned<String>) -> Result<Bond, Complaint> {
+    let bonds = [
+        Bond::RUNNING,
+        Bond::Stack,
+        Bond::English,
+        Bond::Flemish,
+        Bond::Header,
+    ];
+    let pattern = choose(
+        document,
+        "bond",
+        bonds.map(|bond| (bond.name(), bond)),
+        bond,
+    )?;
+    match (pattern, &file.overlap) {
+        (_, None) => Ok(pattern),
+        (Bond::Running { .. }, Some(overlap)) => Ok(Bond::Running {
+            overlap: within(document, "overlap", overlap, LEAST_OVERLAP..=0.5)?,
+        }),
+        (_, Some(overlap)) => Err(document
+            .complain(
+                overlap.span(),
+                format!("`overlap` beside {} bond", pattern.name()),
+                "for running bond only",
+            )
+            .help("remove `overlap`: the bond says it")),
+    }
+}
+
+/// Smallest lap of running bond, over the unit's length: less is no bond.
+const LEAST_OVERLAP: f64 = 0.01;
+
+/// Whether the lowest course is the one with cut ends.
+fn cut_first(document: &Document, file: &File, pattern: Bond) -> Result<bool, Complaint> {
+    let (cut, whole) = match pattern {
+        Bond::Running { .. } => ("half", "whole"),
+        Bond::English => ("header", "stretcher"),
+        Bond::Flemish | Bond::Header => ("closer", "whole"),
+        Bond::Stack => {
+            return match &file.first {
+                None => Ok(false),
+                Some(word) => Err(document
+                    .complain(
+                        word.span(),
+                        "`first` beside a stack bond",
+                        "for other bonds only",
+                    )
+                    .help("remove `first`: all courses of a stack bond are alike")),
+            };
+        }
+    };
+    match &file.first {
+        None => Ok(matches!(pattern, Bond::Running { .. })),
+        Some(word) => choose(document, "first", [(cut, true), (whole, false)], word),
+    }
 }
 
 /// A whole number from 1 to `most`.

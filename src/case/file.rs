@@ -20,6 +20,7 @@ pub(super) struct File {
     pub bond: Option<Spanned<String>>,
     pub units: Option<Spanned<Whole>>,
     pub first: Option<Spanned<String>>,
+    pub overlap: Option<Spanned<Number>>,
     pub friction: Spanned<Number>,
     pub overburden: Option<Spanned<Number>>,
     pub head_joints: Option<Spanned<String>>,
@@ -29,7 +30,7 @@ pub(super) struct File {
 }
 
 /// The keys of [`File`], to tell a key in the wrong table from one that does not exist.
-pub(super) const CASE_KEYS: [&str; 13] = [
+pub(super) const CASE_KEYS: [&str; 14] = [
     "title",
     "source",
     "unit",
@@ -38,6 +39,7 @@ pub(super) const CASE_KEYS: [&str; 13] = [
     "bond",
     "units",
     "first",
+    "overlap",
     "friction",
     "overburden",
     "head_joints",

@@ -6,6 +6,7 @@ mod course;
 mod courses;
 mod explain;
 mod file;
+mod geometry;
 mod library;
 mod reference;
 mod template;
@@ -13,11 +14,12 @@ mod template;
 use std::path::Path;
 
 pub use complaint::Complaint;
+pub use geometry::Geometry;
 pub use library::{collect, embedded, find, library, paper};
 pub use reference::{Kind, METHOD_NAMES, Quantity, Reference};
 pub use template::template;
 
-use crate::scene::{HeadJoints, Scene, Wall};
+use crate::scene::{HeadJoints, Push, Scene, Wall};
 use complaint::Document;
 
 /// A wall, how it runs, and what its results are compared with.
@@ -29,8 +31,10 @@ pub struct Case {
     pub title: String,
     /// Where the wall comes from; may be empty.
     pub source: String,
-    /// The wall. It can be laid: reading the case has tried.
-    pub wall: Wall,
+    /// What it is made of. It can be laid: reading the case has tried.
+    pub geometry: Geometry,
+    /// The directions it is pushed in, one or both; the weaker side is the answer.
+    pub pushes: Vec<Push>,
     /// The settings that the case runs with, in the order of its results; never empty.
     pub head_joints: Vec<HeadJoints>,
     /// Values to compare with.
@@ -53,19 +57,27 @@ impl Case {
     }
 
     /// What every method gets, one scene a direction of the push.
+    ///
+    /// # Panics
+    /// As [`Geometry::scene`].
     pub fn sides(&self, head_joints: HeadJoints) -> Vec<Scene> {
-        vec![self.scene(head_joints)]
+        let scene = |&push| self.geometry.scene(head_joints, push);
+        self.pushes.iter().map(scene).collect()
     }
 
     /// The first of [`sides`](Self::sides).
     ///
     /// # Panics
-    /// Only where `wall` was changed by hand into one that cannot be laid: reading a case lays its
-    /// wall for every setting.
+    /// As [`Geometry::scene`], and where `pushes` is empty.
     pub fn scene(&self, head_joints: HeadJoints) -> Scene {
-        self.wall
-            .scene(head_joints)
-            .expect("the wall was laid when the case was read")
+        self.geometry.scene(head_joints, self.pushes[0])
+    }
+
+    /// The coursed wall, where the case is one.
+    pub fn wall(&self) -> Option<&Wall> {
+        match &self.geometry {
+            Geometry::Wall(wall) => Some(wall),
+        }
     }
 }
 
@@ -143,8 +155,9 @@ kind = \"independent\"
     fn defaults_are_the_documented_ones() {
         let case = Case::read("walls/a.toml", SMALL.as_bytes()).unwrap();
         assert_eq!((case.name.as_str(), case.title.as_str()), ("a", "a"));
-        assert_eq!((case.wall.thickness, case.wall.overburden), (1.0, 0.0));
-        assert_eq!(case.wall.courses.len(), 4);
+        let wall = case.wall().unwrap();
+        assert_eq!((wall.thickness, wall.overburden), (1.0, 0.0));
+        assert_eq!(wall.courses.len(), 4);
         assert_eq!(case.head_joints, [HeadJoints::Contact, HeadJoints::Open]);
         let contact = case.scene(HeadJoints::Contact).joints.len();
         assert!(case.scene(HeadJoints::Open).joints.len() < contact);

@@ -43,7 +43,8 @@ overburden = 0.0
 # which runs every method on both.
 head_joints = "contact"
 
-# Which way the wall is pushed: "right" (if left out) or "left".
+# Which way the wall is pushed: "right" (if left out), "left", or "both", which reports the weaker
+# side.
 push = "right"
 
 # Values to compare with, as many as there are; remove the # to use one. A result further away
@@ -75,7 +76,7 @@ mod tests {
         let case = read(&template("garden"));
         assert_eq!(case.title, "garden");
         assert_eq!(case.head_joints, [HeadJoints::Contact]);
-        assert_eq!(case.wall.push, Push::Right);
+        assert_eq!(case.pushes, [Push::Right]);
         assert_eq!(case.scene(HeadJoints::Contact).blocks.len(), 14);
         assert!(case.scene(HeadJoints::Contact).regular.is_ok());
     }
@@ -95,7 +96,7 @@ mod tests {
             .replace("# first", "first")
             .replace(strings, "")
             .replace("repeat = 2", "");
-        assert_eq!(read(&bond).wall, read(&text).wall);
+        assert_eq!(read(&bond).geometry, read(&text).geometry);
     }
 
     #[test]

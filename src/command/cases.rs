@@ -6,6 +6,7 @@ use std::path::Path;
 use trilith::case::{self, Case};
 use trilith::method::METHODS;
 use trilith::report::write_whole;
+use trilith::scene::Friction;
 
 use super::{Stop, print};
 
@@ -34,18 +35,19 @@ pub(super) fn show(argument: &str) -> Result<u8, Stop> {
 
 fn description(case: &Case) -> String {
     let mut text = format!("{}: {}\nsource: {}\n", case.name, case.title, case.source);
-    let wall = &case.wall;
-    let _ = writeln!(
-        text,
-        "{} courses of units {} x {} x {}, weight {} each; friction {}, overburden ratio {}",
-        wall.courses.len(),
-        wall.unit_length,
-        wall.unit_height,
-        wall.thickness,
-        wall.unit_weight,
-        wall.friction,
-        wall.overburden
-    );
+    if let Some(wall) = case.wall() {
+        let _ = writeln!(
+            text,
+            "{} courses of units {} x {} x {}, weight {} each; friction {}, overburden ratio {}",
+            wall.courses.len(),
+            wall.unit_length,
+            wall.unit_height,
+            wall.thickness,
+            wall.unit_weight,
+            friction(wall.friction),
+            wall.overburden
+        );
+    }
     for head_joints in &case.head_joints {
         let scene = case.scene(*head_joints);
         let _ = writeln!(
@@ -69,6 +71,16 @@ fn description(case: &Case) -> String {
         );
     }
     text
+}
+
+/// One number where all joints are alike.
+fn friction(friction: Friction) -> String {
+    let Friction { bed, head, base } = friction;
+    if bed == head && bed == base {
+        bed.to_string()
+    } else {
+        format!("{bed} bed, {head} head, {base} base")
+    }
 }
 
 pub(super) fn new(name: &str) -> Result<u8, Stop> {

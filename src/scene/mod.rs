@@ -1,9 +1,13 @@
 //! What every method gets: convex blocks with forces, joints, friction, and nothing else.
 
+mod bond;
+mod friction;
 mod joints;
 mod polygon;
 mod wall;
 
+pub use bond::{Bond, BondError};
+pub use friction::Friction;
 pub use joints::{Joint, JointClass, Side, find_joints};
 pub use polygon::{Point, Polygon, PolygonError, Vector};
 pub use wall::{Course, Irregularity, Piece, RegularWall, Wall, WallError};
@@ -55,6 +59,8 @@ pub struct Coursing {
     pub overlap: f64,
     /// Number of courses.
     pub courses: usize,
+    /// Whether it is laid of units and halves alone, as the crack slope supposes.
+    pub halves: bool,
 }
 
 /// A force on a block at a point that moves with it: constant part `dead`, and `λ · live`.

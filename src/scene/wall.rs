@@ -1,16 +1,21 @@
 //! Coursed walls: laying courses into blocks, the overburden, the closed-form description.
 
+use super::friction::Friction;
 use super::joints::{JointClass, find_joints};
 use super::polygon::{Point, Polygon, PolygonError, Vector};
 use super::{Block, Coursing, HeadJoints, Load, Push, Scene};
 
 /// One piece of a course.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Piece {
     /// A full unit.
     Unit,
-    /// Half a unit long.
+    /// Half a unit long; a header.
     Half,
+    /// A quarter of a unit long; a closer.
+    Quarter,
+    /// This part of a unit's length.
+    Part(f64),
     /// Nothing, one unit wide.
     Gap,
 }
@@ -31,8 +36,8 @@ pub struct Wall {
     pub unit_weight: f64,
     /// Courses from bottom to top.
     pub courses: Vec<Course>,
-    /// Coefficient of friction μ of every joint.
-    pub friction: f64,
+    /// Coefficients of friction μ.
+    pub friction: Friction,
     /// Overburden ratio r = p / (γ H).
     pub overburden: f64,
     /// Direction of the live load.
@@ -69,6 +74,9 @@ pub enum Irregularity {
     /// The course (from 1, bottom to top) breaks the running bond.
     #[error("course {0} is not laid in regular running bond")]
     NotRunningBond(usize),
+    /// Bed joints and base joint of different friction, of which Eq. (1) knows one.
+    #[error("bed joints and base differ in friction")]
+    Friction,
     /// Courses of different widths.
     #[error("course {0} is not as wide as the first")]
     Width(usize),
@@ -125,6 +133,8 @@ impl Wall {
         match piece {
             Piece::Unit | Piece::Gap => self.unit_length,
             Piece::Half => self.unit_length / 2.0,
+            Piece::Quarter => self.unit_length / 4.0,
+            Piece::Part(part) => self.unit_length * part,
         }
     }
 
@@ -140,7 +150,9 @@ impl Wall {
         let laid = self.lay()?;
         let ground = self.ground()?;
         let shapes: Vec<&Polygon> = laid.iter().map(|block| &block.shape).collect();
-        let mut joints = find_joints(&shapes, std::slice::from_ref(&ground), |_| self.friction);
+        let mut joints = find_joints(&shapes, std::slice::from_ref(&ground), |class| {
+            self.friction.of(class)
+        });
         let mut touched = vec![false; laid.len()];
         for joint in &joints {
             touched[joint.to] = true;
@@ -174,16 +186,23 @@ impl Wall {
         let mut below: Vec<(f64, f64)> = Vec::new();
         for (course, pieces) in self.courses.iter().enumerate() {
             let mut spans = Vec::new();
-            // Positions as counts of half units: no sum of rounded widths along a long course.
-            let mut halves = 0u32;
+            // Positions as counts of quarter units: no sum of rounded widths along a long course.
+            let (mut quarters, mut parts) = (0u32, 0.0);
             for (piece, &kind) in pieces.iter().enumerate() {
-                let start = halves;
-                halves += if kind == Piece::Half { 1 } else { 2 };
+                let at = |count: u32, parts: f64| {
+                    (f64::from(count) + 4.0 * parts) * (self.unit_length / 4.0)
+                };
+                let x0 = at(quarters, parts);
+                match kind {
+                    Piece::Unit | Piece::Gap => quarters += 4,
+                    Piece::Half => quarters += 2,
+                    Piece::Quarter => quarters += 1,
+                    Piece::Part(part) => parts += part,
+                }
                 if kind == Piece::Gap {
                     continue;
                 }
-                let at = |count: u32| f64::from(count) * (self.unit_length / 2.0);
-                let (x0, x1) = (at(start), at(halves));
+                let x1 = at(quarters, parts);
                 let level = |n: usize| n as f64 * self.unit_height;
                 let shape = Polygon::rectangle(x0, x1, level(course), level(course + 1))?;
                 laid.push(Laid {
@@ -233,13 +252,16 @@ impl Wall {
         Block { shape, loads }
     }
 
-    /// `None` without stagger: a crack slope is measured against the overlap of the units.
+    /// `None` without stagger. In every bond the stagger line advances half a unit a course on
+    /// average, or less.
     fn coursing(&self) -> Option<Coursing> {
         let staggered = self.courses.windows(2).any(|pair| pair[0] != pair[1]);
+        let halves = |piece: &Piece| !matches!(piece, Piece::Quarter | Piece::Part(_));
         staggered.then(|| Coursing {
             height: self.height(),
             overlap: self.unit_length / 2.0,
             courses: self.courses.len(),
+            halves: self.courses.iter().flatten().all(halves),
         })
     }
 
@@ -264,6 +286,9 @@ impl Wall {
                 return Err(Irregularity::NotRunningBond(i + 1));
             }
         }
+        if self.friction.bed != self.friction.base {
+            return Err(Irregularity::Friction);
+        }
         let specific_weight =
             self.unit_weight / (self.unit_length * self.unit_height * self.thickness);
         Ok(RegularWall {
@@ -274,7 +299,7 @@ impl Wall {
             thickness: self.thickness,
             specific_weight,
             overburden: self.overburden * specific_weight * self.height(),
-            friction: self.friction,
+            friction: self.friction.bed,
         })
     }
 }

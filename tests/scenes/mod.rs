@@ -121,7 +121,7 @@ pub fn wall(courses: &[&str], friction: f64) -> Wall {
             .iter()
             .map(|course| course.chars().map(piece).collect::<Course>())
             .collect(),
-        friction,
+        friction: friction.into(),
         overburden: 0.0,
         push: Push::Right,
     }

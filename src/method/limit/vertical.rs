@@ -105,7 +105,7 @@ mod tests {
             thickness: 1.0,
             unit_weight: 1.0,
             courses,
-            friction: 0.65,
+            friction: 0.65.into(),
             overburden: 0.5,
             push: Push::Right,
         };

@@ -124,7 +124,7 @@ mod tests {
                     _ => vec![Unit, Unit, Half, Half],
                 })
                 .collect(),
-            friction: 0.65,
+            friction: 0.65.into(),
             overburden: 0.0,
             push: Push::Right,
         };

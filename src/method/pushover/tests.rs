@@ -18,7 +18,7 @@ fn wall(unit: [f64; 2], friction: f64, courses: &[&str]) -> Wall {
         thickness: 1.0,
         unit_weight: 1.0,
         courses: courses.iter().map(course).collect(),
-        friction,
+        friction: friction.into(),
         overburden: 0.0,
         push: Push::Right,
     }
@@ -126,7 +126,7 @@ fn the_same_run_gives_the_same_bits() {
 #[test]
 fn without_friction_nothing_can_be_pushed() {
     let slippery = Wall {
-        friction: 0.0,
+        friction: 0.0.into(),
         ..wall([4.0, 1.75], 0.0, &["1"])
     };
     assert_eq!(

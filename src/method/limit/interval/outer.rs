@@ -60,7 +60,7 @@ mod tests {
             thickness: 1.0,
             unit_weight: 1.0,
             courses: vec![vec![Piece::Unit; 3]; 2],
-            friction: 0.65,
+            friction: 0.65.into(),
             overburden: 1.0,
             push: Push::Left,
         };

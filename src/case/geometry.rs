@@ -1,0 +1,30 @@
+//! What a case is made of.
+
+use crate::scene::{HeadJoints, Push, Scene, Wall};
+
+/// The structure of a case.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Geometry {
+    /// A coursed wall.
+    Wall(Wall),
+}
+
+impl Geometry {
+    /// The scene for one setting and one direction of the push.
+    ///
+    /// # Panics
+    /// Only where the geometry was changed by hand into one that cannot be laid: reading a case
+    /// lays it for every setting.
+    pub fn scene(&self, head_joints: HeadJoints, push: Push) -> Scene {
+        match self {
+            Geometry::Wall(wall) => {
+                let wall = Wall {
+                    push,
+                    ..wall.clone()
+                };
+                let scene = wall.scene(head_joints);
+                scene.expect("the wall was laid when the case was read")
+            }
+        }
+    }
+}
