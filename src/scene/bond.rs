@@ -108,9 +108,8 @@ impl Bond {
             Bond::Flemish => {
                 let steps = units.saturating_sub(1) / FLEMISH_STEP;
                 if steps == 0 || units % FLEMISH_STEP != 1 {
-                    return Err(wrong(
-                        ((units + 1) / FLEMISH_STEP).max(1) * FLEMISH_STEP + 1,
-                    ));
+                    let nearest = (units / FLEMISH_STEP).max(1) * FLEMISH_STEP + 1;
+                    return Err(wrong(nearest));
                 }
                 // Stretchers with a header between each two.
                 let turns = |stretchers: usize| {
