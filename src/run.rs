@@ -1,6 +1,8 @@
 //! Runs methods on scenes: the one runner of `run`, sweeps, charts and atlas. The only place with a
 //! clock.
 
+use std::sync::{Mutex, OnceLock};
+
 use cpu_time::ThreadTime;
 use rayon::prelude::*;
 
@@ -116,6 +118,19 @@ pub struct Row {
     pub seconds: f64,
 }
 
+impl Row {
+    fn new(head_joints: HeadJoints, method: &str, answer: &Answer) -> Self {
+        Self {
+            head_joints,
+            method: method.to_owned(),
+            side: answer.side,
+            outcome: answer.outcome.clone(),
+            residual: answer.residual,
+            seconds: answer.seconds,
+        }
+    }
+}
+
 /// Everything about one case.
 #[derive(Clone, Debug)]
 pub struct CaseResult {
@@ -169,6 +184,24 @@ impl Plan<'_> {
 /// Runs every method of the plan on every scene of every case, on all cores, and judges them.
 /// `finished` is called with case and method after each run; results keep the order of the cases.
 pub fn run(cases: &[Case], plan: &Plan, finished: impl Fn(&str, &str) + Sync) -> Vec<CaseResult> {
+    let results: Vec<OnceLock<CaseResult>> = cases.iter().map(|_| OnceLock::new()).collect();
+    run_each(cases, plan, finished, |index, result| {
+        let first = results[index].set(result);
+        first.expect("a case is complete once");
+    });
+    let complete = results.into_iter().filter_map(OnceLock::into_inner);
+    complete.collect()
+}
+
+/// As [`run`], handing over each case's result, with the index of the case, as soon as its last
+/// method has finished: what is complete outlives an interruption. Without methods, every case is
+/// complete at once.
+pub fn run_each(
+    cases: &[Case],
+    plan: &Plan,
+    finished: impl Fn(&str, &str) + Sync,
+    complete: impl Fn(usize, CaseResult) + Sync,
+) {
     let scenes: Vec<Vec<(HeadJoints, Vec<Scene>)>> = cases
         .iter()
         .map(|case| {
@@ -177,10 +210,12 @@ pub fn run(cases: &[Case], plan: &Plan, finished: impl Fn(&str, &str) + Sync) ->
         })
         .collect();
     let (mut of_task, mut tasks) = (Vec::new(), Vec::new());
+    let mut rows: Vec<Mutex<Vec<Option<Row>>>> = Vec::new();
     for (index, of_case) in scenes.iter().enumerate() {
+        let first = tasks.len();
         for &method in &plan.methods {
             for (head_joints, sides) in of_case {
-                of_task.push((index, *head_joints));
+                of_task.push((index, tasks.len() - first, *head_joints));
                 tasks.push(Task {
                     sides,
                     method,
@@ -188,30 +223,35 @@ pub fn run(cases: &[Case], plan: &Plan, finished: impl Fn(&str, &str) + Sync) ->
                 });
             }
         }
+        rows.push(Mutex::new(vec![None; tasks.len() - first]));
     }
-    let answers = solve_all(&tasks, |task, _| {
-        finished(&cases[of_task[task].0].name, tasks[task].method.name());
+    let hand_over = |index: usize, rows: Vec<Row>| {
+        let (case, scenes) = (cases[index].clone(), scenes[index].clone());
+        let checks = check(&case, &scenes, &rows);
+        complete(
+            index,
+            CaseResult {
+                case,
+                scenes,
+                rows,
+                checks,
+            },
+        );
+    };
+    if plan.methods.is_empty() {
+        (0..cases.len()).for_each(|index| hand_over(index, Vec::new()));
+    }
+    solve_all(&tasks, |task, answer| {
+        let (index, place, head_joints) = of_task[task];
+        let method = tasks[task].method.name();
+        finished(&cases[index].name, method);
+        let mut of_case = rows[index].lock().expect("no other thread panicked");
+        of_case[place] = Some(Row::new(head_joints, method, answer));
+        if of_case.iter().all(Option::is_some) {
+            let of_case = std::mem::take(&mut *of_case);
+            hand_over(index, of_case.into_iter().flatten().collect());
+        }
     });
-    let mut rows: Vec<Vec<Row>> = cases.iter().map(|_| Vec::new()).collect();
-    for (((index, head_joints), task), answer) in of_task.into_iter().zip(&tasks).zip(answers) {
-        rows[index].push(Row {
-            head_joints,
-            method: task.method.name().to_owned(),
-            side: answer.side,
-            outcome: answer.outcome,
-            residual: answer.residual,
-            seconds: answer.seconds,
-        });
-    }
-    let parts = cases.iter().zip(scenes).zip(rows);
-    parts
-        .map(|((case, scenes), rows)| CaseResult {
-            checks: check(case, &scenes, &rows),
-            case: case.clone(),
-            scenes,
-            rows,
-        })
-        .collect()
 }
 
 fn check(case: &Case, scenes: &[(HeadJoints, Vec<Scene>)], rows: &[Row]) -> Vec<Check> {

@@ -2,16 +2,25 @@
 
 use trilith::case;
 use trilith::report;
+use trilith::run::CaseResult;
 
-use super::run::{refuted, with_progress, write};
+use super::run::{handed_out, refuted, write};
+use super::solve::solve;
 use super::{CheckArguments, REFUTED, Stop, print};
 
 pub(super) fn check(arguments: &CheckArguments) -> Result<u8, Stop> {
     let (cases, plan) = arguments.plan.read(&arguments.cases, case::library)?;
-    let results = with_progress(&cases, &plan);
-    if let Some(folder) = &arguments.out {
-        write(folder, &results)?;
-    }
-    print(&report::library(&results))?;
+    let results = solve(&cases, &plan, |complete| {
+        hand_out(arguments, complete)?;
+        Ok(handed_out(arguments.out.as_deref()))
+    });
+    hand_out(arguments, &results)?;
     Ok(if refuted(&results) { REFUTED } else { 0 })
+}
+
+fn hand_out(arguments: &CheckArguments, results: &[CaseResult]) -> Result<(), Stop> {
+    if let Some(folder) = &arguments.out {
+        write(folder, results)?;
+    }
+    print(&report::library(results))
 }

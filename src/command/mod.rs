@@ -2,8 +2,11 @@
 
 mod cases;
 mod check;
+mod interrupt;
 mod plan;
+mod progress;
 mod run;
+mod solve;
 
 use std::path::PathBuf;
 use std::process::ExitCode;

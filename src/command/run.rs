@@ -1,30 +1,24 @@
 //! `trilith run`.
 
 use std::path::Path;
-use std::time::Duration;
 
-use indicatif::{ProgressBar, ProgressStyle};
-use trilith::case::{self, Case};
+use trilith::case;
 use trilith::judge::Verdict;
 use trilith::method::Status;
 use trilith::record::record;
 use trilith::report::{self, Comparison};
-use trilith::run::{CaseResult, Plan};
+use trilith::run::CaseResult;
 
+use super::solve::solve;
 use super::{Format, REFUTED, RunArguments, Stop, print};
 
 pub(super) fn run(arguments: &RunArguments) -> Result<u8, Stop> {
     let (cases, plan) = arguments.plan.read(&arguments.cases, case::paper)?;
-    let results = with_progress(&cases, &plan);
-    let text = match arguments.format {
-        Format::Table => report::table(&results),
-        Format::Csv => csv(&results)?,
-        Format::Json => json(&results)?,
-    };
-    if let Some(folder) = &arguments.out {
-        write(folder, &results)?;
-    }
-    print(&text)?;
+    let results = solve(&cases, &plan, |complete| {
+        hand_out(arguments, complete)?;
+        Ok(handed_out(arguments.out.as_deref()))
+    });
+    hand_out(arguments, &results)?;
     let changed = match &arguments.record {
         Some(folder) => compare(folder, &results)?,
         None => false,
@@ -36,24 +30,25 @@ pub(super) fn run(arguments: &RunArguments) -> Result<u8, Stop> {
     })
 }
 
-/// Runs the plan with a progress bar.
-pub(super) fn with_progress(cases: &[Case], plan: &Plan) -> Vec<CaseResult> {
-    let bar = progress_bar(plan.runs(cases) as u64);
-    let results = trilith::run::run(cases, plan, |case, method| {
-        bar.set_message(format!("{case} {method}"));
-        bar.inc(1);
-    });
-    bar.finish_and_clear();
-    results
+/// Writes the files that were asked for, and prints.
+fn hand_out(arguments: &RunArguments, results: &[CaseResult]) -> Result<(), Stop> {
+    let text = match arguments.format {
+        Format::Table => report::table(results),
+        Format::Csv => csv(results)?,
+        Format::Json => json(results)?,
+    };
+    if let Some(folder) = &arguments.out {
+        write(folder, results)?;
+    }
+    print(&text)
 }
 
-/// Progress on standard error, only where that is a terminal.
-fn progress_bar(runs: u64) -> ProgressBar {
-    let bar = ProgressBar::new(runs);
-    let style = ProgressStyle::with_template("{bar:30} {pos}/{len} {elapsed} (left: {eta}) {msg}");
-    bar.set_style(style.expect("the template is valid"));
-    bar.enable_steady_tick(Duration::from_millis(200));
-    bar
+/// What became of finished results, in words.
+pub(super) fn handed_out(folder: Option<&Path>) -> String {
+    match folder {
+        Some(folder) => format!("printed and written to {}", folder.display()),
+        None => "printed".to_owned(),
+    }
 }
 
 fn csv(results: &[CaseResult]) -> Result<String, Stop> {
