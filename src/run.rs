@@ -1,6 +1,7 @@
 //! Runs methods on scenes: the one runner of `run`, sweeps, charts and atlas. The only place with a
 //! clock.
 
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, OnceLock};
 
 use cpu_time::ThreadTime;
@@ -64,6 +65,22 @@ pub fn solve_all(tasks: &[Task], finished: impl Fn(usize, &Answer) + Sync) -> Ve
         answer
     });
     solved.collect()
+}
+
+/// Does the pieces of work of these indices, each as soon as a core is free, in the order given:
+/// where long ones come first, no core waits for another at the end.
+pub fn in_turn(order: &[usize], work: impl Fn(usize) + Sync) {
+    let next = AtomicUsize::new(0);
+    let take_turns = || {
+        while let Some(&index) = order.get(next.fetch_add(1, Ordering::Relaxed)) {
+            work(index);
+        }
+    };
+    rayon::scope(|scope| {
+        for _ in 0..rayon::current_num_threads().min(order.len()) {
+            scope.spawn(|_| take_turns());
+        }
+    });
 }
 
 /// The answer of the side that gives way first. A side without an honest answer leaves the wall

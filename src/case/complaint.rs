@@ -24,7 +24,7 @@ struct Place {
 
 /// A file's path, as the user wrote it, and its text.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Document {
+pub(crate) struct Document {
     pub path: String,
     pub text: Arc<str>,
 }
@@ -34,7 +34,7 @@ const LONGEST: usize = 400;
 
 impl Complaint {
     /// A complaint that no text can be shown for.
-    pub(super) fn new(title: impl Into<String>) -> Self {
+    pub(crate) fn new(title: impl Into<String>) -> Self {
         Self {
             title: title.into(),
             place: None,
@@ -43,7 +43,7 @@ impl Complaint {
     }
 
     /// Adds what to write instead.
-    pub(super) fn help(mut self, help: impl Into<String>) -> Self {
+    pub(crate) fn help(mut self, help: impl Into<String>) -> Self {
         self.help = Some(help.into());
         self
     }
@@ -134,7 +134,7 @@ fn floor_boundary(text: &str, index: usize) -> usize {
 }
 
 /// The first `longest` characters of a text, with an ellipsis where some are left out.
-pub(super) fn shorten(text: &str, longest: usize) -> String {
+pub(crate) fn shorten(text: &str, longest: usize) -> String {
     match text.char_indices().nth(longest) {
         Some((end, _)) => format!("{}…", &text[..end]),
         None => text.to_owned(),
@@ -142,7 +142,7 @@ pub(super) fn shorten(text: &str, longest: usize) -> String {
 }
 
 /// The known word nearest to `word`, if it is near enough to be a slip of the keyboard.
-pub(super) fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+pub(crate) fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let word = shorten(word, 60).to_lowercase();
     let allowed = 1 + word.chars().count() / 3;
     known
@@ -175,7 +175,7 @@ fn distance(a: &str, b: &str) -> usize {
 }
 
 /// Words in backticks with commas between, for help lines.
-pub(super) fn listed<'a>(words: impl IntoIterator<Item = &'a str>) -> String {
+pub(crate) fn listed<'a>(words: impl IntoIterator<Item = &'a str>) -> String {
     let quoted: Vec<String> = words.into_iter().map(|word| format!("`{word}`")).collect();
     quoted.join(", ")
 }

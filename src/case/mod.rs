@@ -20,7 +20,7 @@ pub use reference::{Kind, METHOD_NAMES, Quantity, Reference};
 pub use template::template;
 
 use crate::scene::{HeadJoints, Push, Scene, Wall};
-use complaint::Document;
+pub(crate) use complaint::Document;
 
 /// A wall, how it runs, and what its results are compared with.
 #[derive(Clone, Debug, PartialEq)]

@@ -21,6 +21,16 @@ pub trait Method: Sync {
     fn solve(&self, scene: &Scene, settings: &Settings) -> Outcome;
 }
 
+impl<M: Method + ?Sized> Method for &M {
+    fn name(&self) -> &str {
+        (**self).name()
+    }
+
+    fn solve(&self, scene: &Scene, settings: &Settings) -> Outcome {
+        (**self).solve(scene, settings)
+    }
+}
+
 /// Every method, in the order in which tables show them. A new one is one file and one line.
 pub const METHODS: [&dyn Method; 5] = [
     &macro_block::MacroBlock,

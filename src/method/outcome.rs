@@ -26,6 +26,18 @@ pub enum Status {
 }
 
 impl Status {
+    /// Every status.
+    pub const ALL: [Status; 8] = [
+        Status::Verified,
+        Status::Bracketed,
+        Status::Estimate,
+        Status::Stands,
+        Status::Falls,
+        Status::NotApplicable,
+        Status::Undecided,
+        Status::Failed,
+    ];
+
     /// The word that tables, CSV and JSON use.
     pub fn name(self) -> &'static str {
         match self {

@@ -1,0 +1,112 @@
+//! The journal of a sweep: a line a finished row, so that nothing finished is ever repeated.
+
+use std::collections::BTreeMap;
+use std::fs::{File, OpenOptions, TryLockError};
+use std::io::{self, Read, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+
+use super::Row;
+use crate::case::Complaint;
+
+/// Rows that are finished, on disk. One process at a time: the file stays locked, and the lock ends
+/// with the process, however that ends.
+pub struct Journal {
+    path: PathBuf,
+    file: Mutex<File>,
+    rows: BTreeMap<String, Row>,
+}
+
+impl Journal {
+    /// Opens a journal, or begins one. A last line that was being written when the program ended is
+    /// dropped, as is any line that is no row: its point is run again.
+    ///
+    /// # Errors
+    /// Where another process writes it, where it says two things about one point, and any error of
+    /// the file system.
+    pub fn open(path: &Path) -> Result<Self, Complaint> {
+        let failed = |error: io::Error| {
+            Complaint::new(format!(
+                "cannot use the journal {}: {error}",
+                path.display()
+            ))
+            .help("check the folder and its permissions")
+        };
+        if let Some(folder) = path.parent() {
+            std::fs::create_dir_all(folder).map_err(failed)?;
+        }
+        let mut options = OpenOptions::new();
+        let options = options.read(true).write(true).create(true).truncate(false);
+        let mut file = options.open(path).map_err(failed)?;
+        match file.try_lock() {
+            Ok(()) => {}
+            Err(TryLockError::WouldBlock) => {
+                let title = format!("another process writes {}", path.display());
+                return Err(Complaint::new(title)
+                    .help("wait until it ends, or name another folder with `--out`"));
+            }
+            Err(TryLockError::Error(error)) => return Err(failed(error)),
+        }
+        let mut bytes = Vec::new();
+        file.read_to_end(&mut bytes).map_err(failed)?;
+        let whole = bytes.iter().rposition(|&byte| byte == b'\n');
+        let whole = whole.map_or(0, |newline| newline + 1);
+        file.set_len(whole as u64).map_err(failed)?;
+        file.seek(SeekFrom::End(0)).map_err(failed)?;
+        let rows = read_rows(&bytes[..whole]);
+        Ok(Self {
+            rows: by_id(rows, path)?,
+            path: path.to_owned(),
+            file: Mutex::new(file),
+        })
+    }
+
+    /// The row of a point that was finished before the journal was opened.
+    pub fn get(&self, id: &str) -> Option<&Row> {
+        self.rows.get(id)
+    }
+
+    /// Adds a finished row: on disk when this returns, safe from the end of the process.
+    ///
+    /// # Errors
+    /// Any error of the file system.
+    pub fn append(&self, row: &Row) -> io::Result<()> {
+        let mut line = serde_json::to_vec(row)?;
+        line.push(b'\n');
+        let mut file = self.file.lock().expect("no other thread panicked");
+        // One write a line, without a buffer: no line is torn but by the end of the machine.
+        file.write_all(&line)
+    }
+
+    /// The file.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+}
+
+/// Every line that is a row.
+pub(super) fn read_rows(bytes: &[u8]) -> impl Iterator<Item = Row> {
+    let lines = bytes.split(|&byte| byte == b'\n');
+    lines.filter_map(|line| serde_json::from_slice(line).ok())
+}
+
+/// Rows by id; a row said twice counts once.
+fn by_id(rows: impl Iterator<Item = Row>, path: &Path) -> Result<BTreeMap<String, Row>, Complaint> {
+    let mut known: BTreeMap<String, Row> = BTreeMap::new();
+    for row in rows {
+        if let Some(other) = known.get(&row.id)
+            && !other.agrees(&row)
+        {
+            let title = format!(
+                "{} says two things about the point {} ({} {})",
+                path.display(),
+                row.id,
+                row.case,
+                row.method
+            );
+            return Err(Complaint::new(title).help("remove the file: its points are run again"));
+        }
+        known.insert(row.id.clone(), row);
+    }
+    Ok(known)
+}
