@@ -1,37 +1,33 @@
-//! From a file to a case: every value judged, the wall laid once for each setting.
+//! From a file to a case: every value judged, the geometry laid once.
 
 use std::ops::{Range, RangeInclusive};
 
 use toml::Spanned;
 
 use super::complaint::{Complaint, Document, listed, nearest, shorten};
-use super::courses::{Laid, courses};
-use super::file::{self, File, Number, Unit};
-use super::{Case, Geometry, Kind, METHOD_NAMES, Quantity, Reference};
-use crate::scene::{Course, HeadJoints, Push, Wall, WallError};
+use super::explain::missing_key;
+use super::file::{self, File};
+use super::values::{self, Number};
+use super::{Beside, Case, Geometry, Kind, METHOD_NAMES, Quantity, Reference, arch, blocks, wall};
+use crate::scene::{Friction, HeadJoints, Push};
 
 /// Smallest and largest size of any number: far outside of masonry in any unit, and squares of it
 /// are still far from the ends of `f64`.
 const SMALLEST: f64 = 1e-12;
-const LARGEST: f64 = 1e12;
+pub(super) const LARGEST: f64 = 1e12;
 
 /// What head joints can carry, in the order of a case's results.
-const SETTINGS: [HeadJoints; 2] = [HeadJoints::Contact, HeadJoints::Open];
+pub(super) const SETTINGS: [HeadJoints; 2] = [HeadJoints::Contact, HeadJoints::Open];
 
-/// Units longer or higher than this times the other side would fall under the joint search's
-/// tolerance.
-const MOST_SLENDER: f64 = 1000.0;
-
-/// Judges a file and makes the case of it.
-pub(super) fn case(document: &Document, name: &str, file: &File) -> Result<Case, Complaint> {
-    let laid = courses(document, file)?;
-    let head_joints = head_joints(document, file)?;
-    let wall = wall(document, file, laid.courses.clone())?;
-    not_too_slender(document, &file.unit, &wall)?;
-    for setting in SETTINGS {
-        wall.scene(setting)
-            .map_err(|error| not_laid(document, file, &laid, &error))?;
-    }
+/// Judges a file and makes the case of it. `beside` reads a file that lies beside it.
+pub(super) fn case(
+    document: &Document,
+    name: &str,
+    file: &File,
+    beside: Beside,
+) -> Result<Case, Complaint> {
+    let geometry = geometry(document, file, beside)?;
+    let head_joints = head_joints(document, file, &geometry)?;
     let references = file.references.iter();
     Ok(Case {
         name: name.to_owned(),
@@ -40,39 +36,136 @@ pub(super) fn case(document: &Document, name: &str, file: &File) -> Result<Case,
         references: references
             .map(|reference| check_reference(document, reference, &head_joints))
             .collect::<Result<_, _>>()?,
-        geometry: Geometry::Wall(wall),
+        geometry,
         pushes: pushes(document, file)?,
         head_joints,
     })
 }
 
-fn head_joints(document: &Document, file: &File) -> Result<Vec<HeadJoints>, Complaint> {
+/// The one geometry of a file: the first key that belongs to one form decides which, and a key of
+/// another is refused.
+fn geometry(document: &Document, file: &File, beside: Beside) -> Result<Geometry, Complaint> {
+    let keys = form_keys(file);
+    let first = |key: &&FormKey| (key.forms.len(), key.span.start);
+    let Some(form) = keys.iter().min_by_key(first).map(|key| key.forms[0]) else {
+        return Err(missing_key(document, 0..0, "unit"));
+    };
+    if let Some(key) = keys.iter().find(|key| !key.forms.contains(&form)) {
+        let title = format!("`{}` beside {}", key.name, form.name());
+        return Err(document
+            .complain(
+                key.span.clone(),
+                title,
+                format!("goes with {}", key.forms[0].name()),
+            )
+            .help(format!(
+                "remove `{}`: a case is either a coursed wall, or blocks, or an arch",
+                key.name
+            )));
+    }
+    match form {
+        Form::Wall => wall::wall(document, file).map(Geometry::Wall),
+        Form::Blocks => blocks::assembly(document, file, beside).map(Geometry::Blocks),
+        Form::Arch => arch::arch(document, file).map(Geometry::Arch),
+    }
+}
+
+/// The forms of a case.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Form {
+    Wall,
+    Blocks,
+    Arch,
+}
+
+impl Form {
+    fn name(self) -> &'static str {
+        match self {
+            Form::Wall => "a coursed wall",
+            Form::Blocks => "explicit blocks",
+            Form::Arch => "an arch",
+        }
+    }
+}
+
+/// A key that belongs to some forms only, the first of them its own.
+struct FormKey {
+    name: &'static str,
+    span: Range<usize>,
+    forms: &'static [Form],
+}
+
+/// Every such key of the file.
+fn form_keys(file: &File) -> Vec<FormKey> {
+    const WALL: &[Form] = &[Form::Wall];
+    const BLOCKS: &[Form] = &[Form::Blocks];
+    const FORCES: &[Form] = &[Form::Blocks, Form::Arch];
+    let spans = [
+        ("unit", WALL, file.unit.as_ref().map(Spanned::span)),
+        ("courses", WALL, file.courses.as_ref().map(Spanned::span)),
+        ("repeat", WALL, file.repeat.as_ref().map(Spanned::span)),
+        ("bond", WALL, file.bond.as_ref().map(Spanned::span)),
+        ("units", WALL, file.units.as_ref().map(Spanned::span)),
+        ("first", WALL, file.first.as_ref().map(Spanned::span)),
+        ("overlap", WALL, file.overlap.as_ref().map(Spanned::span)),
+        (
+            "overburden",
+            WALL,
+            file.overburden.as_ref().map(Spanned::span),
+        ),
+        ("arch", &[Form::Arch], file.arch.as_ref().map(Spanned::span)),
+        ("blocks", BLOCKS, file.blocks.as_ref().map(Spanned::span)),
+        ("block", BLOCKS, file.block.first().map(Spanned::span)),
+        ("support", BLOCKS, file.support.first().map(Spanned::span)),
+        ("live", FORCES, file.live.as_ref().map(Spanned::span)),
+        ("load", FORCES, file.load.first().map(Spanned::span)),
+    ];
+    let keys = spans.into_iter().filter_map(|(name, forms, span)| {
+        let span = span?;
+        Some(FormKey { name, span, forms })
+    });
+    keys.collect()
+}
+
+/// The coefficients of friction; `head` and `base` are those of `bed` where they are left out.
+pub(super) fn friction(document: &Document, file: &File) -> Result<Friction, Complaint> {
+    match file.friction.get_ref() {
+        values::Friction::One(number) => {
+            let number = Spanned::new(file.friction.span(), Number(*number));
+            Ok(not_negative(document, "friction", &number)?.into())
+        }
+        values::Friction::Classes(classes) => {
+            let bed = not_negative(document, "bed", &classes.bed)?;
+            let other = |key, value: &Option<Spanned<Number>>| match value {
+                None => Ok(bed),
+                Some(value) => not_negative(document, key, value),
+            };
+            Ok(Friction {
+                bed,
+                head: other("head", &classes.head)?,
+                base: other("base", &classes.base)?,
+            })
+        }
+    }
+}
+
+fn head_joints(
+    document: &Document,
+    file: &File,
+    geometry: &Geometry,
+) -> Result<Vec<HeadJoints>, Complaint> {
     let Some(word) = &file.head_joints else {
         return Ok(vec![HeadJoints::Contact]);
     };
+    if let Geometry::Arch(_) = geometry {
+        let title = "an arch has no head joints";
+        return Err(document
+            .complain(word.span(), title, "its joints are radial")
+            .help("remove `head_joints`"));
+    }
     let [contact, open] = SETTINGS.map(|setting| (setting.name(), vec![setting]));
     let both = ("both", SETTINGS.to_vec());
     choose(document, "head_joints", [contact, open, both], word)
-}
-
-fn wall(document: &Document, file: &File, courses: Vec<Course>) -> Result<Wall, Complaint> {
-    let unit = file.unit.get_ref();
-    Ok(Wall {
-        unit_length: positive(document, "length", &unit.length)?,
-        unit_height: positive(document, "height", &unit.height)?,
-        thickness: match &unit.thickness {
-            None => 1.0,
-            Some(value) => positive(document, "thickness", value)?,
-        },
-        unit_weight: positive(document, "weight", &unit.weight)?,
-        courses,
-        friction: not_negative(document, "friction", &file.friction)?.into(),
-        overburden: match &file.overburden {
-            None => 0.0,
-            Some(value) => not_negative(document, "overburden", value)?,
-        },
-        push: Push::Right,
-    })
 }
 
 fn pushes(document: &Document, file: &File) -> Result<Vec<Push>, Complaint> {
@@ -198,61 +291,4 @@ pub(super) fn within(
             written(least),
             written(most)
         )))
-}
-
-fn not_too_slender(
-    document: &Document,
-    unit: &Spanned<Unit>,
-    wall: &Wall,
-) -> Result<(), Complaint> {
-    let ratio = wall.unit_length / wall.unit_height;
-    if (1.0 / MOST_SLENDER..=MOST_SLENDER).contains(&ratio) {
-        return Ok(());
-    }
-    let span = if ratio > 1.0 {
-        unit.get_ref().length.span()
-    } else {
-        unit.get_ref().height.span()
-    };
-    let title =
-        format!("a unit more than {MOST_SLENDER} times longer or higher than the other way");
-    Err(document
-        .complain(span, title, format!("length / height is {ratio:e}"))
-        .help("check that length and height are in one and the same unit of length"))
-}
-
-/// Points at the course, or at the piece of it, that cannot be laid.
-fn not_laid(document: &Document, file: &File, laid: &Laid, error: &WallError) -> Complaint {
-    let (place, help): (Option<Range<usize>>, &str) = match error {
-        WallError::NoCourses => (None, "write at least one course"),
-        WallError::EmptyCourse { course } => (
-            laid.course_place(*course),
-            "put a unit `1` or half a unit `h` into the course; `g` is a gap",
-        ),
-        WallError::Unsupported { course } => (
-            laid.course_place(*course),
-            "let a block of this course lie on a block of the course below",
-        ),
-        WallError::Floating { course, piece } => (
-            laid.piece_place(*course, *piece),
-            "fill a gap beside or below it with `1`, or make it a gap `g`",
-        ),
-        WallError::Shape(_) => (
-            Some(file.unit.span()),
-            "check length and height of the unit",
-        ),
-    };
-    let label = match error {
-        WallError::EmptyCourse { course }
-        | WallError::Unsupported { course }
-        | WallError::Floating { course, .. } => laid.label(*course),
-        WallError::NoCourses | WallError::Shape(_) => "here".into(),
-    };
-    document
-        .complain(
-            place.unwrap_or(file.courses.span()),
-            error.to_string(),
-            label,
-        )
-        .help(help)
 }

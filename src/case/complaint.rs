@@ -96,6 +96,20 @@ impl fmt::Display for Complaint {
 impl std::error::Error for Complaint {}
 
 impl Document {
+    /// The text of a file.
+    ///
+    /// # Errors
+    /// Where it stops being UTF-8.
+    pub fn read(path: &str, bytes: &[u8]) -> Result<Self, Complaint> {
+        match std::str::from_utf8(bytes) {
+            Ok(text) => Ok(Self {
+                path: path.to_owned(),
+                text: text.into(),
+            }),
+            Err(error) => Err(not_text(path, bytes, error)),
+        }
+    }
+
     /// A complaint about the text in `span`, of which at most the first line is marked.
     pub fn complain(
         &self,
@@ -122,6 +136,31 @@ impl Document {
     pub fn at(&self, span: Range<usize>) -> &str {
         self.text.get(span).unwrap_or_default()
     }
+}
+
+/// Bytes that are no text: shows the line where it stops being UTF-8.
+fn not_text(path: &str, bytes: &[u8], error: std::str::Utf8Error) -> Complaint {
+    let good = error.valid_up_to();
+    let before = &bytes[..good];
+    let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
+    let column = before
+        .iter()
+        .rev()
+        .take_while(|&&byte| byte != b'\n')
+        .count();
+    // All before the first bad byte is copied as it is, so its place stays the same.
+    let document = Document {
+        path: path.to_owned(),
+        text: String::from_utf8_lossy(bytes).into(),
+    };
+    let byte = bytes.get(good).copied().unwrap_or_default();
+    let title = format!(
+        "not UTF-8 text: line {line}, byte {} is {byte:#04x}",
+        column + 1
+    );
+    document
+        .complain(good..good + '\u{fffd}'.len_utf8(), title, "from here on")
+        .help("save the file as UTF-8")
 }
 
 /// The last character boundary at or before `index`.

@@ -8,7 +8,8 @@ use super::check::choose;
 use super::check::within;
 use super::complaint::{Complaint, Document};
 use super::course::{MOST_BLOCKS, MOST_PIECES, Written};
-use super::file::{Courses, File, Whole};
+use super::file::File;
+use super::values::{Courses, Whole};
 use crate::scene::{Bond, BondError, Course};
 
 /// Courses from bottom to top, and the strings they were read from.
@@ -48,16 +49,20 @@ impl Laid {
 }
 
 /// The courses that a file asks for.
-pub(super) fn courses(document: &Document, file: &File) -> Result<Laid, Complaint> {
-    let span = file.courses.span();
-    match file.courses.get_ref() {
-        Courses::One(text) => written(document, file, &[(span, text.as_str())]),
+pub(super) fn courses(
+    document: &Document,
+    file: &File,
+    courses: &Spanned<Courses>,
+) -> Result<Laid, Complaint> {
+    let span = courses.span();
+    match courses.get_ref() {
+        Courses::One(text) => written(document, file, span.clone(), &[(span, text.as_str())]),
         Courses::List(list) => {
             let list: Vec<_> = list
                 .iter()
                 .map(|s| (s.span(), s.get_ref().as_str()))
                 .collect();
-            written(document, file, &list)
+            written(document, file, span, &list)
         }
         Courses::Count(count) => bonded(document, file, &Spanned::new(span, Whole(*count))),
     }
@@ -67,10 +72,10 @@ pub(super) fn courses(document: &Document, file: &File) -> Result<Laid, Complain
 fn written(
     document: &Document,
     file: &File,
+    span: Range<usize>,
     strings: &[(Range<usize>, &str)],
 ) -> Result<Laid, Complaint> {
     no_bond(document, file)?;
-    let span = file.courses.span();
     if strings.is_empty() {
         return Err(document
             .complain(span, "a wall without courses", "no course in here")
@@ -232,7 +237,7 @@ fn cut_first(document: &Document, file: &File, pattern: Bond) -> Result<bool, Co
 }
 
 /// A whole number from 1 to `most`.
-fn whole(
+pub(super) fn whole(
     document: &Document,
     key: &str,
     value: &Spanned<Whole>,

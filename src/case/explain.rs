@@ -37,7 +37,8 @@ fn first_line(document: &Document) -> Range<usize> {
     0..document.text.lines().next().map_or(0, str::len)
 }
 
-fn missing_key(document: &Document, span: Range<usize>, key: &str) -> Complaint {
+/// A key that must be there; an empty span stands for the whole file.
+pub(super) fn missing_key(document: &Document, span: Range<usize>, key: &str) -> Complaint {
     let span = if span.is_empty() {
         first_line(document)
     } else {
@@ -56,6 +57,14 @@ fn missing_key(document: &Document, span: Range<usize>, key: &str) -> Complaint 
         "tolerance" => "tolerance = 0.00005",
         "source" => "source = \"Table 1\"",
         "kind" => "kind = \"published\"",
+        "mean_radius" => "mean_radius = 10.0",
+        "thickness" => "thickness = 1.5",
+        "embrace" => "embrace = 180.0",
+        "voussoirs" => "voussoirs = 27",
+        "name" => "name = \"A\"",
+        "block" => "block = \"A\"",
+        "corners" => "corners = [[0, 0], [4, 0], [4, 1.75], [0, 1.75]]",
+        "bed" => "bed = 0.65",
         _ => key,
     };
     document
@@ -96,7 +105,10 @@ fn wrong_type(document: &Document, span: Range<usize>, types: &str) -> Complaint
         "string" => "a text in quotes",
         _ => "something else",
     };
-    let help = type_help(document.at(span.clone()), expected);
+    let help = match expected {
+        "a list" | "two numbers" => list_help(document, span.start),
+        _ => type_help(document.at(span.clone()), expected),
+    };
     document
         .complain(
             span,
@@ -115,11 +127,42 @@ fn type_help(written: &str, expected: &str) -> String {
         "courses" => {
             "write `courses = [\"h1111h\", \"11111\"]`, or `courses = 6` with `bond`".into()
         }
-        "a list" => "write `[[references]]`, with two brackets, above each reference".into(),
+        "a coefficient of friction" if !written.starts_with('[') => {
+            number_help(written, bare, false)
+        }
+        "a coefficient of friction" => {
+            "write `friction = 0.65`, or `friction = { bed = 0.65, head = 0.4, base = 0.5 }`".into()
+        }
+        "an `[arch]` table" => "write `[arch]` in a line of its own, its keys below".into(),
+        "a `[blocks]` table" => "write `[blocks]` in a line of its own, its keys below".into(),
+        "a `[[block]]` or `[[support]]` table" | "a `[[load]]` table" => {
+            "write the key in two brackets in a line of its own, `[[block]]`, its keys below".into()
+        }
         "a table of the unit's size" => {
             "write `unit = { length = 4.0, height = 1.75, weight = 1.0 }`".into()
         }
         _ => format!("write {expected}"),
+    }
+}
+
+/// What to write for the list of a key, which stands before byte `at` in its line.
+fn list_help(document: &Document, at: usize) -> String {
+    let before = document.at(0..at);
+    let start = before.rfind('\n').map_or(0, |newline| newline + 1);
+    let line = document.at(start..document.text.len());
+    let line = line.lines().next().unwrap_or_default();
+    let key = line.split('=').next().unwrap_or_default();
+    let key = key.trim_matches(|c: char| "[] \t\r".contains(c));
+    match key {
+        "corners" => "write `corners = [[0, 0], [4, 0], [4, 1.75], [0, 1.75]]`".into(),
+        "along" => "write `along = [[0.0, 1.0], [2.0, 1.0]]`".into(),
+        "supports" => "write `supports = [\"ground\"]`".into(),
+        "at" | "dead" | "live" => format!("write `{key} = [1.0, 0.0]`"),
+        "block" | "support" | "load" => {
+            format!("write `[[{key}]]`, with two brackets, above each {key}")
+        }
+        "references" => "write `[[references]]`, with two brackets, above each reference".into(),
+        _ => "write a list in brackets, such as `[1.0, 0.0]`".into(),
     }
 }
 
@@ -258,7 +301,17 @@ mod tests {
             ("[[references]]\npush = 'left'", "move `push` up"),
             ("[unit]\nlenght = 1", "did you mean `length`?"),
             ("[unit]\nlength = 1", "add `height = 1.75`"),
-            ("", "add `unit = {"),
+            ("[arch]\nthickness = 1", "add `mean_radius = "),
+            ("[[block]]\nname = 'A'\ncorners = 3", "write `corners = [["),
+            ("[block]\nname = 'A'", "write `[[block]]`"),
+            ("[blocks]\nsupports = 'A'", "write `supports = ["),
+            ("friction = ['a']", "write `friction = 0.65`, or"),
+            ("friction = { bad = 1 }", "did you mean `bed`?"),
+            ("friction = { head = 1 }", "add `bed = 0.65`"),
+            ("arch = 3", "write `[arch]`"),
+            ("block = [3]", "write the key in two brackets"),
+            ("[[load]]\nblock = 'A'\nat = 3", "write `at = [1.0, 0.0]`"),
+            ("", "add `friction = 0.65`"),
         ] {
             let shown = shown(text);
             assert!(shown.contains(help), "{text:?} gives\n{shown}");

@@ -1,28 +1,35 @@
 //! The case file as TOML has it. Every value keeps its span, so that a complaint can point at it.
 
-use std::fmt;
-
-use serde::de::{Deserialize, Deserializer, SeqAccess, Visitor};
 use toml::Spanned;
 
 use super::complaint::{Complaint, Document};
 use super::explain::explain;
+use super::values::{Courses, Friction, Number, Pair, Whole};
 
-/// A whole file.
+/// A whole file. Which of the keys go together is judged later, where it can be said well.
 #[derive(Debug, serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct File {
     pub title: Option<String>,
     pub source: Option<String>,
-    pub unit: Spanned<Unit>,
-    pub courses: Spanned<Courses>,
+    pub unit: Option<Spanned<Unit>>,
+    pub courses: Option<Spanned<Courses>>,
     pub repeat: Option<Spanned<Whole>>,
     pub bond: Option<Spanned<String>>,
     pub units: Option<Spanned<Whole>>,
     pub first: Option<Spanned<String>>,
     pub overlap: Option<Spanned<Number>>,
-    pub friction: Spanned<Number>,
     pub overburden: Option<Spanned<Number>>,
+    pub arch: Option<Spanned<Arch>>,
+    pub blocks: Option<Spanned<Blocks>>,
+    #[serde(default)]
+    pub block: Vec<Spanned<Body>>,
+    #[serde(default)]
+    pub support: Vec<Spanned<Body>>,
+    pub live: Option<Spanned<String>>,
+    #[serde(default)]
+    pub load: Vec<Spanned<Load>>,
+    pub friction: Spanned<Friction>,
     pub head_joints: Option<Spanned<String>>,
     pub push: Option<Spanned<String>>,
     #[serde(default)]
@@ -30,7 +37,7 @@ pub(super) struct File {
 }
 
 /// The keys of [`File`], to tell a key in the wrong table from one that does not exist.
-pub(super) const CASE_KEYS: [&str; 14] = [
+pub(super) const CASE_KEYS: [&str; 20] = [
     "title",
     "source",
     "unit",
@@ -40,12 +47,64 @@ pub(super) const CASE_KEYS: [&str; 14] = [
     "units",
     "first",
     "overlap",
-    "friction",
     "overburden",
+    "arch",
+    "blocks",
+    "block",
+    "support",
+    "live",
+    "load",
+    "friction",
     "head_joints",
     "push",
     "references",
 ];
+
+/// A generated arch.
+#[derive(Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields, expecting = "an `[arch]` table")]
+pub(super) struct Arch {
+    pub mean_radius: Spanned<Number>,
+    pub thickness: Spanned<Number>,
+    pub embrace: Spanned<Number>,
+    pub voussoirs: Spanned<Whole>,
+    pub specific_weight: Option<Spanned<Number>>,
+}
+
+/// What all explicit blocks share.
+#[derive(Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a `[blocks]` table")]
+pub(super) struct Blocks {
+    pub csv: Option<Spanned<String>>,
+    #[serde(default)]
+    pub supports: Vec<Spanned<String>>,
+    pub specific_weight: Option<Spanned<Number>>,
+    pub thickness: Option<Spanned<Number>>,
+    pub tolerance: Option<Spanned<Number>>,
+}
+
+/// A block or a support.
+#[derive(Debug, serde::Deserialize)]
+#[serde(
+    deny_unknown_fields,
+    expecting = "a `[[block]]` or `[[support]]` table"
+)]
+pub(super) struct Body {
+    pub name: Spanned<String>,
+    pub corners: Option<Spanned<Vec<Spanned<Pair>>>>,
+    pub weight: Option<Spanned<Number>>,
+}
+
+/// A force on a block.
+#[derive(Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a `[[load]]` table")]
+pub(super) struct Load {
+    pub block: Spanned<String>,
+    pub at: Option<Spanned<Pair>>,
+    pub along: Option<Spanned<Vec<Spanned<Pair>>>>,
+    pub dead: Option<Spanned<Pair>>,
+    pub live: Option<Spanned<Pair>>,
+}
 
 /// What every unit is like.
 #[derive(Debug, serde::Deserialize)]
@@ -72,105 +131,9 @@ pub(super) struct Reference {
     pub deviation: Option<String>,
 }
 
-/// `courses` in its three forms.
-#[derive(Debug)]
-pub(super) enum Courses {
-    /// One course string.
-    One(String),
-    /// Course strings from bottom to top.
-    List(Vec<Spanned<String>>),
-    /// A number of courses, with `bond`.
-    Count(i64),
-}
-
-/// A number, with or without a decimal point.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Number(pub f64);
-
-/// A whole number.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Whole(pub i64);
-
 /// Reads the text; no value in it has been judged yet.
 pub(super) fn parse(document: &Document) -> Result<File, Complaint> {
     toml::from_str(&document.text).map_err(|error| explain(document, &error))
-}
-
-impl<'de> Deserialize<'de> for Courses {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(CoursesVisitor)
-    }
-}
-
-struct CoursesVisitor;
-
-impl<'de> Visitor<'de> for CoursesVisitor {
-    type Value = Courses;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("courses")
-    }
-
-    fn visit_str<E>(self, text: &str) -> Result<Courses, E> {
-        Ok(Courses::One(text.to_owned()))
-    }
-
-    fn visit_i64<E>(self, count: i64) -> Result<Courses, E> {
-        Ok(Courses::Count(count))
-    }
-
-    fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Courses, A::Error> {
-        let mut list = Vec::new();
-        while let Some(item) = items.next_element()? {
-            list.push(item);
-        }
-        Ok(Courses::List(list))
-    }
-}
-
-impl<'de> Deserialize<'de> for Number {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(NumberVisitor)
-    }
-}
-
-/// Our own, so that the message says "a number" and not "f64".
-struct NumberVisitor;
-
-impl Visitor<'_> for NumberVisitor {
-    type Value = Number;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a number")
-    }
-
-    fn visit_f64<E>(self, value: f64) -> Result<Number, E> {
-        Ok(Number(value))
-    }
-
-    fn visit_i64<E>(self, value: i64) -> Result<Number, E> {
-        Ok(Number(value as f64))
-    }
-}
-
-impl<'de> Deserialize<'de> for Whole {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(WholeVisitor)
-    }
-}
-
-struct WholeVisitor;
-
-impl Visitor<'_> for WholeVisitor {
-    type Value = Whole;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a whole number")
-    }
-
-    fn visit_i64<E>(self, value: i64) -> Result<Whole, E> {
-        Ok(Whole(value))
-    }
 }
 
 #[cfg(test)]

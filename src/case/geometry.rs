@@ -1,12 +1,16 @@
 //! What a case is made of.
 
-use crate::scene::{HeadJoints, Push, Scene, Wall};
+use crate::scene::{Arch, Assembly, HeadJoints, Push, Scene, Wall};
 
 /// The structure of a case.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Geometry {
     /// A coursed wall.
     Wall(Wall),
+    /// Explicit blocks.
+    Blocks(Assembly),
+    /// A voussoir arch.
+    Arch(Arch),
 }
 
 impl Geometry {
@@ -24,6 +28,12 @@ impl Geometry {
                 };
                 let scene = wall.scene(head_joints);
                 scene.expect("the wall was laid when the case was read")
+            }
+            Geometry::Blocks(assembly) => assembly.scene(head_joints, push),
+            Geometry::Arch(arch) => {
+                let assembly = arch.assembly();
+                let assembly = assembly.expect("the arch was built when the case was read");
+                assembly.scene(head_joints, push)
             }
         }
     }

@@ -14,7 +14,7 @@ macro_rules! embed {
 }
 
 /// Path from the top of the repository, and text. The paper's walls come first.
-const EMBEDDED: [(&str, &str); 10] = embed![
+const EMBEDDED: [(&str, &str); 11] = embed![
     "cases/walls/paper-1.toml",
     "cases/walls/paper-2.toml",
     "cases/walls/paper-3.toml",
@@ -25,7 +25,11 @@ const EMBEDDED: [(&str, &str); 10] = embed![
     "cases/limits/sliding-block.toml",
     "cases/limits/rocking-block.toml",
     "cases/columns/stack.toml",
+    "cases/walls/paper-1-blocks.toml",
 ];
+
+/// Files beside the embedded cases, as [`EMBEDDED`].
+const BESIDE: [(&str, &str); 1] = embed!["cases/walls/paper-1-blocks.csv",];
 
 /// Number of the paper's walls at the head of [`EMBEDDED`].
 const PAPER: usize = 3;
@@ -57,7 +61,7 @@ pub fn library() -> Vec<Case> {
 
 fn first(count: usize) -> Vec<Case> {
     let read = |(path, text): (&str, &str)| {
-        Case::read(path, text.as_bytes()).expect("a test reads every embedded case")
+        read_embedded(path, text.as_bytes()).expect("a test reads every embedded case")
     };
     embedded().take(count).map(read).collect()
 }
@@ -116,7 +120,24 @@ pub fn collect(arguments: &[String]) -> Result<Vec<Case>, Vec<Complaint>> {
 }
 
 fn read(found: &Found) -> Result<Case, Complaint> {
-    Case::read(&found.path, &found.bytes)
+    let Some(file) = &found.identity else {
+        return read_embedded(&found.path, &found.bytes);
+    };
+    let beside = |name: &str| {
+        // Beside the file itself, also where a link leads to it.
+        fs::read(file.with_file_name(name)).map_err(|error| error.to_string())
+    };
+    Case::read_beside(&found.path, &found.bytes, &beside)
+}
+
+fn read_embedded(path: &str, bytes: &[u8]) -> Result<Case, Complaint> {
+    let beside = |name: &str| {
+        let wanted = Path::new(path).with_file_name(name);
+        let found = BESIDE.iter().find(|(path, _)| Path::new(path) == wanted);
+        let text = found.map(|(_, text)| text.as_bytes().to_vec());
+        text.ok_or_else(|| "it is not built in".to_owned())
+    };
+    Case::read_beside(path, bytes, &beside)
 }
 
 /// The same file; or an embedded case and the very file that it was embedded from.
@@ -268,10 +289,34 @@ mod tests {
         paths.sort_unstable();
         assert_eq!(files, paths, "add the new case to EMBEDDED");
         for (path, text) in embedded() {
-            if let Err(complaint) = Case::read(path, text.as_bytes()) {
+            if let Err(complaint) = read_embedded(path, text.as_bytes()) {
                 panic!("{complaint}");
             }
         }
+    }
+
+    #[test]
+    fn every_file_beside_a_case_is_embedded() {
+        let top = Path::new(env!("CARGO_MANIFEST_DIR"));
+        let mut folders = vec![top.join("cases")];
+        let mut found = Vec::new();
+        while let Some(folder) = folders.pop() {
+            for entry in fs::read_dir(folder).unwrap() {
+                let path = entry.unwrap().path();
+                if path.is_dir() {
+                    folders.push(path);
+                } else if !is_case(&path) {
+                    let path = path.strip_prefix(top).unwrap().display().to_string();
+                    found.push(path.replace('\\', "/"));
+                }
+            }
+        }
+        found.sort();
+        assert_eq!(
+            found,
+            BESIDE.map(|(path, _)| path),
+            "add the file to BESIDE"
+        );
     }
 
     #[test]

@@ -1,15 +1,22 @@
 //! What a person writes: one wall in one TOML file, with the values it is compared with.
 
+mod arch;
+mod blocks;
+mod bodies;
 mod check;
 mod complaint;
+mod corners;
 mod course;
 mod courses;
 mod explain;
 mod file;
+mod forces;
 mod geometry;
 mod library;
 mod reference;
 mod template;
+mod values;
+mod wall;
 
 use std::path::Path;
 
@@ -21,6 +28,9 @@ pub use template::template;
 
 use crate::scene::{HeadJoints, Push, Scene, Wall};
 pub(crate) use complaint::Document;
+
+/// Reads the file of this name in the folder of a case; the error says in words why it cannot.
+pub type Beside<'a> = &'a dyn Fn(&str) -> Result<Vec<u8>, String>;
 
 /// A wall, how it runs, and what its results are compared with.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,18 +52,27 @@ pub struct Case {
 }
 
 impl Case {
-    /// Reads a case from the bytes of a file; `path` names it and stands in complaints.
+    /// Reads a case that stands alone from the bytes of a file; `path` names it and stands in
+    /// complaints.
     ///
     /// # Errors
     /// What is wrong, where, and what to write instead: the first mistake of the file.
     pub fn read(path: &str, bytes: &[u8]) -> Result<Case, Complaint> {
+        Self::read_beside(
+            path,
+            bytes,
+            &|_| Err("nothing lies beside this case".into()),
+        )
+    }
+
+    /// [`read`](Self::read) for a case that may name a file beside it, which `beside` reads.
+    ///
+    /// # Errors
+    /// As [`read`](Self::read); also the first mistake of the file beside it.
+    pub fn read_beside(path: &str, bytes: &[u8], beside: Beside) -> Result<Case, Complaint> {
         let name = case_name(path)?;
-        let text = std::str::from_utf8(bytes).map_err(|error| not_text(path, bytes, error))?;
-        let document = Document {
-            path: path.to_owned(),
-            text: text.into(),
-        };
-        check::case(&document, &name, &file::parse(&document)?)
+        let document = Document::read(path, bytes)?;
+        check::case(&document, &name, &file::parse(&document)?, beside)
     }
 
     /// What every method gets, one scene a direction of the push.
@@ -77,6 +96,7 @@ impl Case {
     pub fn wall(&self) -> Option<&Wall> {
         match &self.geometry {
             Geometry::Wall(wall) => Some(wall),
+            Geometry::Blocks(_) | Geometry::Arch(_) => None,
         }
     }
 }
@@ -97,31 +117,6 @@ fn case_name(path: &str) -> Result<String, Complaint> {
     Err(Complaint::new(title).help(format!(
         "use letters, digits, `-`, `_` and `.`: rename the file to `{renamed}.toml`"
     )))
-}
-
-/// Bytes that are no text: shows the line where it stops being UTF-8.
-fn not_text(path: &str, bytes: &[u8], error: std::str::Utf8Error) -> Complaint {
-    let good = error.valid_up_to();
-    let before = &bytes[..good];
-    let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
-    let column = before
-        .iter()
-        .rev()
-        .take_while(|&&byte| byte != b'\n')
-        .count();
-    // All before the first bad byte is copied as it is, so its place stays the same.
-    let document = Document {
-        path: path.to_owned(),
-        text: String::from_utf8_lossy(bytes).into(),
-    };
-    let byte = bytes.get(good).copied().unwrap_or_default();
-    let title = format!(
-        "not UTF-8 text: line {line}, byte {} is {byte:#04x}",
-        column + 1
-    );
-    document
-        .complain(good..good + '\u{fffd}'.len_utf8(), title, "from here on")
-        .help("save the file as UTF-8")
 }
 
 #[cfg(test)]

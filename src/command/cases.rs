@@ -12,9 +12,7 @@ use super::{Stop, print};
 
 pub(super) fn list() -> Result<u8, Stop> {
     let mut text = String::from("cases built in:\n");
-    for (path, file) in case::embedded() {
-        let case = Case::read(path, file.as_bytes());
-        let case = case.map_err(|complaint| Stop::bad_input(complaint.to_string()))?;
+    for ((path, _), case) in case::embedded().zip(case::library()) {
         let _ = writeln!(text, "  {:<16} {:<32} {}", case.name, path, case.title);
     }
     text.push_str("\nmethods:\n");

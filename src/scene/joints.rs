@@ -62,38 +62,46 @@ impl Joint {
     }
 }
 
-/// Edges count as touching within this fraction of the smaller block's extent.
-const TOUCHING: f64 = 1e-6;
+/// Edges count as touching within this fraction of the smaller body's extent, unless a case says
+/// otherwise.
+pub const TOUCHING: f64 = 1e-6;
 
 /// Finds every joint among blocks and supports, ordered by (`from`, `to`), supports first.
-///
-/// Bodies are binned on a grid of the median block's size, so the work grows with the number of
-/// blocks and not with its square. `friction` gives each joint its coefficient by class.
+/// `friction` gives each joint its coefficient by class.
 pub fn find_joints(
     shapes: &[&Polygon],
     supports: &[Polygon],
     friction: impl Fn(JointClass) -> f64,
 ) -> Vec<Joint> {
+    find_joints_within(TOUCHING, shapes, supports, friction)
+}
+
+/// [`find_joints`] where edges touch within `tolerance` times the smaller body's extent.
+pub fn find_joints_within(
+    tolerance: f64,
+    shapes: &[&Polygon],
+    supports: &[Polygon],
+    friction: impl Fn(JointClass) -> f64,
+) -> Vec<Joint> {
     let mut joints = Vec::new();
-    for (one, other) in close_pairs(shapes, supports) {
+    for (one, other) in close_pairs(tolerance, shapes, supports) {
         let to = shapes[other];
         let (from, from_shape) = match one.checked_sub(supports.len()) {
             None => (Side::Support(one), &supports[one]),
             Some(block) => (Side::Block(block), shapes[block]),
         };
-        for (ends, normal) in shared_edges(from_shape, to) {
+        for (ends, normal) in shared_edges(from_shape, to, tolerance) {
             let class = match from {
                 Side::Support(_) => JointClass::Base,
                 Side::Block(_) if normal.y.abs() >= normal.x.abs() => JointClass::Bed,
                 Side::Block(_) => JointClass::Head,
             };
-            let friction = friction(class);
             joints.push(Joint {
                 from,
                 to: other,
                 ends,
                 normal,
-                friction,
+                friction: friction(class),
                 class,
             });
         }
@@ -101,61 +109,63 @@ pub fn find_joints(
     joints
 }
 
-/// Pairs whose bounding boxes share a grid cell: (body, block) with the body first in the order
-/// supports, blocks. Sorted and without repeats.
-fn close_pairs(shapes: &[&Polygon], supports: &[Polygon]) -> Vec<(usize, usize)> {
-    let mut extents: Vec<f64> = shapes.iter().map(|s| extent(s)).collect();
-    extents.sort_by(f64::total_cmp);
-    let Some(&cell) = extents.get(extents.len() / 2) else {
-        return Vec::new();
-    };
-    let origin = shapes[0].bounds().0;
-    let index = |p: Point, grow: f64| {
-        let q = (p - origin + Vector::repeat(grow)) / cell;
-        (q.x.floor() as i64, q.y.floor() as i64)
-    };
-    // Only blocks make cells; a support of any extent then looks its blocks up by their cells.
-    let mut bins: Vec<((i64, i64), usize)> = Vec::new();
-    for (i, shape) in shapes.iter().enumerate() {
+/// Pairs whose bounding boxes meet within `tolerance`: (body, block) with the body first in the
+/// order supports, blocks. Sorted.
+///
+/// A sweep along the axis that the bodies spread over more, so the work grows with the number of
+/// bodies that stand at one place of it and not with the square of all.
+pub(super) fn close_pairs(
+    tolerance: f64,
+    shapes: &[&Polygon],
+    supports: &[Polygon],
+) -> Vec<(usize, usize)> {
+    let bodies: Vec<&Polygon> = supports.iter().chain(shapes.iter().copied()).collect();
+    let grown = |shape: &&Polygon| {
+        let margin = Vector::repeat(tolerance * extent(shape));
         let (low, high) = shape.bounds();
-        let margin = TOUCHING * cell;
-        let ((x0, y0), (x1, y1)) = (index(low, -margin), index(high, margin));
-        for x in x0..=x1 {
-            bins.extend((y0..=y1).map(|y| ((x, y), i)));
-        }
-    }
-    bins.sort_unstable();
+        (low - margin, high + margin)
+    };
+    let boxes: Vec<(Point, Point)> = bodies.iter().map(grown).collect();
+    let spread = |axis: usize| {
+        let ends = boxes.iter().map(|(low, _)| low[axis]);
+        ends.clone().fold(f64::NEG_INFINITY, f64::max) - ends.fold(f64::INFINITY, f64::min)
+    };
+    let axis = usize::from(spread(1) > spread(0));
+    let mut order: Vec<usize> = (0..bodies.len()).collect();
+    order.sort_by(|&a, &b| boxes[a].0[axis].total_cmp(&boxes[b].0[axis]));
+    let meet = |a: usize, b: usize| {
+        let ((a_low, a_high), (b_low, b_high)) = (boxes[a], boxes[b]);
+        (0..2).all(|k| a_low[k] <= b_high[k] && b_low[k] <= a_high[k])
+    };
     let mut pairs = Vec::new();
-    for bin in bins.chunk_by(|a, b| a.0 == b.0) {
-        for (k, &(_, i)) in bin.iter().enumerate() {
-            pairs.extend(bin[k + 1..].iter().map(|&(_, j)| (supports.len() + i, j)));
+    let mut open: Vec<usize> = Vec::new();
+    for &body in &order {
+        open.retain(|&other| boxes[other].1[axis] >= boxes[body].0[axis]);
+        for &other in open.iter().filter(|&&other| meet(body, other)) {
+            let (one, other) = (body.min(other), body.max(other));
+            if let Some(block) = other.checked_sub(supports.len()) {
+                pairs.push((one, block));
+            }
         }
-    }
-    for (s, support) in supports.iter().enumerate() {
-        let (low, high) = support.bounds();
-        let reach = |i: &usize| {
-            let (l, h) = shapes[*i].bounds();
-            let margin = TOUCHING * cell;
-            l.x <= high.x + margin
-                && low.x <= h.x + margin
-                && l.y <= high.y + margin
-                && low.y <= h.y + margin
-        };
-        pairs.extend((0..shapes.len()).filter(reach).map(|i| (s, i)));
+        open.push(body);
     }
     pairs.sort_unstable();
-    pairs.dedup();
     pairs
 }
 
-fn extent(shape: &Polygon) -> f64 {
+/// Diagonal of the bounding box.
+pub(super) fn extent(shape: &Polygon) -> f64 {
     let (low, high) = shape.bounds();
     (high - low).norm()
 }
 
 /// Segments where an edge of `from` lies against an edge of `to`, with the normal into `to`.
-fn shared_edges(from: &Polygon, to: &Polygon) -> Vec<([Point; 2], Vector)> {
-    let tolerance = TOUCHING * extent(from).min(extent(to));
+pub(super) fn shared_edges(
+    from: &Polygon,
+    to: &Polygon,
+    tolerance: f64,
+) -> Vec<([Point; 2], Vector)> {
+    let tolerance = tolerance * extent(from).min(extent(to));
     let mut found = Vec::new();
     for (a, b) in from.edges() {
         let along = (b - a).normalize();

@@ -1,15 +1,21 @@
 //! What every method gets: convex blocks with forces, joints, friction, and nothing else.
 
+mod arch;
+mod assembly;
 mod bond;
 mod friction;
 mod joints;
 mod polygon;
+mod soundness;
 mod wall;
 
+pub use arch::Arch;
+pub use assembly::{Assembly, Force, Forces, NamedBlock, Support};
 pub use bond::{Bond, BondError};
 pub use friction::Friction;
-pub use joints::{Joint, JointClass, Side, find_joints};
+pub use joints::{Joint, JointClass, Side, TOUCHING, find_joints, find_joints_within};
 pub use polygon::{Point, Polygon, PolygonError, Vector};
+pub use soundness::Unsound;
 pub use wall::{Course, Irregularity, Piece, RegularWall, Wall, WallError};
 
 /// Which way the live load pushes the wall.

@@ -1,0 +1,153 @@
+//! Blocks and supports as written, from outlines to convex shapes.
+
+use std::ops::Range;
+
+use super::complaint::{Complaint, Document};
+use crate::scene::{Point, Polygon, PolygonError};
+
+/// A text of the case or of the CSV beside it.
+#[derive(Clone, Debug)]
+pub(super) struct Place {
+    document: Document,
+    span: Range<usize>,
+}
+
+impl Place {
+    pub fn new(document: &Document, span: Range<usize>) -> Self {
+        Self {
+            document: document.clone(),
+            span,
+        }
+    }
+
+    /// A complaint about this text.
+    pub fn complain(&self, title: impl Into<String>, label: impl Into<String>) -> Complaint {
+        self.document.complain(self.span.clone(), title, label)
+    }
+
+    /// File and line, to speak of one place in a complaint about another.
+    pub fn line(&self) -> String {
+        let before = &self.document.text.as_bytes()[..self.span.start];
+        let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
+        format!("{}:{line}", self.document.path)
+    }
+}
+
+/// A body's name and its corners, with the places they were read from.
+#[derive(Clone, Debug)]
+pub(super) struct Outline {
+    pub name: String,
+    pub place: Place,
+    pub corners: Vec<Point>,
+    pub places: Vec<Place>,
+}
+
+/// Blocks longer than this times their thickness are slivers.
+const MOST_SLENDER: f64 = 1000.0;
+
+impl Outline {
+    /// Line of the first row and of the last: `a.csv:3 to 6`, or `a.toml:3`.
+    pub fn rows(&self) -> String {
+        let (first, last) = (
+            self.place.line(),
+            self.places.last().unwrap_or(&self.place).line(),
+        );
+        match last.rsplit_once(':') {
+            Some((_, line)) if last != first => format!("{first} to {line}"),
+            _ => first,
+        }
+    }
+
+    /// The shape; `moves` says that it is a block, which must not be a sliver.
+    pub fn shape(&self, moves: bool) -> Result<Polygon, Complaint> {
+        if let Some(complaint) = self.repeated_corner() {
+            return Err(complaint);
+        }
+        let shape = Polygon::new(self.corners.clone()).map_err(|error| self.unusable(&error))?;
+        let edges = shape.edges().map(|(a, b)| (b - a).norm());
+        let longest = edges.fold(0.0, f64::max);
+        if moves && shape.area() < longest * longest / MOST_SLENDER {
+            return Err(self.sliver());
+        }
+        Ok(shape)
+    }
+
+    /// A corner that is the same point as the next one, all the way round.
+    fn repeated_corner(&self) -> Option<Complaint> {
+        let count = self.corners.len();
+        if count < 3 {
+            return None;
+        }
+        let next = |i: usize| (i + 1) % count;
+        let same = (0..count).find(|&i| self.corners[i] == self.corners[next(i)])?;
+        let name = &self.name;
+        let complaint = match next(same) {
+            0 => self.places[same]
+                .complain(
+                    format!("the last corner of `{name}` repeats the first"),
+                    "here",
+                )
+                .help("leave it out: the outline closes by itself"),
+            again => self.places[again]
+                .complain(
+                    format!("a corner of `{name}` repeats the one before"),
+                    "here",
+                )
+                .help("write each corner once"),
+        };
+        Some(complaint)
+    }
+
+    fn unusable(&self, error: &PolygonError) -> Complaint {
+        let name = &self.name;
+        match *error {
+            PolygonError::TooFewCorners(count) => {
+                let corners = if count == 1 { "corner" } else { "corners" };
+                self.place
+                    .complain(format!("`{name}` has {count} {corners}"), "here")
+                    .help("write at least three corners, in order round the outline")
+            }
+            PolygonError::NotFinite(_) => self
+                .place
+                .complain(format!("`{name}` has no finite corners"), "here")
+                .help("write finite numbers"),
+            PolygonError::NotConvex(corner) => self.places[self.as_written(corner)]
+                .complain(format!("`{name}` is not convex at this corner"), "here")
+                .help(
+                    "write the corners in order round the outline, leave out those on a straight \
+                     edge, and part the body into convex ones",
+                ),
+            PolygonError::Sliver { area, .. } if area <= 0.0 => self
+                .place
+                .complain(format!("`{name}` has no area"), "here")
+                .help("write its corners in order round the outline"),
+            PolygonError::Sliver { .. } => self.sliver(),
+        }
+    }
+
+    fn sliver(&self) -> Complaint {
+        self.place
+            .complain(
+                format!(
+                    "`{}` is a sliver, more than {MOST_SLENDER} times longer than thick",
+                    self.name
+                ),
+                "here",
+            )
+            .help("check its coordinates, or join it to the block beside it")
+    }
+
+    /// The place of a polygon's corner in the list as written: the polygon turns it round where it
+    /// runs clockwise.
+    fn as_written(&self, corner: usize) -> usize {
+        let origin = self.corners[0];
+        let double: f64 = (self.corners.windows(2))
+            .map(|pair| (pair[0] - origin).perp(&(pair[1] - origin)))
+            .sum();
+        if double < 0.0 {
+            self.corners.len() - 1 - corner
+        } else {
+            corner
+        }
+    }
+}

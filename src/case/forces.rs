@@ -1,0 +1,200 @@
+//! The live load of explicit blocks and arches: weights sideways, and forces on named blocks.
+
+use toml::Spanned;
+
+use super::check::{LARGEST, choose, within};
+use super::complaint::{Complaint, Document, listed, nearest};
+use super::file::{File, Load};
+use super::values::{Number, Pair};
+use crate::scene::{Assembly, Force, Forces, Point, Polygon, Vector};
+
+/// The forces of a file on the blocks of `assembly`.
+pub(super) fn forces(
+    document: &Document,
+    file: &File,
+    assembly: &Assembly,
+) -> Result<Forces, Complaint> {
+    let weight_is_live = match &file.live {
+        None => true,
+        Some(word) => choose(document, "live", [("weight", true), ("loads", false)], word)?,
+    };
+    let loads = file.load.iter();
+    let extra: Vec<Force> = loads
+        .map(|load| force(document, load, assembly))
+        .collect::<Result<_, _>>()?;
+    let pushes = extra.iter().any(|force| force.live != Vector::zeros());
+    match &file.live {
+        Some(word) if !weight_is_live && !pushes => Err(document
+            .complain(
+                word.span(),
+                "nothing pushes",
+                "no `[[load]]` has a live part",
+            )
+            .help("add a `[[load]]` with `live = [1.0, 0.0]`, or write `live = \"weight\"`")),
+        _ => Ok(Forces {
+            weight_is_live,
+            extra,
+        }),
+    }
+}
+
+fn force(
+    document: &Document,
+    load: &Spanned<Load>,
+    assembly: &Assembly,
+) -> Result<Force, Complaint> {
+    let written = load.get_ref();
+    let block = named(document, &written.block, assembly)?;
+    let vector = |pair: &Option<Spanned<Pair>>| match pair {
+        None => Ok(Vector::zeros()),
+        Some(pair) => coordinates(document, pair, "a force").map(|p| p.coords),
+    };
+    let (dead, live) = (vector(&written.dead)?, vector(&written.live)?);
+    if dead == Vector::zeros() && live == Vector::zeros() {
+        return Err(document
+            .complain(
+                load.span(),
+                "a load without a force",
+                "neither dead nor live",
+            )
+            .help("add `dead = [0.0, -1.0]`, or `live = [1.0, 0.0]`"));
+    }
+    let shape = &assembly.blocks[block].shape;
+    let on = |pair: &Spanned<Pair>| {
+        let point = coordinates(document, pair, "a point")?;
+        match inside(shape, point) {
+            true => Ok(point),
+            false => Err(document
+                .complain(
+                    pair.span(),
+                    format!("the load is not on block `{}`", written.block.get_ref()),
+                    "outside of its outline",
+                )
+                .help(extent_of(shape))),
+        }
+    };
+    let (point, length) = match (&written.at, &written.along) {
+        (Some(at), None) => (on(at)?, 1.0),
+        (None, Some(along)) => {
+            let [from, to] = along.get_ref().as_slice() else {
+                return Err(document
+                    .complain(along.span(), "a line load has two ends", "here")
+                    .help("write `along = [[0.0, 1.0], [2.0, 1.0]]`"));
+            };
+            let (from, to) = (on(from)?, on(to)?);
+            if from == to {
+                return Err(document
+                    .complain(
+                        along.span(),
+                        "a line load without length",
+                        "both ends are one point",
+                    )
+                    .help("write two points, or `at` with a force"));
+            }
+            (nalgebra::center(&from, &to), (to - from).norm())
+        }
+        (Some(_), Some(along)) => {
+            return Err(document
+                .complain(
+                    along.span(),
+                    "`along` beside `at`",
+                    "a load is one or the other",
+                )
+                .help("remove `at` for a line load, or `along` for a point load"));
+        }
+        (None, None) => {
+            return Err(document
+                .complain(
+                    load.span(),
+                    "a load that acts nowhere",
+                    "neither `at` nor `along`",
+                )
+                .help("add `at = [0.5, 2.0]`, or `along` with two points for a force per length"));
+        }
+    };
+    Ok(Force {
+        block,
+        point,
+        dead: dead * length,
+        live: live * length,
+    })
+}
+
+/// The block of a name; a support carries no load.
+fn named(
+    document: &Document,
+    word: &Spanned<String>,
+    assembly: &Assembly,
+) -> Result<usize, Complaint> {
+    let name = word.get_ref().as_str();
+    let known = || assembly.blocks.iter().map(|block| block.name.as_str());
+    if let Some(block) = known().position(|known| known == name) {
+        return Ok(block);
+    }
+    if assembly.supports.iter().any(|support| support.name == name) {
+        return Err(document
+            .complain(
+                word.span(),
+                format!("`{name}` is a support"),
+                "it never moves",
+            )
+            .help("put the load on a block that can move"));
+    }
+    Err(unknown_block(document, word, known()))
+}
+
+/// A name that no block has.
+pub(super) fn unknown_block<'a>(
+    document: &Document,
+    word: &Spanned<String>,
+    known: impl Iterator<Item = &'a str> + Clone,
+) -> Complaint {
+    let name = super::complaint::shorten(word.get_ref(), 60);
+    let help = match nearest(&name, known.clone()) {
+        Some(near) => format!("did you mean `{near}`?"),
+        None => format!("the blocks are {}", listed(known.take(20))),
+    };
+    document
+        .complain(
+            word.span(),
+            format!("unknown block `{name}`"),
+            "no such block",
+        )
+        .help(help)
+}
+
+/// `[x, y]` as a point.
+pub(super) fn coordinates(
+    document: &Document,
+    pair: &Spanned<Pair>,
+    what: &str,
+) -> Result<Point, Complaint> {
+    let [x, y] = pair.get_ref().0.as_slice() else {
+        return Err(document
+            .complain(pair.span(), format!("{what} is two numbers"), "here")
+            .help("write `[x, y]`, such as `[1.5, 0.0]`"));
+    };
+    let number = |key: &str, value: &Spanned<Number>| {
+        within(document, key, value, -LARGEST..=LARGEST).map(|number| number + 0.0)
+    };
+    Ok(Point::new(number("x", x)?, number("y", y)?))
+}
+
+/// Whether a point lies in a convex shape or on its edge.
+fn inside(shape: &Polygon, point: Point) -> bool {
+    let (low, high) = shape.bounds();
+    let tolerance = 1e-6 * (high - low).norm();
+    let left_of = |(from, to): (Point, Point)| {
+        let along = (to - from).normalize();
+        along.perp(&(point - from)) >= -tolerance
+    };
+    shape.edges().all(left_of)
+}
+
+fn extent_of(shape: &Polygon) -> String {
+    let (low, high) = shape.bounds();
+    format!(
+        "the block reaches from [{}, {}] to [{}, {}]",
+        low.x, low.y, high.x, high.y
+    )
+}

@@ -1,0 +1,177 @@
+//! Values of a case file that come in more forms than one, or whose message should be ours.
+
+use std::fmt;
+
+use serde::de::value::MapAccessDeserializer;
+use serde::de::{Deserialize, Deserializer, MapAccess, SeqAccess, Visitor};
+use toml::Spanned;
+
+/// Coefficients of friction by class of joint.
+#[derive(Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Classes {
+    pub bed: Spanned<Number>,
+    pub head: Option<Spanned<Number>>,
+    pub base: Option<Spanned<Number>>,
+}
+
+/// `friction` in its two forms.
+#[derive(Debug)]
+pub(super) enum Friction {
+    /// One coefficient for all joints.
+    One(f64),
+    /// A table of classes.
+    Classes(Classes),
+}
+
+/// Two numbers, `[x, y]`.
+#[derive(Clone, Debug)]
+pub(super) struct Pair(pub Vec<Spanned<Number>>);
+
+/// `courses` in its three forms.
+#[derive(Debug)]
+pub(super) enum Courses {
+    /// One course string.
+    One(String),
+    /// Course strings from bottom to top.
+    List(Vec<Spanned<String>>),
+    /// A number of courses, with `bond`.
+    Count(i64),
+}
+
+/// A number, with or without a decimal point.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Number(pub f64);
+
+/// A whole number.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Whole(pub i64);
+
+impl<'de> Deserialize<'de> for Friction {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(FrictionVisitor)
+    }
+}
+
+struct FrictionVisitor;
+
+impl<'de> Visitor<'de> for FrictionVisitor {
+    type Value = Friction;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a coefficient of friction")
+    }
+
+    fn visit_f64<E>(self, value: f64) -> Result<Friction, E> {
+        Ok(Friction::One(value))
+    }
+
+    fn visit_i64<E>(self, value: i64) -> Result<Friction, E> {
+        Ok(Friction::One(value as f64))
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Friction, A::Error> {
+        Classes::deserialize(MapAccessDeserializer::new(map)).map(Friction::Classes)
+    }
+}
+
+impl<'de> Deserialize<'de> for Pair {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_seq(PairVisitor)
+    }
+}
+
+struct PairVisitor;
+
+impl<'de> Visitor<'de> for PairVisitor {
+    type Value = Pair;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("two numbers")
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Pair, A::Error> {
+        let mut numbers = Vec::new();
+        while let Some(item) = items.next_element()? {
+            numbers.push(item);
+        }
+        Ok(Pair(numbers))
+    }
+}
+
+impl<'de> Deserialize<'de> for Courses {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(CoursesVisitor)
+    }
+}
+
+struct CoursesVisitor;
+
+impl<'de> Visitor<'de> for CoursesVisitor {
+    type Value = Courses;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("courses")
+    }
+
+    fn visit_str<E>(self, text: &str) -> Result<Courses, E> {
+        Ok(Courses::One(text.to_owned()))
+    }
+
+    fn visit_i64<E>(self, count: i64) -> Result<Courses, E> {
+        Ok(Courses::Count(count))
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Courses, A::Error> {
+        let mut list = Vec::new();
+        while let Some(item) = items.next_element()? {
+            list.push(item);
+        }
+        Ok(Courses::List(list))
+    }
+}
+
+impl<'de> Deserialize<'de> for Number {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(NumberVisitor)
+    }
+}
+
+/// Our own, so that the message says "a number" and not "f64".
+struct NumberVisitor;
+
+impl Visitor<'_> for NumberVisitor {
+    type Value = Number;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a number")
+    }
+
+    fn visit_f64<E>(self, value: f64) -> Result<Number, E> {
+        Ok(Number(value))
+    }
+
+    fn visit_i64<E>(self, value: i64) -> Result<Number, E> {
+        Ok(Number(value as f64))
+    }
+}
+
+impl<'de> Deserialize<'de> for Whole {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_any(WholeVisitor)
+    }
+}
+
+struct WholeVisitor;
+
+impl Visitor<'_> for WholeVisitor {
+    type Value = Whole;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a whole number")
+    }
+
+    fn visit_i64<E>(self, value: i64) -> Result<Whole, E> {
+        Ok(Whole(value))
+    }
+}

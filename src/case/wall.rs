@@ -1,0 +1,114 @@
+//! A coursed wall from a file, laid once for each setting.
+
+use std::ops::Range;
+
+use toml::Spanned;
+
+use super::check::{SETTINGS, friction, not_negative, positive};
+use super::complaint::{Complaint, Document};
+use super::courses::{Laid, courses};
+use super::explain::missing_key;
+use super::file::{File, Unit};
+use crate::scene::{Course, Push, Wall, WallError};
+
+/// Units longer or higher than this times the other side would fall under the joint search's
+/// tolerance.
+const MOST_SLENDER: f64 = 1000.0;
+
+/// The wall of a file.
+pub(super) fn wall(document: &Document, file: &File) -> Result<Wall, Complaint> {
+    let Some(unit) = &file.unit else {
+        return Err(missing_key(document, 0..0, "unit"));
+    };
+    let Some(list) = &file.courses else {
+        return Err(missing_key(document, 0..0, "courses"));
+    };
+    let laid = courses(document, file, list)?;
+    let wall = sized(document, file, unit.get_ref(), laid.courses.clone())?;
+    not_too_slender(document, unit, &wall)?;
+    for setting in SETTINGS {
+        wall.scene(setting).map_err(|error| {
+            let (place, label, help) = not_laid(&laid, &error);
+            let place = match error {
+                WallError::Shape(_) => unit.span(),
+                _ => place.unwrap_or(list.span()),
+            };
+            document
+                .complain(place, error.to_string(), label)
+                .help(help)
+        })?;
+    }
+    Ok(wall)
+}
+
+fn sized(
+    document: &Document,
+    file: &File,
+    unit: &Unit,
+    courses: Vec<Course>,
+) -> Result<Wall, Complaint> {
+    Ok(Wall {
+        unit_length: positive(document, "length", &unit.length)?,
+        unit_height: positive(document, "height", &unit.height)?,
+        thickness: match &unit.thickness {
+            None => 1.0,
+            Some(value) => positive(document, "thickness", value)?,
+        },
+        unit_weight: positive(document, "weight", &unit.weight)?,
+        courses,
+        friction: friction(document, file)?,
+        overburden: match &file.overburden {
+            None => 0.0,
+            Some(value) => not_negative(document, "overburden", value)?,
+        },
+        push: Push::Right,
+    })
+}
+
+fn not_too_slender(
+    document: &Document,
+    unit: &Spanned<Unit>,
+    wall: &Wall,
+) -> Result<(), Complaint> {
+    let ratio = wall.unit_length / wall.unit_height;
+    if (1.0 / MOST_SLENDER..=MOST_SLENDER).contains(&ratio) {
+        return Ok(());
+    }
+    let span = if ratio > 1.0 {
+        unit.get_ref().length.span()
+    } else {
+        unit.get_ref().height.span()
+    };
+    let title =
+        format!("a unit more than {MOST_SLENDER} times longer or higher than the other way");
+    Err(document
+        .complain(span, title, format!("length / height is {ratio:e}"))
+        .help("check that length and height are in one and the same unit of length"))
+}
+
+/// The course, or the piece of it, that cannot be laid, with its label and the help.
+fn not_laid(laid: &Laid, error: &WallError) -> (Option<Range<usize>>, String, &'static str) {
+    let (place, help) = match error {
+        WallError::NoCourses => (None, "write at least one course"),
+        WallError::EmptyCourse { course } => (
+            laid.course_place(*course),
+            "put a unit `1` or half a unit `h` into the course; `g` is a gap",
+        ),
+        WallError::Unsupported { course } => (
+            laid.course_place(*course),
+            "let a block of this course lie on a block of the course below",
+        ),
+        WallError::Floating { course, piece } => (
+            laid.piece_place(*course, *piece),
+            "fill a gap beside or below it with `1`, or make it a gap `g`",
+        ),
+        WallError::Shape(_) => (None, "check length and height of the unit"),
+    };
+    let label = match error {
+        WallError::EmptyCourse { course }
+        | WallError::Unsupported { course }
+        | WallError::Floating { course, .. } => laid.label(*course),
+        WallError::NoCourses | WallError::Shape(_) => "here".into(),
+    };
+    (place, label, help)
+}

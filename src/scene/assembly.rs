@@ -1,0 +1,136 @@
+//! Named blocks of any convex shape on named supports: explicit scenes, and what generators make.
+
+use super::friction::Friction;
+use super::joints::{JointClass, Side, find_joints_within};
+use super::polygon::{Point, Polygon, Vector};
+use super::{Block, HeadJoints, Irregularity, Load, Push, Scene};
+
+/// A block of an assembly.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NamedBlock {
+    /// Its name in the case.
+    pub name: String,
+    /// Outline.
+    pub shape: Polygon,
+    /// Weight; positive.
+    pub weight: f64,
+    /// Where the weight acts.
+    pub centre: Point,
+}
+
+/// A shape that never moves.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Support {
+    /// Its name in the case.
+    pub name: String,
+    /// Outline.
+    pub shape: Polygon,
+}
+
+/// A force on a block, beside its weight.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Force {
+    /// Index of the block.
+    pub block: usize,
+    /// Where it acts; of a line load, the middle of the line.
+    pub point: Point,
+    /// Dead part.
+    pub dead: Vector,
+    /// Live part for λ = 1 and a push to the right; a push to the left turns its x round.
+    pub live: Vector,
+}
+
+/// What pushes: the forces of an assembly.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Forces {
+    /// Whether every weight also acts sideways as live load.
+    pub weight_is_live: bool,
+    /// Forces beside the weights.
+    pub extra: Vec<Force>,
+}
+
+/// Every weight sideways, and nothing else.
+impl Default for Forces {
+    fn default() -> Self {
+        Self {
+            weight_is_live: true,
+            extra: Vec::new(),
+        }
+    }
+}
+
+/// Blocks, supports, friction and forces.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Assembly {
+    /// Blocks that may move.
+    pub blocks: Vec<NamedBlock>,
+    /// Shapes that never move.
+    pub supports: Vec<Support>,
+    /// Coefficients of friction.
+    pub friction: Friction,
+    /// Forces beside the dead weights.
+    pub forces: Forces,
+    /// Edges touch within this fraction of the smaller block's extent.
+    pub tolerance: f64,
+    /// Whether joints between blocks are bed joints whichever way they run, as in an arch.
+    pub radial: bool,
+}
+
+impl Assembly {
+    /// Blocks, joints and forces for one setting and one direction of the push.
+    pub fn scene(&self, head_joints: HeadJoints, push: Push) -> Scene {
+        let shapes: Vec<&Polygon> = self.blocks.iter().map(|block| &block.shape).collect();
+        let supports: Vec<Polygon> = self.supports.iter().map(|s| s.shape.clone()).collect();
+        let mut joints = find_joints_within(self.tolerance, &shapes, &supports, |_| 0.0);
+        for joint in &mut joints {
+            if self.radial && joint.class == JointClass::Head {
+                joint.class = JointClass::Bed;
+            }
+            joint.friction = self.friction.of(joint.class);
+        }
+        if head_joints == HeadJoints::Open {
+            joints.retain(|joint| joint.class != JointClass::Head);
+        }
+        Scene {
+            blocks: self.loaded(push),
+            supports,
+            joints,
+            head_joints,
+            push,
+            coursed: None,
+            regular: Err(Irregularity::NotCoursed),
+        }
+    }
+
+    /// The name of a body.
+    pub fn name(&self, side: Side) -> &str {
+        match side {
+            Side::Support(support) => &self.supports[support].name,
+            Side::Block(block) => &self.blocks[block].name,
+        }
+    }
+
+    fn loaded(&self, push: Push) -> Vec<Block> {
+        let sideways = match self.forces.weight_is_live {
+            true => push.sign(),
+            false => 0.0,
+        };
+        let weighted = |block: &NamedBlock| Block {
+            shape: block.shape.clone(),
+            loads: vec![Load {
+                point: block.centre,
+                dead: Vector::new(0.0, -block.weight),
+                live: Vector::new(sideways * block.weight, 0.0),
+            }],
+        };
+        let mut blocks: Vec<Block> = self.blocks.iter().map(weighted).collect();
+        for force in &self.forces.extra {
+            blocks[force.block].loads.push(Load {
+                point: force.point,
+                dead: force.dead,
+                live: Vector::new(push.sign() * force.live.x, force.live.y),
+            });
+        }
+        blocks
+    }
+}

@@ -1,0 +1,130 @@
+//! What makes an assembly one: no block inside another, no joint missed by a hair, none in the air.
+
+use super::assembly::Assembly;
+use super::joints::{Side, close_pairs, extent, find_joints_within, shared_edges};
+use super::polygon::Polygon;
+
+/// Edges nearer than this fraction of the smaller block's extent that are no joint: nobody builds
+/// such a gap, so the coordinates were rounded.
+const NEAR: f64 = 1e-3;
+
+/// Why an assembly is none. Bodies are named by their place in it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Unsound {
+    /// A block lies in another body.
+    Overlap {
+        /// The other body.
+        one: Side,
+        /// The block.
+        other: usize,
+        /// How deep, in the unit of length.
+        depth: f64,
+    },
+    /// Two edges nearly touch.
+    NearMiss {
+        /// The other body.
+        one: Side,
+        /// The block.
+        other: usize,
+        /// Tolerance at which they would touch, a fraction of the smaller body's extent.
+        needed: f64,
+    },
+    /// No chain of joints leads from the block to a support.
+    Floating {
+        /// The block.
+        block: usize,
+    },
+}
+
+impl Assembly {
+    /// The first thing that is wrong with it: overlaps, then near misses, then floating blocks.
+    ///
+    /// # Errors
+    /// [`Unsound`].
+    pub fn check(&self) -> Result<(), Unsound> {
+        let shapes: Vec<&Polygon> = self.blocks.iter().map(|block| &block.shape).collect();
+        let supports: Vec<Polygon> = self.supports.iter().map(|s| s.shape.clone()).collect();
+        let pairs = close_pairs(NEAR.max(self.tolerance), &shapes, &supports);
+        let mut near_miss = None;
+        for (one, other) in pairs {
+            let (side, shape) = match one.checked_sub(supports.len()) {
+                None => (Side::Support(one), &supports[one]),
+                Some(block) => (Side::Block(block), shapes[block]),
+            };
+            let size = extent(shape).min(extent(shapes[other]));
+            let depth = overlap(shape, shapes[other]);
+            if depth > self.tolerance * size {
+                return Err(Unsound::Overlap {
+                    one: side,
+                    other,
+                    depth,
+                });
+            }
+            let needed = || missed(shape, shapes[other], self.tolerance);
+            if let Some(needed) = near_miss.is_none().then(needed).flatten() {
+                near_miss = Some(Unsound::NearMiss {
+                    one: side,
+                    other,
+                    needed,
+                });
+            }
+        }
+        let floating = || self.floating().map(|block| Unsound::Floating { block });
+        near_miss.or_else(floating).map_or(Ok(()), Err)
+    }
+
+    /// The first block that no chain of joints connects with a support, head joints in contact.
+    fn floating(&self) -> Option<usize> {
+        let shapes: Vec<&Polygon> = self.blocks.iter().map(|block| &block.shape).collect();
+        let supports: Vec<Polygon> = self.supports.iter().map(|s| s.shape.clone()).collect();
+        let mut held = vec![false; shapes.len()];
+        let mut beside = vec![Vec::new(); shapes.len()];
+        let mut reached = Vec::new();
+        for joint in find_joints_within(self.tolerance, &shapes, &supports, |_| 0.0) {
+            match joint.from {
+                Side::Support(_) => reached.push(joint.to),
+                Side::Block(from) => {
+                    beside[from].push(joint.to);
+                    beside[joint.to].push(from);
+                }
+            }
+        }
+        while let Some(block) = reached.pop() {
+            if !std::mem::replace(&mut held[block], true) {
+                reached.extend(&beside[block]);
+            }
+        }
+        held.iter().position(|held| !held)
+    }
+}
+
+/// How deep two convex polygons lie in each other; negative where they are apart. The depth is along
+/// the normal of the edge that parts them best, which for convex shapes is one of theirs.
+fn overlap(a: &Polygon, b: &Polygon) -> f64 {
+    let beyond = |edges: &Polygon, other: &Polygon| {
+        let distances = edges.edges().map(|(from, to)| {
+            let along = (to - from).normalize();
+            let heights = other.corners().iter().map(|corner| {
+                let arm = corner - from;
+                // Outward is to the right of an edge.
+                -along.perp(&arm)
+            });
+            heights.fold(f64::INFINITY, f64::min)
+        });
+        distances.fold(f64::NEG_INFINITY, f64::max)
+    };
+    -beyond(a, b).max(beyond(b, a))
+}
+
+/// The tolerance at which two bodies without a joint would have one, where it is small.
+fn missed(a: &Polygon, b: &Polygon, tolerance: f64) -> Option<f64> {
+    if tolerance >= NEAR
+        || !shared_edges(a, b, tolerance).is_empty()
+        || shared_edges(a, b, NEAR).is_empty()
+    {
+        return None;
+    }
+    let decades = (1..).map(|decade| tolerance * 10f64.powi(decade));
+    let mut steps = decades.map(|step| step.min(NEAR));
+    steps.find(|&step| step >= NEAR || !shared_edges(a, b, step).is_empty())
+}
