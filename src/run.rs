@@ -45,7 +45,7 @@ pub fn solve(task: &Task) -> Answer {
         let clock = ThreadTime::now();
         let mut outcome = task.method.solve(scene, &task.settings);
         let seconds = clock.elapsed().as_secs_f64();
-        let residual = judge(scene, task.method.name(), &mut outcome);
+        let residual = judge(scene, &mut outcome);
         Answer {
             outcome,
             side,

@@ -13,7 +13,7 @@ const ROUGH: f64 = 10.0;
 
 fn judged(method: &dyn Method, scene: &Scene) -> Outcome {
     let mut outcome = method.solve(scene, &Settings::default());
-    judge(scene, method.name(), &mut outcome);
+    judge(scene, &mut outcome);
     outcome
 }
 

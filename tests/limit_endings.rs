@@ -12,7 +12,7 @@ const METHODS: [&dyn Method; 3] = [&Associative, &Sequential, &Interval];
 
 fn judged(method: &dyn Method, scene: &Scene) -> Outcome {
     let mut outcome = method.solve(scene, &Settings::default());
-    judge(scene, method.name(), &mut outcome);
+    judge(scene, &mut outcome);
     outcome
 }
 
@@ -194,17 +194,17 @@ fn the_judge_refutes_spoiled_proofs() {
         .expect("with a mechanism")
         .motions;
     motions[3].rotation += 1e-3 * motions[3].velocity.norm();
-    judge(&falling, "associative", &mut spoiled);
+    judge(&falling, &mut spoiled);
     assert_eq!(spoiled.status, Status::Failed);
     let mut nan = proof.clone();
     nan.mechanism.as_mut().expect("with a mechanism").motions[0].rotation = f64::NAN;
-    judge(&falling, "associative", &mut nan);
+    judge(&falling, &mut nan);
     assert_eq!(nan.status, Status::Failed);
     let mut none = Outcome {
         mechanism: None,
         ..proof
     };
-    judge(&falling, "associative", &mut none);
+    judge(&falling, &mut none);
     assert_eq!(none.status, Status::Undecided);
 
     let walls = vec![
@@ -216,9 +216,9 @@ fn the_judge_refutes_spoiled_proofs() {
     let proof = Associative.solve(&locked, &Settings::default());
     let mut spoiled = proof.clone();
     spoiled.ray.as_mut().expect("with a ray")[1].shear += 1e-3;
-    judge(&locked, "associative", &mut spoiled);
+    judge(&locked, &mut spoiled);
     assert_eq!(spoiled.status, Status::Failed);
     let mut none = Outcome { ray: None, ..proof };
-    judge(&locked, "associative", &mut none);
+    judge(&locked, &mut none);
     assert_eq!(none.status, Status::Undecided);
 }

@@ -21,7 +21,7 @@ fn measure(method: &dyn Method, scene: &Scene) -> (f64, f64) {
     );
     let seconds = clock.elapsed().as_secs_f64();
     let peak = peak();
-    judge(scene, method.name(), &mut outcome);
+    judge(scene, &mut outcome);
     assert_eq!(outcome.status, Status::Verified, "{}", outcome.reason);
     let bracket = outcome.bracket.expect("verified with a bracket");
     println!(

@@ -13,7 +13,7 @@ const BOTH: [HeadJoints; 2] = [HeadJoints::Contact, HeadJoints::Open];
 
 fn judged(method: &dyn Method, scene: &Scene) -> Outcome {
     let mut outcome = method.solve(scene, &Settings::default());
-    let residual = judge(scene, method.name(), &mut outcome);
+    let residual = judge(scene, &mut outcome);
     if outcome.status == Status::Verified {
         // NaN fails, and so does nothing to judge.
         assert!(residual.is_some_and(|residual| residual <= 1e-8));

@@ -48,7 +48,7 @@ fn heads() -> impl Strategy<Value = HeadJoints> {
 
 fn judged(method: &dyn Method, scene: &Scene) -> Outcome {
     let mut outcome = method.solve(scene, &Settings::default());
-    judge(scene, method.name(), &mut outcome);
+    judge(scene, &mut outcome);
     outcome
 }
 

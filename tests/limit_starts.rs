@@ -26,7 +26,7 @@ fn verified_starts(scene: &Scene, starts: usize) -> usize {
             ..Settings::default()
         },
     );
-    let residual = judge(scene, "interval", &mut outcome);
+    let residual = judge(scene, &mut outcome);
     assert_eq!(outcome.status, Status::Verified, "{}", outcome.reason);
     assert!(residual.is_some_and(|residual| residual <= 1e-8));
     let (_, endings) = outcome.reason.split_once("; ").expect("starts are told");

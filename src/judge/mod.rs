@@ -10,77 +10,130 @@ pub use check::{Check, Verdict};
 pub use cross_check::{cross_check, open_never_raises};
 pub use references::{Comparison, comparisons, computed, reference_checks};
 pub use residual::{
-    CollapseResidual, StaticResidual, dead_power, falling_violation, kinematic_multiplier,
-    live_unit,
+    CollapseResidual, StaticResidual, associative_violation, dead_power, falling_violation,
+    kinematic_multiplier, live_unit,
 };
 
-use crate::method::{Outcome, Status};
+use crate::mechanism::Mechanism;
+use crate::method::{Bracket, Claim, Outcome, Status};
 use crate::scene::Scene;
 
 /// Largest residual of a verified result, with total weight, height and live power scaled to 1.
 pub const VERIFIED_RESIDUAL: f64 = 1e-8;
 
-/// Recomputes the residual of an outcome and sets its status to what that proves.
+/// Relative width up to which two proved ends count as one number.
+pub const VERIFIED_WIDTH: f64 = 1e-6;
+
+/// Whether two ends are one number: NaN is none, nor are ends that cross by more than rounding.
+pub fn is_one_number(bracket: &Bracket) -> bool {
+    (-1e-9..=VERIFIED_WIDTH).contains(&bracket.relative_width())
+}
+
+/// Recomputes the residual of an outcome and sets its status to what that proves of its claim.
 ///
 /// Returns the residual where forces or a mechanism were given; `None` means that there is nothing
 /// to vouch for.
-pub fn judge(scene: &Scene, method: &str, outcome: &mut Outcome) -> Option<f64> {
+pub fn judge(scene: &Scene, outcome: &mut Outcome) -> Option<f64> {
     if matches!(outcome.status, Status::Falls | Status::Stands) {
-        return judge_certificate(scene, method, outcome);
+        return judge_certificate(scene, outcome);
     }
     let (Some(bracket), Some(forces), Some(mechanism)) =
         (outcome.bracket, &outcome.forces, &outcome.mechanism)
     else {
-        if outcome.status == Status::Verified {
-            refute(
-                outcome,
-                "claims a proof without forces and mechanism".to_owned(),
-            );
+        let proof = match outcome.status {
+            Status::Verified => true,
+            Status::Bracketed => outcome.claim != Claim::Observed,
+            _ => false,
+        };
+        if proof {
+            refute(outcome, "claims a proof without forces and mechanism");
         }
         return None;
     };
-    let statics = StaticResidual::of(scene, forces, bracket.lower);
-    if method == "associative" {
-        let slack = residual::associative_violation(scene, mechanism);
-        let upper = kinematic_multiplier(scene, mechanism);
-        let residual = statics.largest().max(slack);
-        let crossed = bracket.lower > upper + 1e-9 * upper.abs().max(1e-3);
-        // Written so that a NaN refutes.
-        let holds = residual <= VERIFIED_RESIDUAL && bracket.upper >= upper && !crossed;
-        if !holds {
-            let text = format!(
-                "refuted by the judge: {statics}, flow rule violated by {slack:.1e}, \
-                 mechanism's own multiplier {upper:.6}"
-            );
-            refute(outcome, text);
-        }
-        return Some(residual);
-    }
     if !outcome.states.is_empty() {
         return Some(judge_states(scene, outcome));
     }
-    let collapse = CollapseResidual::of(scene, forces, mechanism);
-    let residual = statics.largest().max(collapse.largest());
+    let statics = StaticResidual::of(scene, forces, bracket.lower);
+    match outcome.claim {
+        Claim::Associative => {
+            let (slack, text) = ceiling(scene, mechanism, bracket);
+            let residual = statics.largest().max(slack);
+            conclude_bounds(outcome, residual, &format!("{statics}, {text}"));
+            Some(residual)
+        }
+        Claim::Enclosed => {
+            let collapse = CollapseResidual::of(scene, forces, mechanism);
+            let above = outcome.ceiling.as_ref();
+            let (slack, text) = above.map_or((f64::INFINITY, "no bound".into()), |mechanism| {
+                ceiling(scene, mechanism, bracket)
+            });
+            let residual = statics.largest().max(collapse.largest()).max(slack);
+            conclude_bounds(outcome, residual, &format!("{statics}, {collapse}, {text}"));
+            Some(residual)
+        }
+        Claim::CollapseState | Claim::Observed => {
+            let collapse = CollapseResidual::of(scene, forces, mechanism);
+            let residual = statics.largest().max(collapse.largest());
+            conclude_state(outcome, residual, &statics, &collapse);
+            Some(residual)
+        }
+    }
+}
+
+/// How far a mechanism is from proving that no λ above `bracket.upper` is admissible by associative
+/// friction: its violation of the flow rule, infinite where its own multiplier is above that or
+/// below `bracket.lower`; and that in words.
+fn ceiling(scene: &Scene, mechanism: &Mechanism, bracket: Bracket) -> (f64, String) {
+    let slack = residual::associative_violation(scene, mechanism);
+    let upper = kinematic_multiplier(scene, mechanism);
+    let text = format!("flow rule violated by {slack:.1e}, mechanism's own multiplier {upper:.6}");
+    // Written so that a NaN refutes.
+    let bounds = bracket.upper >= upper && bracket.lower <= upper + 1e-9 * upper.abs().max(1e-3);
+    (if bounds { slack } else { f64::INFINITY }, text)
+}
+
+/// Both ends proved: `verified` where they are one number, else `bracketed`, or `undecided` where
+/// the method says that its bracket is no answer. What claims nothing loses nothing.
+fn conclude_bounds(outcome: &mut Outcome, residual: f64, text: &str) {
+    let bracket = outcome.bracket;
     if residual <= VERIFIED_RESIDUAL {
+        if outcome.status != Status::Undecided {
+            outcome.status = match bracket.is_some_and(|bracket| is_one_number(&bracket)) {
+                true => Status::Verified,
+                false => Status::Bracketed,
+            };
+        }
+    } else if outcome.status == Status::Estimate {
+        append(&mut outcome.reason, &format!("no proof: {text}"));
+    } else {
+        refute(outcome, &format!("refuted by the judge: {text}"));
+    }
+}
+
+fn conclude_state(
+    outcome: &mut Outcome,
+    residual: f64,
+    statics: &StaticResidual,
+    collapse: &CollapseResidual,
+) {
+    let at_one = outcome
+        .bracket
+        .is_some_and(|bracket| bracket.lower == bracket.upper);
+    if residual <= VERIFIED_RESIDUAL && at_one {
         outcome.status = Status::Verified;
         append(&mut outcome.reason, "a true collapse state");
     } else if outcome.status == Status::Verified {
-        refute(
-            outcome,
-            format!("refuted by the judge: {statics}, {collapse}"),
-        );
+        let text = format!("refuted by the judge: {statics}, {collapse}");
+        refute(outcome, &text);
     } else {
-        append(
-            &mut outcome.reason,
-            &format!("no proof: {}", worst(&statics, &collapse)),
-        );
+        let text = format!("no proof: {}", worst(statics, collapse));
+        append(&mut outcome.reason, &text);
     }
-    Some(residual)
 }
 
 /// The residual of what proves `falls` (a mechanism) or `stands` (forces at λ = 0 and a ray): refutes
 /// the status where that fails, lowers it to `undecided` where nothing is given.
-fn judge_certificate(scene: &Scene, method: &str, outcome: &mut Outcome) -> Option<f64> {
+fn judge_certificate(scene: &Scene, outcome: &mut Outcome) -> Option<f64> {
     let residual = match (
         outcome.status,
         &outcome.mechanism,
@@ -91,8 +144,7 @@ fn judge_certificate(scene: &Scene, method: &str, outcome: &mut Outcome) -> Opti
         (Status::Stands, _, Some(forces), Some(ray)) => StaticResidual::of(scene, forces, 0.0)
             .largest()
             .max(StaticResidual::of_ray(scene, ray).largest()),
-        // The pushover saw it fall; it never claims more than what it saw.
-        (Status::Falls, None, _, _) if method == "pushover" => return None,
+        (Status::Falls, None, _, _) if outcome.claim == Claim::Observed => return None,
         (status, _, _, _) => {
             outcome.status = Status::Undecided;
             let text = format!("claims that it {} without a proof", status.name());
@@ -105,7 +157,7 @@ fn judge_certificate(scene: &Scene, method: &str, outcome: &mut Outcome) -> Opti
     if !holds {
         refute(
             outcome,
-            format!("refuted by the judge: residual {residual:.1e}"),
+            &format!("refuted by the judge: residual {residual:.1e}"),
         );
     }
     Some(residual)
@@ -128,7 +180,7 @@ fn judge_states(scene: &Scene, outcome: &mut Outcome) -> f64 {
     if !(proved && largest <= VERIFIED_RESIDUAL) {
         refute(
             outcome,
-            format!("refuted by the judge: residual {largest:.1e}"),
+            &format!("refuted by the judge: residual {largest:.1e}"),
         );
     }
     largest
@@ -151,11 +203,11 @@ fn worst(statics: &StaticResidual, collapse: &CollapseResidual) -> &'static str 
     worst.expect("the list is not empty").1
 }
 
-fn refute(outcome: &mut Outcome, reason: String) {
+fn refute(outcome: &mut Outcome, reason: &str) {
     outcome.status = Status::Failed;
     outcome.bracket = None;
     outcome.crack = None;
-    append(&mut outcome.reason, &reason);
+    append(&mut outcome.reason, reason);
 }
 
 fn append(reason: &mut String, more: &str) {

@@ -6,7 +6,7 @@ mod outcome;
 pub mod pushover;
 mod settings;
 
-pub use outcome::{Bracket, CollapseState, JointForce, Outcome, Status, Work};
+pub use outcome::{Bracket, Claim, CollapseState, JointForce, Outcome, Status, Work};
 pub use settings::{Accuracy, Collapse, Settings};
 
 use crate::scene::Scene;

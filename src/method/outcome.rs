@@ -53,6 +53,21 @@ impl Status {
     }
 }
 
+/// What an answer's forces and mechanism are put forward as; the judge proves that and nothing else.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Claim {
+    /// A collapse state without dilatancy: forces and mechanism satisfy every condition together.
+    #[default]
+    CollapseState,
+    /// Bounds of λ_A: `forces` are admissible at `bracket.lower`, `mechanism` by associative
+    /// friction, and its own multiplier is no larger than `bracket.upper`.
+    Associative,
+    /// A collapse state at `bracket.lower`, and `ceiling` as in `Associative` for `bracket.upper`.
+    Enclosed,
+    /// Something seen, not proved, as in an experiment.
+    Observed,
+}
+
 /// Lower and upper value of a collapse multiplier; what each means is the method's to say.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bracket {
@@ -134,6 +149,8 @@ impl Add for Work {
 pub struct Outcome {
     /// What the answer is worth; the judge may lower it.
     pub status: Status,
+    /// What forces and mechanism are to prove.
+    pub claim: Claim,
     /// The multiplier, where there is one to vouch for.
     pub bracket: Option<Bracket>,
     /// Error that the method states for its bracket, relative to λ; `None` where it states none.
@@ -147,6 +164,9 @@ pub struct Outcome {
     /// With the status `stands`: forces within friction that balance the live load for λ = 1 and
     /// nothing else, so that `forces` + λ · `ray` is a state for every λ ≥ 0.
     pub ray: Option<Vec<JointForce>>,
+    /// With the claim [`Claim::Enclosed`]: a mechanism with dilatancy, whose multiplier bounds every
+    /// collapse multiplier from above.
+    pub ceiling: Option<Mechanism>,
     /// Every collapse state that the answer rests on, lowest λ first; only the interval has them.
     pub states: Vec<CollapseState>,
     /// On request, displacements of every block since the scene settled, at times a constant step
@@ -165,12 +185,14 @@ impl Outcome {
     pub fn without_number(status: Status, reason: impl Into<String>) -> Self {
         Self {
             status,
+            claim: Claim::default(),
             bracket: None,
             stated_error: None,
             crack: None,
             mechanism: None,
             forces: None,
             ray: None,
+            ceiling: None,
             states: Vec::new(),
             recording: Vec::new(),
             work: Work::default(),

@@ -1,9 +1,9 @@
 //! What a user may change about the methods.
 
 /// What a user may change about the methods; the defaults are what tables show.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
-    /// Starts of the interval's search.
+    /// Starts of the interval's search, and of that of `auto`.
     pub starts: usize,
     /// Error that the pushover may state.
     pub accuracy: Accuracy,
@@ -16,6 +16,27 @@ pub struct Settings {
     pub recording: bool,
     /// Whether the pushover varies head joints in contact on walls of any number of blocks.
     pub long_ranges: bool,
+    /// Relative tolerance of the linear programs of `associative` and `sequential`.
+    pub lp_tolerance: f64,
+    /// Whether those programs are scaled: total weight and height to 1.
+    pub scaling: bool,
+    /// Whether the limit analyses first try the part of a wall that the crack can reach.
+    pub reduction: bool,
+    /// α of the sequential method's first step.
+    pub alpha: f64,
+    /// β of the sequential method: share of the new normal forces.
+    pub beta: f64,
+    /// c0 of the sequential method over the largest normal force.
+    pub c0: f64,
+    /// Factor on the pushover's substep. Above 1 its answer is an estimate.
+    pub substep: f64,
+    /// Factor on the pushover's contact stiffness. Below 1 its answer is an estimate; above 1 the
+    /// substep does not resolve the contacts.
+    pub stiffness: f64,
+    /// Relative width up to which `auto` has an answer.
+    pub tolerance: f64,
+    /// Whether `auto` runs a pushover beside an answer that is not unique.
+    pub beside: bool,
 }
 
 impl Default for Settings {
@@ -27,13 +48,39 @@ impl Default for Settings {
             collapse: Collapse::Runaway,
             recording: false,
             long_ranges: false,
+            lp_tolerance: super::limit::TOLERANCE,
+            scaling: true,
+            reduction: true,
+            alpha: 0.3,
+            beta: 0.6,
+            c0: 1e-6,
+            substep: 1.0,
+            stiffness: 1.0,
+            tolerance: 0.01,
+            beside: false,
         }
     }
 }
 
 impl Settings {
     /// Names of the settings, as on the command line and in sweeps.
-    pub const NAMES: [&str; 5] = ["starts", "accuracy", "verify", "collapse", "long-ranges"];
+    pub const NAMES: [&str; 15] = [
+        "starts",
+        "accuracy",
+        "verify",
+        "collapse",
+        "long-ranges",
+        "lp-tolerance",
+        "scaling",
+        "reduction",
+        "alpha",
+        "beta",
+        "c0",
+        "substep",
+        "stiffness",
+        "tolerance",
+        "beside",
+    ];
 
     /// Sets one by its name.
     ///
@@ -46,6 +93,16 @@ impl Settings {
             "verify" => self.verify = choose(name, value, &SWITCH)?,
             "collapse" => self.collapse = choose(name, value, &Collapse::NAMES)?,
             "long-ranges" => self.long_ranges = choose(name, value, &SWITCH)?,
+            "lp-tolerance" => self.lp_tolerance = number(name, value, [1e-14, 0.1])?,
+            "scaling" => self.scaling = choose(name, value, &SWITCH)?,
+            "reduction" => self.reduction = choose(name, value, &SWITCH)?,
+            "alpha" => self.alpha = number(name, value, [1e-4, 1.0])?,
+            "beta" => self.beta = number(name, value, [0.01, 1.0])?,
+            "c0" => self.c0 = number(name, value, [0.0, 0.1])?,
+            "substep" => self.substep = number(name, value, [1.0 / 64.0, 64.0])?,
+            "stiffness" => self.stiffness = number(name, value, [1e-6, 64.0])?,
+            "tolerance" => self.tolerance = number(name, value, [1e-6, 1.0])?,
+            "beside" => self.beside = choose(name, value, &SWITCH)?,
             _ => {
                 let names = Self::NAMES.join(", ");
                 return Err(format!(
@@ -70,6 +127,12 @@ fn whole(name: &str, value: &str) -> Result<usize, String> {
             "`{name}` is `{value}`; write a whole number from 1 to {MOST_STARTS}"
         )),
     }
+}
+
+fn number(name: &str, value: &str, [least, most]: [f64; 2]) -> Result<f64, String> {
+    let parsed = value.parse::<f64>();
+    let number = parsed.ok().filter(|number| (least..=most).contains(number));
+    number.ok_or_else(|| format!("`{name}` is `{value}`; write a number from {least} to {most}"))
 }
 
 fn choose<T: Copy>(name: &str, value: &str, known: &[(&str, T)]) -> Result<T, String> {
@@ -145,6 +208,16 @@ mod tests {
             ("verify", "true"),
             ("collapse", "first-slip"),
             ("long-ranges", "true"),
+            ("lp-tolerance", "1e-6"),
+            ("scaling", "false"),
+            ("reduction", "false"),
+            ("alpha", "0.1"),
+            ("beta", "0.5"),
+            ("c0", "1e-5"),
+            ("substep", "2"),
+            ("stiffness", "0.5"),
+            ("tolerance", "0.02"),
+            ("beside", "true"),
         ];
         assert_eq!(given.map(|(name, _)| name), Settings::NAMES);
         for (name, value) in given {
@@ -157,9 +230,26 @@ mod tests {
             collapse: Collapse::FirstSlip,
             recording: false,
             long_ranges: true,
+            lp_tolerance: 1e-6,
+            scaling: false,
+            reduction: false,
+            alpha: 0.1,
+            beta: 0.5,
+            c0: 1e-5,
+            substep: 2.0,
+            stiffness: 0.5,
+            tolerance: 0.02,
+            beside: true,
         };
         assert_eq!(settings, expected);
-        for (name, value) in [("starts", "0"), ("accuracy", "exact"), ("speed", "1")] {
+        let wrong = [
+            ("starts", "0"),
+            ("accuracy", "exact"),
+            ("speed", "1"),
+            ("lp-tolerance", "nan"),
+            ("tolerance", "-1"),
+        ];
+        for (name, value) in wrong {
             let text = settings.set(name, value).unwrap_err();
             assert!(text.contains(name), "{text}");
         }

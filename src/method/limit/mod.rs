@@ -12,6 +12,6 @@ mod vertical;
 
 pub use associative::Associative;
 pub use interval::Interval;
-pub use program::{Ending, Friction, Margins, Program, Solution};
+pub use program::{Ending, Friction, Margins, Program, Solution, TOLERANCE};
 pub use scale::Scale;
 pub use sequential::{Sequential, SequentialSettings, sequential};

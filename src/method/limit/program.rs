@@ -20,7 +20,7 @@ use clarabel::solver::{
 
 use super::columns::{Entries, equilibrium_column};
 use super::scale::Scale;
-use crate::method::{JointForce, Work};
+use crate::method::{self, JointForce, Work};
 use crate::scene::Scene;
 
 /// Friction law of one joint: |t| ≤ slope · (n1 + n2) + intercept, the intercept in units of the
@@ -108,14 +108,24 @@ enum Goal {
 /// Slack that a block's mean weight may have, at most: forces that can lock have no limit.
 const ENOUGH: f64 = 0.01;
 
-/// Relative tolerance of all programs. 1e-8 leaves 9e-8 of λ on a wall of 915 blocks, 1e-10 less
+/// Relative tolerance of all programs, unless a user asks for another. 1e-8 leaves 9e-8 of λ on a wall of 915 blocks, 1e-10 less
 /// than 1e-9, for a fifth more iterations.
-const TOLERANCE: f64 = 1e-10;
+pub const TOLERANCE: f64 = 1e-10;
 
 impl Program {
     /// Assembles the associative program of a scene: Coulomb's law in every joint, λ to be largest.
     pub fn new(scene: &Scene) -> Self {
         Self::assemble(scene, Scale::of(scene), Goal::Multiplier)
+    }
+
+    /// The same with the tolerance and the scaling that a user asks for.
+    pub fn asked(scene: &Scene, user: &method::Settings) -> Self {
+        let scale = match user.scaling {
+            true => Scale::of(scene),
+            false => Scale::NONE,
+        };
+        let tolerance = user.lp_tolerance;
+        Self::assemble_to(scene, scale, Goal::Multiplier, tolerance)
     }
 
     /// Assembles the program that only asks for forces at a given λ, in given units.
@@ -132,6 +142,10 @@ impl Program {
     }
 
     fn assemble(scene: &Scene, scale: Scale, goal: Goal) -> Self {
+        Self::assemble_to(scene, scale, goal, TOLERANCE)
+    }
+
+    fn assemble_to(scene: &Scene, scale: Scale, goal: Goal, tolerance: f64) -> Self {
         let rows_of_blocks = 3 * scene.blocks.len();
         let joints = scene.joints.len();
         let has_slack = matches!(goal, Goal::Slack(_));
@@ -192,7 +206,7 @@ impl Program {
             &matrix,
             &right,
             &cones,
-            settings(),
+            settings(tolerance),
         )
         .expect("dimensions agree by construction");
         Self {
@@ -304,16 +318,16 @@ impl Program {
     }
 }
 
-fn settings() -> DefaultSettings<f64> {
+fn settings(tolerance: f64) -> DefaultSettings<f64> {
     DefaultSettings {
         verbose: false,
         max_threads: 1,
         direct_solve_method: "qdldl".to_owned(),
         // Presolve would drop rows and forbid data updates.
         presolve_enable: false,
-        tol_gap_abs: TOLERANCE,
-        tol_gap_rel: TOLERANCE,
-        tol_feas: TOLERANCE,
+        tol_gap_abs: tolerance,
+        tol_gap_rel: tolerance,
+        tol_feas: tolerance,
         ..DefaultSettings::default()
     }
 }

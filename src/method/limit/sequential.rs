@@ -46,6 +46,18 @@ impl Default for SequentialSettings {
     }
 }
 
+impl SequentialSettings {
+    /// The defaults with what a user asks for.
+    pub fn asked(user: &Settings) -> Self {
+        Self {
+            first_alpha: user.alpha,
+            renewal: user.beta,
+            cohesion: user.c0,
+            ..Self::default()
+        }
+    }
+}
+
 /// How the procedure ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum SequentialEnding {
@@ -75,19 +87,19 @@ impl Method for Sequential {
         "sequential"
     }
 
-    fn solve(&self, scene: &Scene, _settings: &Settings) -> Outcome {
-        sequential(scene, &SequentialSettings::default())
+    fn solve(&self, scene: &Scene, settings: &Settings) -> Outcome {
+        sequential(scene, &SequentialSettings::asked(settings), settings)
     }
 }
 
-/// Runs the procedure with settings of one's own.
-pub fn sequential(scene: &Scene, settings: &SequentialSettings) -> Outcome {
+/// Runs the procedure with settings of one's own; of `user`, only those of the program count.
+pub fn sequential(scene: &Scene, settings: &SequentialSettings, user: &Settings) -> Outcome {
     let mut work = Work::default();
     let standing = match own_weight(scene, &mut work) {
         Ok(forces) => forces,
         Err(outcome) => return *outcome,
     };
-    let mut program = Program::new(scene);
+    let mut program = Program::asked(scene, user);
     let start = match program.solve_counted(&mut work) {
         Ending::Solved(solution) => solution,
         ending => return without_optimum(scene, &ending, standing, &mut work),
@@ -196,6 +208,12 @@ fn cycle(lambdas: &[f64], settled: f64) -> Option<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_user_who_asks_for_nothing_gets_the_defaults() {
+        let asked = SequentialSettings::asked(&Settings::default());
+        assert_eq!(asked, SequentialSettings::default());
+    }
 
     #[test]
     fn a_repeating_tail_is_a_cycle_and_a_settled_one_is_not() {

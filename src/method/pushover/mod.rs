@@ -27,7 +27,7 @@ pub use settings::Settings;
 pub use verify::{mirrored, verify};
 
 use crate::mechanism::{Mechanism, Motion, crack_slope};
-use crate::method::{self, Bracket, Collapse, Method, Outcome, Status, Work};
+use crate::method::{self, Bracket, Claim, Collapse, Method, Outcome, Status, Work};
 use crate::scene::{HeadJoints, Joint, JointClass, Scene, Side, Vector};
 use engine::{Contact, Engine, State};
 use freeze::Freeze;
@@ -61,10 +61,36 @@ impl Method for Pushover {
             true => verify::confirmed(scene, settings, outcome),
             false => outcome,
         };
-        match settings.collapse {
+        let outcome = match settings.collapse {
             Collapse::FirstSlip if outcome.bracket.is_some() => first_slip(outcome),
+            _ if coarser(settings) && outcome.bracket.is_some() => without_calibration(outcome),
             _ => outcome,
+        };
+        Outcome {
+            claim: Claim::Observed,
+            ..outcome
         }
+    }
+}
+
+/// Whether the user asks for longer substeps or softer contacts than the stated error was measured
+/// with.
+fn coarser(settings: &method::Settings) -> bool {
+    settings.substep > 1.0 || settings.stiffness < 1.0
+}
+
+/// Says that nothing is known about the error, so that nobody takes the bracket for one.
+fn without_calibration(outcome: Outcome) -> Outcome {
+    let why = "substeps longer or contacts softer than the stated error was measured with";
+    let reason = match outcome.reason.as_str() {
+        "" => why.into(),
+        reason => format!("{why}; {reason}"),
+    };
+    Outcome {
+        status: Status::Estimate,
+        stated_error: None,
+        reason,
+        ..outcome
     }
 }
 

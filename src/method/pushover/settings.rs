@@ -114,9 +114,14 @@ impl Settings {
         }
     }
 
-    /// The same with the definition of collapse and the recording that a user asks for.
+    /// The same with the definition of collapse, the recording, the substep and the stiffness that
+    /// a user asks for. Contacts soften with a longer substep; stiffness goes with the square of
+    /// their frequency.
     pub fn asked(self, user: &method::Settings) -> Self {
         Self {
+            substep: self.substep * user.substep,
+            substeps: ((self.substeps as f64 / user.substep).round() as usize).max(1),
+            contact_frequency: self.contact_frequency / user.substep * user.stiffness.sqrt(),
             slip: match user.collapse {
                 Collapse::Runaway => f64::INFINITY,
                 Collapse::FirstSlip => 1e-3,

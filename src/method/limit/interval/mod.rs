@@ -34,7 +34,8 @@ impl Method for Interval {
             Ok(forces) => forces,
             Err(outcome) => return *outcome,
         };
-        for part in reduction::parts(scene) {
+        let reduce = settings.reduction;
+        for part in reduction::parts(scene).into_iter().filter(|_| reduce) {
             let Ok(ends) = search(scene, Some(&part), settings, &mut work) else {
                 continue;
             };
