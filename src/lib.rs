@@ -15,6 +15,8 @@
 //! acceleration in units of g. Compression is positive; an opening joint has a positive rate.
 
 pub mod case;
+pub mod chart;
+pub mod external;
 pub mod judge;
 pub mod mechanism;
 pub mod method;

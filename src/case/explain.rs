@@ -9,7 +9,7 @@ use super::complaint::{Complaint, Document, listed, nearest};
 use super::file::CASE_KEYS;
 
 /// A complaint for an error of the TOML reader.
-pub(super) fn explain(document: &Document, error: &toml::de::Error) -> Complaint {
+pub(crate) fn explain(document: &Document, error: &toml::de::Error) -> Complaint {
     let message = error.message();
     let span = error.span().unwrap_or(0..0);
     if let Some(key) = message.strip_prefix("missing field ") {

@@ -21,13 +21,14 @@ mod wall;
 use std::path::Path;
 
 pub use complaint::Complaint;
+pub(crate) use complaint::Document;
+pub(crate) use explain::explain;
 pub use geometry::Geometry;
 pub use library::{collect, embedded, find, library, paper};
 pub use reference::{Kind, METHOD_NAMES, Quantity, Reference};
 pub use template::template;
 
 use crate::scene::{HeadJoints, Push, Scene, Wall};
-pub(crate) use complaint::Document;
 
 /// Reads the file of this name in the folder of a case; the error says in words why it cannot.
 pub type Beside<'a> = &'a dyn Fn(&str) -> Result<Vec<u8>, String>;

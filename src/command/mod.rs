@@ -2,6 +2,7 @@
 
 mod cases;
 mod check;
+mod external;
 mod interrupt;
 mod plan;
 mod progress;
@@ -34,6 +35,19 @@ enum Command {
     Show {
         /// A case file, or the name of a built-in case.
         case: String,
+    },
+    /// Print the scene of a case as JSON, as external methods read it.
+    Export {
+        /// A case file, or the name of a built-in case.
+        case: String,
+        /// Head joints instead of the first that the case runs with.
+        #[arg(long)]
+        head_joints: Option<plan::HeadJointsArgument>,
+    },
+    /// Print the JSON schema of what external methods read or write.
+    Schema {
+        /// Which of the two.
+        of: SchemaOf,
     },
     /// Write a commented template NAME.toml for a wall of your own.
     New {
@@ -79,6 +93,14 @@ enum Format {
     Json,
 }
 
+#[derive(Clone, Copy, ValueEnum)]
+enum SchemaOf {
+    /// The scene, on standard input.
+    Scene,
+    /// The answer, on standard output.
+    Result,
+}
+
 /// Exit status of a result that failed, a published value violated, a record that changed.
 const REFUTED: u8 = 1;
 
@@ -107,6 +129,10 @@ pub fn main() -> ExitCode {
         Command::Check(arguments) => check::check(&arguments),
         Command::List => cases::list(),
         Command::Show { case } => cases::show(&case),
+        Command::Export { case, head_joints } => {
+            external::export(&case, head_joints.map(Into::into))
+        }
+        Command::Schema { of } => external::schema(of),
         Command::New { name } => cases::new(&name),
     };
     match done {

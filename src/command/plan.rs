@@ -2,7 +2,8 @@
 
 use clap::{Args, ValueEnum};
 use trilith::case::{self, Case};
-use trilith::method::{Accuracy, Collapse, METHODS, Method, Settings};
+use trilith::external;
+use trilith::method::{self, Accuracy, Collapse, METHODS, Method, Settings};
 use trilith::run::Plan;
 use trilith::scene::HeadJoints;
 
@@ -32,10 +33,16 @@ pub(super) struct PlanArguments {
     /// Push walls with head joints in contact also beyond 200 blocks, which takes long.
     #[arg(long)]
     long_ranges: bool,
+    /// Change any other setting of the methods; a wrong name lists them all.
+    #[arg(long, value_name = "NAME=VALUE")]
+    set: Vec<String>,
+    /// Also run programs of your own: a .toml file that names them, or NAME=COMMAND.
+    #[arg(long, value_name = "FILE.toml|NAME=COMMAND")]
+    external: Vec<String>,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
-enum HeadJointsArgument {
+pub(super) enum HeadJointsArgument {
     Contact,
     Open,
 }
@@ -91,13 +98,13 @@ impl PlanArguments {
         cases: &[String],
         default: fn() -> Vec<Case>,
     ) -> Result<(Vec<Case>, Plan<'static>), Stop> {
-        let (methods, misplaced) = methods(&self.method)?;
+        let (methods, misplaced) = methods(&self.method, &externals(&self.external)?)?;
         let named = [cases, &misplaced].concat();
         let mut cases = match named.is_empty() {
             true => default(),
             false => collect(&named)?,
         };
-        let settings = self.settings();
+        let settings = self.settings()?;
         if settings.collapse == Collapse::FirstSlip {
             // References of the pushover are of the collapse, which is not what it was asked for.
             for case in &mut cases {
@@ -113,16 +120,45 @@ impl PlanArguments {
         Ok((cases, plan))
     }
 
-    fn settings(&self) -> Settings {
-        Settings {
+    fn settings(&self) -> Result<Settings, Stop> {
+        let mut settings = Settings {
             starts: self.starts as usize,
             accuracy: self.accuracy.into(),
             verify: self.verify,
             long_ranges: self.long_ranges,
             collapse: self.collapse.into(),
             ..Settings::default()
+        };
+        for setting in &self.set {
+            let set = match setting.split_once('=') {
+                Some((name, value)) => settings.set(name.trim(), value.trim()),
+                None => Err("write NAME=VALUE".to_owned()),
+            };
+            set.map_err(|why| Stop::bad_input(format!("error: --set {setting}: {why}")))?;
+        }
+        Ok(settings)
+    }
+}
+
+/// The external methods that the arguments name.
+pub(super) fn externals(arguments: &[String]) -> Result<Vec<&'static dyn Method>, Stop> {
+    let mut all: Vec<&'static dyn Method> = Vec::new();
+    for argument in arguments {
+        let read =
+            external::read(argument).map_err(|complaint| Stop::bad_input(complaint.to_string()))?;
+        for method in read {
+            if all.iter().any(|other| other.name() == method.name) {
+                let name = &method.name;
+                let text = format!(
+                    "error: two external methods are named `{name}`\nhelp: give each a name of its own"
+                );
+                return Err(Stop::bad_input(text));
+            }
+            // Once a run of the program, which needs them to its end.
+            all.push(Box::leak(Box::new(method)));
         }
     }
+    Ok(all)
 }
 
 fn collect(arguments: &[String]) -> Result<Vec<Case>, Stop> {
@@ -132,20 +168,28 @@ fn collect(arguments: &[String]) -> Result<Vec<Case>, Stop> {
     })
 }
 
-/// The methods of these names in the list's own order, each once; all of them without a name. What
-/// names no method but a case, as in `--method associative paper-1`, is handed back.
-fn methods(names: &[String]) -> Result<(Vec<&'static dyn Method>, Vec<String>), Stop> {
-    let known = |name: &str| METHODS.iter().any(|method| method.name() == name);
+/// The methods of these names in the list's own order, then the external ones, each once; without a
+/// name the default ones and the external ones. What names no method but a case, as in
+/// `--method associative paper-1`, is handed back.
+fn methods(
+    names: &[String],
+    externals: &[&'static dyn Method],
+) -> Result<(Vec<&'static dyn Method>, Vec<String>), Stop> {
+    let all = [METHODS.as_slice(), externals].concat();
+    let known = |name: &str| all.iter().any(|method| method.name() == name);
     let (names, others): (Vec<String>, Vec<String>) =
         names.iter().cloned().partition(|name| known(name));
     if let Some(other) = others.iter().find(|other| case::find(other).is_err()) {
-        let list = METHODS.map(|method| method.name()).join(", ");
+        let list: Vec<&str> = all.iter().map(|method| method.name()).collect();
+        let list = list.join(", ");
         let text = format!("error: there is no method named `{other}`\nhelp: methods are {list}");
         return Err(Stop::bad_input(text));
     }
-    let wanted =
-        |method: &&dyn Method| names.is_empty() || names.iter().any(|n| n == method.name());
-    Ok((METHODS.into_iter().filter(wanted).collect(), others))
+    if names.is_empty() {
+        return Ok(([method::defaults(), externals].concat(), others));
+    }
+    let wanted = |method: &&dyn Method| names.iter().any(|name| name == method.name());
+    Ok((all.into_iter().filter(wanted).collect(), others))
 }
 
 #[cfg(test)]
@@ -155,10 +199,10 @@ mod tests {
     #[test]
     fn methods_keep_their_order_and_come_once() {
         let names = ["sequential", "paper-1", "macro-block", "sequential"].map(str::to_owned);
-        let (found, cases) = methods(&names).unwrap_or_default();
+        let (found, cases) = methods(&names, &[]).unwrap_or_default();
         let found: Vec<&str> = found.iter().map(|m| m.name()).collect();
         assert_eq!(found, ["macro-block", "sequential"]);
         assert_eq!(cases, ["paper-1"]);
-        assert!(methods(&["guess".to_owned()]).is_err());
+        assert!(methods(&["guess".to_owned()], &[]).is_err());
     }
 }

@@ -1,5 +1,6 @@
 //! The methods: one file or folder each, one list that names them, one small trait.
 
+pub mod auto;
 pub mod limit;
 pub mod macro_block;
 mod outcome;
@@ -8,6 +9,8 @@ mod settings;
 
 pub use outcome::{Bracket, Claim, CollapseState, JointForce, Outcome, Status, Work};
 pub use settings::{Accuracy, Collapse, Settings};
+
+use std::time::Duration;
 
 use crate::scene::Scene;
 
@@ -19,6 +22,12 @@ pub trait Method: Sync {
 
     /// The answer for one scene. Every ending is a status; nothing here panics on a valid scene.
     fn solve(&self, scene: &Scene, settings: &Settings) -> Outcome;
+
+    /// The same with the CPU time spent, from a method that works in a process of its own, where the
+    /// runner's clock cannot see it; `None` from all others.
+    fn solve_apart(&self, scene: &Scene, settings: &Settings) -> (Outcome, Option<Duration>) {
+        (self.solve(scene, settings), None)
+    }
 }
 
 impl<M: Method + ?Sized> Method for &M {
@@ -32,13 +41,20 @@ impl<M: Method + ?Sized> Method for &M {
 }
 
 /// Every method, in the order in which tables show them. A new one is one file and one line.
-pub const METHODS: [&dyn Method; 5] = [
+pub const METHODS: [&dyn Method; 6] = [
     &macro_block::MacroBlock,
     &limit::Associative,
     &limit::Sequential,
     &limit::Interval,
     &pushover::Pushover,
+    &auto::Auto,
 ];
+
+/// The methods of a run that names none: all but the last, which is made of the others and would
+/// only repeat them.
+pub fn defaults() -> &'static [&'static dyn Method] {
+    const { METHODS.split_at(METHODS.len() - 1).0 }
+}
 
 #[cfg(test)]
 mod tests {

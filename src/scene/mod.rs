@@ -35,6 +35,14 @@ impl Push {
             Push::Left => -1.0,
         }
     }
+
+    /// The word that cases use.
+    pub fn name(self) -> &'static str {
+        match self {
+            Push::Right => "right",
+            Push::Left => "left",
+        }
+    }
 }
 
 /// What the head joints (perpends) of a scene carry.

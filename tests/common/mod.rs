@@ -4,7 +4,7 @@ use std::path::Path;
 
 use trilith::case::{self, Case};
 use trilith::judge::Verdict;
-use trilith::method::{METHODS, Method, Settings, Status};
+use trilith::method::{Settings, Status, defaults};
 use trilith::record::record;
 use trilith::run::{CaseResult, Plan};
 
@@ -31,9 +31,7 @@ pub fn is_long(case: &Case) -> bool {
 /// Runs the methods that `wanted` names, compares the record with the snapshot `name`, and asserts
 /// that nothing failed and no reference is violated: accepting a snapshot cannot hide that.
 pub fn assert_record(case: Case, name: &str, wanted: impl Fn(&str) -> bool) {
-    let methods = METHODS
-        .into_iter()
-        .filter(|m: &&dyn Method| wanted(m.name()));
+    let methods = defaults().iter().copied().filter(|m| wanted(m.name()));
     let plan = Plan {
         methods: methods.collect(),
         settings: Settings::default(),

@@ -12,6 +12,7 @@ mod vertical;
 
 pub use associative::Associative;
 pub use interval::Interval;
+pub(crate) use interval::lowest;
 pub use program::{Ending, Friction, Margins, Program, Solution, TOLERANCE};
 pub use scale::Scale;
 pub use sequential::{Sequential, SequentialSettings, sequential};

@@ -29,31 +29,36 @@ impl Method for Interval {
     }
 
     fn solve(&self, scene: &Scene, settings: &Settings) -> Outcome {
-        let mut work = Work::default();
-        let standing = match own_weight(scene, &mut work) {
-            Ok(forces) => forces,
-            Err(outcome) => return *outcome,
+        lowest(scene, settings, f64::NEG_INFINITY)
+    }
+}
+
+/// The interval; a search that may stop at the first state below `enough`.
+pub(crate) fn lowest(scene: &Scene, settings: &Settings, enough: f64) -> Outcome {
+    let mut work = Work::default();
+    let standing = match own_weight(scene, &mut work) {
+        Ok(forces) => forces,
+        Err(outcome) => return *outcome,
+    };
+    let reduce = settings.reduction;
+    for part in reduction::parts(scene).into_iter().filter(|_| reduce) {
+        let Ok(ends) = search(scene, Some(&part), settings, enough, &mut work) else {
+            continue;
         };
-        let reduce = settings.reduction;
-        for part in reduction::parts(scene).into_iter().filter(|_| reduce) {
-            let Ok(ends) = search(scene, Some(&part), settings, &mut work) else {
-                continue;
-            };
-            // On 96 courses the whole wall closed no gap either, in minutes more.
-            let is_open = |end: &End| matches!(end.states, Err(Failure::Open));
-            if ends.iter().all(is_open) {
-                return undecided(&ends, work);
-            }
-            if let Some(outcome) = report(scene, &ends, &standing, &mut work) {
-                return outcome;
-            }
+        // On 96 courses the whole wall closed no gap either, in minutes more.
+        let is_open = |end: &End| matches!(end.states, Err(Failure::Open));
+        if ends.iter().all(is_open) {
+            return undecided(&ends, work);
         }
-        match search(scene, None, settings, &mut work) {
-            Ok(ends) => {
-                report(scene, &ends, &standing, &mut work).unwrap_or_else(|| undecided(&ends, work))
-            }
-            Err(ending) => without_optimum(scene, &ending, standing, &mut work),
+        if let Some(outcome) = report(scene, &ends, &standing, &mut work) {
+            return outcome;
         }
+    }
+    match search(scene, None, settings, enough, &mut work) {
+        Ok(ends) => {
+            report(scene, &ends, &standing, &mut work).unwrap_or_else(|| undecided(&ends, work))
+        }
+        Err(ending) => without_optimum(scene, &ending, standing, &mut work),
     }
 }
 
@@ -86,6 +91,7 @@ fn search(
     scene: &Scene,
     part: Option<&Part>,
     settings: &Settings,
+    enough: f64,
     work: &mut Work,
 ) -> Result<Vec<End>, Ending> {
     let searched = part.map_or(scene, |part| &part.scene);
@@ -93,7 +99,7 @@ fn search(
     let mut ends = Vec::new();
     for start in starts::starts(searched, &mut search, settings.starts)? {
         let name = start.name;
-        let found = follow(&mut search, start, settings.starts);
+        let found = follow(&mut search, start, settings.starts, enough);
         let scale = search.program().scale();
         let states = found.and_then(|way| {
             let mut whole = |state| collapse_state(scene, part, scale, state, work);
@@ -103,7 +109,12 @@ fn search(
                 first: whole(&way.first),
             })
         });
+        let reached = |found: &Found| found.lowest.lambda <= enough;
+        let is_enough = states.as_ref().is_ok_and(reached);
         ends.push(End { name, states });
+        if is_enough {
+            break;
+        }
     }
     work.programs += search.work.programs;
     work.iterations += search.work.iterations;
@@ -143,14 +154,14 @@ const FALL: f64 = 1e-7;
 const PATIENT: usize = 12;
 
 /// From a start to a state, then down: the lowest state of each mechanism, and on to a neighbour of
-/// that mechanism until λ stops falling. One start asks for a first state only; with more of them
+/// that mechanism until λ stops falling or is low enough. One start asks for a first state only; with more of them
 /// each one is followed the more patiently.
-fn follow(search: &mut Search, start: Start, starts: usize) -> Result<Way, Failure> {
+fn follow(search: &mut Search, start: Start, starts: usize, enough: f64) -> Result<Way, Failure> {
     let first = search.close(start.normal)?;
     let mut lowest = search.extreme_of(&first, -1.0);
     let patience = starts.min(PATIENT);
     let (mut idle, mut step) = (0, 0);
-    while idle + 1 < patience && step < 6 * patience {
+    while idle + 1 < patience && step < 6 * patience && lowest.lambda > enough {
         match search.neighbour(&lowest, step) {
             Some(next) if next.lambda < lowest.lambda * (1.0 - FALL) => {
                 lowest = next;

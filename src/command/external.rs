@@ -1,0 +1,42 @@
+//! `trilith export`, `trilith schema`.
+
+use trilith::case;
+use trilith::external;
+use trilith::scene::HeadJoints;
+
+use super::{SchemaOf, Stop, print};
+
+pub(super) fn export(argument: &str, head_joints: Option<HeadJoints>) -> Result<u8, Stop> {
+    let cases = case::find(argument).map_err(|complaint| Stop::bad_input(complaint.to_string()))?;
+    let [case] = cases.as_slice() else {
+        let names: Vec<&str> = cases.iter().map(|case| case.name.as_str()).collect();
+        let text = format!(
+            "error: {argument} holds several cases\nhelp: export one of {}",
+            names.join(", ")
+        );
+        return Err(Stop::bad_input(text));
+    };
+    let head_joints = head_joints.unwrap_or(case.head_joints[0]);
+    if let [first, _] = case.pushes.as_slice() {
+        let way = first.name();
+        eprintln!(
+            "{} is pushed both ways; this is its push to the {way}",
+            case.name
+        );
+    }
+    let text = external::export(&case.scene(head_joints));
+    let text = text.map_err(|e| Stop::bad_input(format!("error: cannot write JSON: {e}")))?;
+    print(&format!("{text}\n"))?;
+    Ok(0)
+}
+
+pub(super) fn schema(of: SchemaOf) -> Result<u8, Stop> {
+    let schema = match of {
+        SchemaOf::Scene => external::scene_schema(),
+        SchemaOf::Result => external::answer_schema(),
+    };
+    let text = serde_json::to_string_pretty(&schema);
+    let text = text.map_err(|e| Stop::bad_input(format!("error: cannot write JSON: {e}")))?;
+    print(&format!("{text}\n"))?;
+    Ok(0)
+}

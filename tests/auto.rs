@@ -1,0 +1,110 @@
+//! `auto`: right or undecided, and never more model than needed.
+
+mod scenes;
+
+use trilith::case::library;
+use trilith::chart::reference;
+use trilith::method::auto::Auto;
+use trilith::method::{Outcome, Settings, Status};
+use trilith::run::{Task, solve};
+use trilith::scene::{HeadJoints, Scene};
+
+fn auto(sides: &[Scene], settings: Settings) -> Outcome {
+    let method = &Auto;
+    solve(&Task {
+        sides,
+        method,
+        settings,
+    })
+    .outcome
+}
+
+/// Every library case up to `blocks`: within the tolerance of its reference, or undecided with a
+/// reference between the ends, or without a multiplier as the case is.
+fn holds_on_the_library(blocks: std::ops::Range<usize>) {
+    let settings = Settings::default();
+    for case in library() {
+        for &head_joints in &case.head_joints {
+            let sides = case.sides(head_joints);
+            if !blocks.contains(&sides[0].blocks.len()) {
+                continue;
+            }
+            let outcome = auto(&sides, settings);
+            let what = format!("{} {}: {outcome:?}", case.name, head_joints.name());
+            assert_ne!(outcome.status, Status::Failed, "{what}");
+            assert_ne!(outcome.status, Status::Estimate, "{what}");
+            let (Some(known), Some(bracket)) = (reference(&case, head_joints), outcome.bracket)
+            else {
+                continue;
+            };
+            if outcome.status == Status::Undecided {
+                assert!(outcome.reason.contains("not unique"), "{what}");
+                let slack = 2.0 * settings.tolerance * known.value;
+                assert!(known.value <= bracket.upper + slack, "{what}");
+            } else {
+                assert!(bracket.error(known.value) <= settings.tolerance, "{what}");
+            }
+        }
+    }
+}
+
+#[test]
+fn auto_is_right_or_undecided_on_the_library() {
+    holds_on_the_library(0..300);
+}
+
+#[test]
+#[ignore = "seconds in release, minutes in debug"]
+fn auto_is_right_or_undecided_on_large_cases() {
+    holds_on_the_library(300..usize::MAX);
+}
+
+/// The bond has a branch 4 % below λ_A, which one start from λ_A misses.
+#[test]
+fn a_branch_far_below_is_not_missed() {
+    let wall = scenes::wall(&["h1h", "1hh", "h1h", "hh1", "h1h"], 0.65);
+    let outcome = auto(
+        &[scenes::laid(&wall, HeadJoints::Open)],
+        Settings::default(),
+    );
+    assert_eq!(outcome.status, Status::Undecided, "{}", outcome.reason);
+    let bracket = outcome.bracket.unwrap();
+    assert!(bracket.lower < 0.3658 && bracket.upper > 0.3809);
+}
+
+/// paper-2 with head joints in contact: [0.557, 0.580], 4 % wide.
+#[test]
+fn the_tolerance_decides_and_the_pushover_comes_on_request() {
+    let scene = scenes::laid(&scenes::small_walls()[1].1, HeadJoints::Contact);
+    let wide = Settings {
+        tolerance: 0.05,
+        ..Settings::default()
+    };
+    let outcome = auto(std::slice::from_ref(&scene), wide);
+    assert_eq!(outcome.status, Status::Bracketed, "{}", outcome.reason);
+    let open = scenes::laid(&scenes::small_walls()[3].1, HeadJoints::Open);
+    let asked = Settings {
+        beside: true,
+        ..Settings::default()
+    };
+    let outcome = auto(&[open], asked);
+    assert_eq!(outcome.status, Status::Undecided);
+    assert!(
+        outcome.reason.contains("beside it the pushover: 0.2636"),
+        "{}",
+        outcome.reason
+    );
+}
+
+/// Nothing taller than its part is modelled where the part proves it, and that is told.
+#[test]
+fn a_scene_that_falls_or_locks_is_settled_by_the_first_program() {
+    let walls = vec![
+        scenes::rectangle(-1.0, 0.0, 0.0, 2.0),
+        scenes::rectangle(1.0, 2.0, 0.0, 2.0),
+    ];
+    let block = scenes::homogeneous(scenes::rectangle(0.0, 1.0, 0.0, 1.0));
+    let locked = scenes::scene(vec![block], walls, 0.7);
+    let outcome = auto(&[locked], Settings::default());
+    assert_eq!(outcome.status, Status::Stands, "{}", outcome.reason);
+}
