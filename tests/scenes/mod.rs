@@ -4,8 +4,8 @@
 #![allow(dead_code, reason = "every test binary uses its own part")]
 
 use trilith::scene::{
-    Block, Course, HeadJoints, Irregularity, JointClass, Load, Piece, Point, Polygon, Push, Scene,
-    Vector, Wall, find_joints,
+    Arch, Block, Course, Forces, HeadJoints, Irregularity, JointClass, Load, Piece, Point, Polygon,
+    Push, Scene, Vector, Wall, find_joints,
 };
 
 /// A scene of blocks and supports with one coefficient of friction, pushed to the right.
@@ -58,33 +58,20 @@ pub fn ground() -> Polygon {
     rectangle(-100.0, 100.0, -1.0, 0.0)
 }
 
-/// A circular arch of mean radius 1 on fixed springers: `ratio` is thickness over mean radius,
-/// `embrace` its angle in degrees, symmetric about the vertical. Joints are radial. Weights are
-/// those of annular sectors, exact in size and place, although the polygons are trapezoids.
+/// A circular arch of mean radius 1, pushed to the right: `ratio` is thickness over mean radius,
+/// `embrace` its angle in degrees.
 pub fn arch(ratio: f64, embrace: f64, voussoirs: u32, friction: f64) -> Scene {
-    let (inner, outer) = (1.0 - ratio / 2.0, 1.0 + ratio / 2.0);
-    let embrace = embrace.to_radians();
-    let step = embrace / f64::from(voussoirs);
-    // From left to right: the angle from +x falls.
-    let angle = |k: f64| (std::f64::consts::PI + embrace) / 2.0 - step * k;
-    let at = |radius: f64, angle: f64| Point::new(radius * angle.cos(), radius * angle.sin());
-    let trapezoid = |a: f64, b: f64| {
-        let corners = vec![at(inner, a), at(inner, b), at(outer, b), at(outer, a)];
-        Polygon::new(corners).expect("a proper voussoir")
+    let arch = Arch {
+        mean_radius: 1.0,
+        thickness: ratio,
+        embrace,
+        voussoirs,
+        specific_weight: 1.0,
+        friction: friction.into(),
+        forces: Forces::default(),
     };
-    let weight = step / 2.0 * (outer.powi(2) - inner.powi(2));
-    let reach = 4.0 / (3.0 * step) * (step / 2.0).sin() * (outer.powi(3) - inner.powi(3))
-        / (outer.powi(2) - inner.powi(2));
-    let voussoir = |k: u32| {
-        let (a, b) = (angle(f64::from(k)), angle(f64::from(k + 1)));
-        weighted(trapezoid(a, b), weight, at(reach, (a + b) / 2.0))
-    };
-    let last = f64::from(voussoirs);
-    let springers = vec![
-        trapezoid(angle(-1.0), angle(0.0)),
-        trapezoid(angle(last), angle(last + 1.0)),
-    ];
-    scene((0..voussoirs).map(voussoir).collect(), springers, friction)
+    let assembly = arch.assembly().expect("a proper arch");
+    assembly.scene(HeadJoints::Contact, Push::Right)
 }
 
 /// The four walls of Ferris & Tin-Loi (Int. J. Mech. Sci. 43 (2001) 209-224), the first two being

@@ -111,13 +111,11 @@ fn first_slip(outcome: Outcome) -> Outcome {
     }
 }
 
-/// Whether head joints of a coursed wall are in contact: what they carry depends on how the wall
-/// came to be. In an arch, joints of every direction carry its thrust.
+/// Whether head joints are in contact: what they carry depends on how the wall came to be. An arch
+/// has none, as its radial joints carry the thrust.
 fn has_perpends(scene: &Scene) -> bool {
     let head = |joint: &Joint| joint.class == JointClass::Head;
-    scene.head_joints == HeadJoints::Contact
-        && scene.coursed.is_some()
-        && scene.joints.iter().any(head)
+    scene.head_joints == HeadJoints::Contact && scene.joints.iter().any(head)
 }
 
 /// The pushover with its own settings, which follow from the user's and the scene, changed.
