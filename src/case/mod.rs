@@ -26,7 +26,7 @@ pub(crate) use explain::explain;
 pub use geometry::Geometry;
 pub use library::{collect, embedded, find, library, paper};
 pub use reference::{Kind, METHOD_NAMES, Quantity, Reference};
-pub use template::template;
+pub use template::Template;
 
 use crate::scene::{HeadJoints, Push, Scene, Wall};
 
@@ -218,7 +218,7 @@ kind = \"independent\"
 
     #[test]
     fn broken_bytes_are_complained_about_and_never_panic() {
-        let template = template("a");
+        let template = Template::Wall.text("a");
         let odd = b"\"'[]{}=#*,.-+0919hg1x_ \n\r\t\\\0\x7f\xc3\xa9\xff";
         let mut state = 0x9E37_79B9_7F4A_7C15;
         let mut complaints = 0;

@@ -1,69 +1,39 @@
-//! The case that `trilith new NAME` writes.
+//! The cases that `trilith new NAME` writes.
 
-/// A small wall that runs as it is, with every key explained.
-pub fn template(name: &str) -> String {
-    // What would end the string or is not to be seen has no place in a title.
-    let title: String = name
-        .chars()
-        .filter(|c| !c.is_control() && !"\"\\".contains(*c))
-        .collect();
-    TEMPLATE.replace("NAME", &title)
+/// The forms of a case that there is a template of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Template {
+    /// A coursed wall.
+    Wall,
+    /// Explicit blocks.
+    Blocks,
+    /// A voussoir arch.
+    Arch,
 }
 
-const TEMPLATE: &str = r#"# A case for trilith: one dry-joint wall, pushed sideways until it collapses.
-# It runs as it stands: `trilith run NAME.toml`. Everything behind a # is a remark.
+impl Template {
+    /// Every form.
+    pub const ALL: [Template; 3] = [Template::Wall, Template::Blocks, Template::Arch];
 
-title = "NAME"
-# Where the wall comes from.
-source = "the template"
-
-# One full unit, and the weight of one; any one consistent system of lengths and forces.
-# `thickness = 1.0` may be added; results do not depend on it, nor on the weight.
-unit = { length = 4.0, height = 1.75, weight = 1.0 }
-
-# Courses from bottom to top. In a course `1` is a unit, `h` half a unit, `g` a gap one unit wide;
-# `1*24` is 24 units, and spaces are allowed between pieces.
-courses = ["h11h", "111"]
-# The list of courses is laid this many times (1 if left out).
-repeat = 2
-
-# A regular bond needs no strings. These lines, instead of the two above, give the same wall:
-# bond = "running"      # or "stack": units directly above each other
-# courses = 4
-# units = 3             # width in full units
-# first = "half"        # or "whole": which course is at the bottom
-
-# Coefficient of friction (tan φ) of every joint.
-friction = 0.65
-
-# Overburden p on top of the wall, as the ratio p / (γ H) to the wall's own weight (0 if left out).
-overburden = 0.0
-
-# What the vertical joints carry: "contact" (friction, if left out), "open" (nothing), or "both",
-# which runs every method on both.
-head_joints = "contact"
-
-# Which way the wall is pushed: "right" (if left out), "left", or "both", which reports the weaker
-# side.
-push = "right"
-
-# Values to compare with, as many as there are; remove the # to use one. A result further away
-# than the tolerance, which is absolute, is reported, and the exit status is 1.
-# [[references]]
-# method = "associative"      # macro-block, associative, sequential, interval, pushover, auto
-# head_joints = "contact"     # only for this setting (for every one if left out)
-# quantity = "lambda"         # lambda, lower, upper, tan_beta, c, e
-# value = 0.6667
-# tolerance = 0.00005
-# source = "Table 1 of ..."
-# kind = "published"          # or "analytic" (exact), "independent" (another code)
-# note = "a remark"           # may be left out
-# deviation = "the reason"    # only if the value is known not to be met
-"#;
+    /// A small case of this form that runs as it is, with every key explained.
+    pub fn text(self, name: &str) -> String {
+        let template = match self {
+            Template::Wall => include_str!("templates/wall.toml"),
+            Template::Blocks => include_str!("templates/blocks.toml"),
+            Template::Arch => include_str!("templates/arch.toml"),
+        };
+        // What would end the string or is not to be seen has no place in a title.
+        let title: String = name
+            .chars()
+            .filter(|c| !c.is_control() && !"\"\\".contains(*c))
+            .collect();
+        template.replace("NAME", &title)
+    }
+}
 
 #[cfg(test)]
 mod tests {
-    use super::template;
+    use super::Template;
     use crate::case::Case;
     use crate::scene::{HeadJoints, Push};
 
@@ -73,7 +43,7 @@ mod tests {
 
     #[test]
     fn the_template_runs_as_it_stands() {
-        let case = read(&template("garden"));
+        let case = read(&Template::Wall.text("garden"));
         assert_eq!(case.title, "garden");
         assert_eq!(case.head_joints, [HeadJoints::Contact]);
         assert_eq!(case.pushes, [Push::Right]);
@@ -83,7 +53,7 @@ mod tests {
 
     #[test]
     fn its_remarks_are_true() {
-        let text = template("garden");
+        let text = Template::Wall.text("garden");
         let (head, reference) = text.split_once("# [[references]]\n").unwrap();
         let reference = reference.replace("\n# ", "\n");
         let case = read(&format!("{head}[[references]]\n{}", &reference[2..]));
@@ -94,6 +64,7 @@ mod tests {
             .replace("# courses", "courses")
             .replace("# units", "units")
             .replace("# first", "first")
+            .replace("# overlap", "overlap")
             .replace(strings, "")
             .replace("repeat = 2", "");
         assert_eq!(read(&bond).geometry, read(&text).geometry);
@@ -101,6 +72,31 @@ mod tests {
 
     #[test]
     fn no_name_breaks_it() {
-        assert_eq!(read(&template("a\"b\\c\nd")).title, "abcd");
+        assert_eq!(read(&Template::Wall.text("a\"b\\c\nd")).title, "abcd");
+    }
+
+    #[test]
+    fn every_form_runs_as_it_stands() {
+        for template in Template::ALL {
+            let case = read(&template.text("garden"));
+            assert!(!case.scene(HeadJoints::Contact).joints.is_empty());
+        }
+    }
+
+    #[test]
+    fn remarks_about_loads_are_true() {
+        let text = Template::Arch.text("garden");
+        let (head, load) = text.split_once("# [[load]]\n").unwrap();
+        let (load, _) = load.split_once("\n\n").unwrap();
+        let load = load.replace("\n# ", "\n");
+        let case = read(&format!("{head}[[load]]\n{}", &load[2..]));
+        let scene = case.scene(HeadJoints::Contact);
+        let loads: usize = scene.blocks.iter().map(|block| block.loads.len()).sum();
+        assert_eq!(loads, scene.blocks.len() + 1);
+        let text = Template::Blocks.text("garden");
+        let along = "along = [[0.0, 4.0], [4.0, 4.0]]";
+        let line = text.replace("at = [2.0, 4.0] ", &format!("{along} #"));
+        let force = |text: &str| read(text).scene(HeadJoints::Contact).total_live();
+        assert_eq!(force(&line), force(&text) + 3.0);
     }
 }

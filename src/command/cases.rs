@@ -3,10 +3,10 @@
 use std::fmt::Write;
 use std::path::Path;
 
-use trilith::case::{self, Case};
+use trilith::case::{self, Case, Geometry, Template};
 use trilith::method::METHODS;
 use trilith::report::write_whole;
-use trilith::scene::Friction;
+use trilith::scene::{Forces, Friction, Push};
 
 use super::{Stop, print};
 
@@ -33,19 +33,8 @@ pub(super) fn show(argument: &str) -> Result<u8, Stop> {
 
 fn description(case: &Case) -> String {
     let mut text = format!("{}: {}\nsource: {}\n", case.name, case.title, case.source);
-    if let Some(wall) = case.wall() {
-        let _ = writeln!(
-            text,
-            "{} courses of units {} x {} x {}, weight {} each; friction {}, overburden ratio {}",
-            wall.courses.len(),
-            wall.unit_length,
-            wall.unit_height,
-            wall.thickness,
-            wall.unit_weight,
-            friction(wall.friction),
-            wall.overburden
-        );
-    }
+    text.push_str(&geometry(&case.geometry));
+    let _ = writeln!(text, "pushed {}", pushes(&case.pushes));
     for head_joints in &case.head_joints {
         let scene = case.scene(*head_joints);
         let _ = writeln!(
@@ -71,6 +60,64 @@ fn description(case: &Case) -> String {
     text
 }
 
+/// What the case is made of, in one paragraph.
+fn geometry(geometry: &Geometry) -> String {
+    match geometry {
+        Geometry::Wall(wall) => format!(
+            "{} courses of units {} x {} x {}, weight {} each; friction {}, overburden ratio {}\n",
+            wall.courses.len(),
+            wall.unit_length,
+            wall.unit_height,
+            wall.thickness,
+            wall.unit_weight,
+            friction(wall.friction),
+            wall.overburden
+        ),
+        Geometry::Blocks(assembly) => {
+            let supports = assembly.supports.iter().map(|s| s.name.as_str());
+            format!(
+                "{} blocks on {}; friction {}; {}\n\
+                 edges touch within {:e} of the smaller block's extent\n",
+                assembly.blocks.len(),
+                supports.collect::<Vec<_>>().join(", "),
+                friction(assembly.friction),
+                forces(&assembly.forces),
+                assembly.tolerance
+            )
+        }
+        Geometry::Arch(arch) => format!(
+            "an arch of mean radius {}, thickness {}, embrace {} degrees, {} voussoirs; \
+             friction {}; {}\n",
+            arch.mean_radius,
+            arch.thickness,
+            arch.embrace,
+            arch.voussoirs,
+            friction(arch.friction),
+            forces(&arch.forces)
+        ),
+    }
+}
+
+fn forces(forces: &Forces) -> String {
+    let weight = match forces.weight_is_live {
+        true => "live load: weights sideways",
+        false => "live load: loads alone",
+    };
+    match forces.extra.len() {
+        0 => weight.into(),
+        1 => format!("{weight}, and 1 load"),
+        count => format!("{weight}, and {count} loads"),
+    }
+}
+
+fn pushes(pushes: &[Push]) -> &'static str {
+    match pushes {
+        [Push::Right] => "right",
+        [Push::Left] => "left",
+        _ => "right and left, the weaker side counts",
+    }
+}
+
 /// One number where all joints are alike.
 fn friction(friction: Friction) -> String {
     let Friction { bed, head, base } = friction;
@@ -81,7 +128,7 @@ fn friction(friction: Friction) -> String {
     }
 }
 
-pub(super) fn new(name: &str) -> Result<u8, Stop> {
+pub(super) fn new(name: &str, template: Template) -> Result<u8, Stop> {
     let file = if name.ends_with(".toml") {
         name.to_owned()
     } else {
@@ -99,7 +146,7 @@ pub(super) fn new(name: &str) -> Result<u8, Stop> {
             format!("error: {file} is there already\nhelp: choose another name, or remove it");
         return Err(Stop::bad_input(text));
     }
-    let text = case::template(&stem);
+    let text = template.text(&stem);
     // A name that `run` would refuse is refused here.
     Case::read(&file, text.as_bytes()).map_err(|e| Stop::bad_input(e.to_string()))?;
     write_whole(path, &text)

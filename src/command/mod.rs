@@ -14,6 +14,7 @@ use std::process::ExitCode;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use plan::PlanArguments;
+use trilith::case::Template;
 
 /// Validation and regression harness for the limit analysis of dry-joint masonry walls.
 #[derive(Parser)]
@@ -49,11 +50,34 @@ enum Command {
         /// Which of the two.
         of: SchemaOf,
     },
-    /// Write a commented template NAME.toml for a wall of your own.
+    /// Write a commented template NAME.toml for a case of your own.
     New {
         /// Name of the case, or a path that ends in .toml.
         name: String,
+        /// What the case is made of.
+        #[arg(long, default_value = "wall")]
+        kind: KindArgument,
     },
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum KindArgument {
+    /// A coursed wall.
+    Wall,
+    /// Blocks of any convex shape.
+    Blocks,
+    /// A circular voussoir arch.
+    Arch,
+}
+
+impl From<KindArgument> for Template {
+    fn from(argument: KindArgument) -> Self {
+        match argument {
+            KindArgument::Wall => Template::Wall,
+            KindArgument::Blocks => Template::Blocks,
+            KindArgument::Arch => Template::Arch,
+        }
+    }
 }
 
 #[derive(Args)]
@@ -129,11 +153,15 @@ pub fn main() -> ExitCode {
         Command::Check(arguments) => check::check(&arguments),
         Command::List => cases::list(),
         Command::Show { case } => cases::show(&case),
+<<<<<<< HEAD
         Command::Export { case, head_joints } => {
             external::export(&case, head_joints.map(Into::into))
         }
         Command::Schema { of } => external::schema(of),
         Command::New { name } => cases::new(&name),
+=======
+        Command::New { name, kind } => cases::new(&name, kind.into()),
+>>>>>>> e00c995 (Write templates of blocks and arches, and show every form of a case)
     };
     match done {
         Ok(status) => ExitCode::from(status),
