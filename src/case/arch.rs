@@ -40,8 +40,8 @@ pub(super) fn arch(document: &Document, file: &File) -> Result<Arch, Complaint> 
         return Err(document
             .complain(
                 written.voussoirs.span(),
-                format!("{voussoirs} voussoirs for {embrace} degrees"),
-                "too few",
+                format!("too few voussoirs for {embrace} degrees: {voussoirs}"),
+                "here",
             )
             .help("write a voussoir for every 90 degrees at least"));
     }

@@ -150,7 +150,9 @@ pub(super) fn unknown_block<'a>(
     known: impl Iterator<Item = &'a str> + Clone,
 ) -> Complaint {
     let name = super::complaint::shorten(word.get_ref(), 60);
-    let help = match nearest(&name, known.clone()) {
+    // Every short name is near every other.
+    let near = nearest(&name, known.clone()).filter(|near| near.chars().count() > 2);
+    let help = match near {
         Some(near) => format!("did you mean `{near}`?"),
         None => format!("the blocks are {}", listed(known.take(20))),
     };

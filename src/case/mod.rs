@@ -17,6 +17,7 @@ mod reference;
 mod template;
 mod values;
 mod wall;
+mod written;
 
 use std::path::Path;
 

@@ -33,6 +33,8 @@ pub enum Unsound {
     Floating {
         /// The block.
         block: usize,
+        /// A body that it touches at a corner alone.
+        touches: Option<Side>,
     },
 }
 
@@ -69,7 +71,11 @@ impl Assembly {
                 });
             }
         }
-        let floating = || self.floating().map(|block| Unsound::Floating { block });
+        let floating = || {
+            let block = self.floating()?;
+            let touches = self.touched(block);
+            Some(Unsound::Floating { block, touches })
+        };
         near_miss.or_else(floating).map_or(Ok(()), Err)
     }
 
@@ -95,6 +101,25 @@ impl Assembly {
             }
         }
         held.iter().position(|held| !held)
+    }
+}
+
+impl Assembly {
+    /// The first body that a block touches without a joint.
+    fn touched(&self, block: usize) -> Option<Side> {
+        let supports = self.supports.iter().map(|support| &support.shape);
+        let blocks = self.blocks.iter().map(|block| &block.shape);
+        let sides = (0..self.supports.len()).map(Side::Support);
+        let sides = sides.chain((0..self.blocks.len()).map(Side::Block));
+        let shape = &self.blocks[block].shape;
+        let mut others = sides.zip(supports.chain(blocks));
+        let (side, _) = others.find(|&(side, other)| {
+            let size = extent(shape).min(extent(other));
+            side != Side::Block(block)
+                && overlap(shape, other) > -self.tolerance * size
+                && shared_edges(shape, other, self.tolerance).is_empty()
+        })?;
+        Some(side)
     }
 }
 

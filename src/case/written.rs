@@ -1,0 +1,216 @@
+//! The bodies of a file: gathered from the CSV and from inline tables, each named once.
+
+use toml::Spanned;
+
+use super::Beside;
+use super::bodies::{Outline, Place};
+use super::check::positive;
+use super::complaint::{Complaint, Document};
+use super::corners::outlines;
+use super::course::MOST_BLOCKS;
+use super::explain::missing_key;
+use super::file::{Blocks, Body, File};
+use super::forces::{coordinates, unknown_block};
+use crate::scene::Point;
+
+/// A body as written, and what it is.
+pub(super) struct Written {
+    pub outline: Outline,
+    /// The weight and its place, where it is given.
+    pub weight: Option<(f64, Place)>,
+    pub moves: bool,
+}
+
+/// All bodies, those of the CSV first; at least one moves and one does not.
+pub(super) fn bodies(
+    document: &Document,
+    file: &File,
+    beside: Beside,
+) -> Result<Vec<Written>, Complaint> {
+    let table = file.blocks.as_ref();
+    let mut bodies: Vec<Written> = Vec::new();
+    let csv = table.and_then(|table| table.get_ref().csv.as_ref());
+    if let Some(csv) = csv {
+        let outlines = outlines(&neighbour(document, csv, beside)?)?;
+        bodies.extend(outlines.into_iter().map(|outline| Written {
+            outline,
+            weight: None,
+            moves: true,
+        }));
+    }
+    let inline = (file.block.iter().map(|body| (body, true)))
+        .chain(file.support.iter().map(|body| (body, false)));
+    for (body, moves) in inline {
+        add(document, &mut bodies, body.get_ref(), moves, csv.is_some())?;
+    }
+    if let Some(table) = table {
+        hold(document, &mut bodies, table.get_ref())?;
+    }
+    if bodies.len() > MOST_BLOCKS {
+        return Err(bodies[MOST_BLOCKS]
+            .outline
+            .place
+            .complain(
+                format!("more than {MOST_BLOCKS} blocks"),
+                "the first too many",
+            )
+            .help("write fewer blocks"));
+    }
+    for body in &bodies {
+        if let (false, Some((_, place))) = (body.moves, &body.weight) {
+            return Err(place
+                .complain(
+                    format!("`{}` is a support", body.outline.name),
+                    "its weight is never used",
+                )
+                .help("remove the weight"));
+        }
+    }
+    let place = |moves: bool| bodies.iter().find(|body| body.moves == moves);
+    match (place(true), place(false)) {
+        (Some(_), Some(_)) => Ok(bodies),
+        (Some(body), None) => Err(body
+            .outline
+            .place
+            .complain("no support", "this block, as all others, may move")
+            .help(
+                "add a `[[support]]` with corners, or name blocks that never move: \
+                 `supports = [\"ground\"]` in `[blocks]`",
+            )),
+        (None, Some(body)) => Err(body
+            .outline
+            .place
+            .complain(
+                "no block may move",
+                "this body, as all others, is a support",
+            )
+            .help("add a `[[block]]`, or take one out of `supports`")),
+        (None, None) => {
+            let place = table.map_or(0..0, Spanned::span);
+            Err(document
+                .complain(place, "no blocks", "neither a CSV nor `[[block]]`")
+                .help("add `csv = \"blocks.csv\"` to `[blocks]`, or a `[[block]]` with corners"))
+        }
+    }
+}
+
+/// The CSV beside the case.
+fn neighbour(
+    document: &Document,
+    csv: &Spanned<String>,
+    beside: Beside,
+) -> Result<Document, Complaint> {
+    let name = csv.get_ref().as_str();
+    let complain = |title: String, help: &str| {
+        let complaint = document.complain(csv.span(), title, "here");
+        Err(complaint.help(help))
+    };
+    if name.is_empty() || name.contains(['/', '\\']) || name.starts_with('.') {
+        let title = format!("`{name}` is no file beside the case");
+        return complain(
+            title,
+            "put the CSV into the folder of the case and write its bare name",
+        );
+    }
+    let path = match document.path.rfind(['/', '\\']) {
+        Some(folder) => format!("{}{name}", &document.path[..=folder]),
+        None => name.to_owned(),
+    };
+    match beside(name) {
+        Ok(bytes) => Document::read(&path, &bytes),
+        Err(why) => complain(
+            format!("cannot read {path}: {why}"),
+            "put the CSV into the folder of the case; it holds rows `block,x,y`",
+        ),
+    }
+}
+
+/// Adds an inline body, or its weight to the one of the CSV, where there is a `csv`.
+fn add(
+    document: &Document,
+    bodies: &mut Vec<Written>,
+    body: &Body,
+    moves: bool,
+    csv: bool,
+) -> Result<(), Complaint> {
+    let name = body.name.get_ref().trim();
+    if name.is_empty() || name.chars().any(char::is_control) || name.chars().count() > 60 {
+        return Err(document
+            .complain(body.name.span(), "a name that names nothing", "here")
+            .help("write a short name, such as `\"A\"`"));
+    }
+    let weight = match &body.weight {
+        None => None,
+        Some(value) => {
+            let weight = positive(document, "weight", value)?;
+            Some((weight, Place::new(document, value.span())))
+        }
+    };
+    let known = bodies.iter().position(|known| known.outline.name == name);
+    match (&body.corners, known) {
+        (Some(_), Some(known)) => {
+            let rows = bodies[known].outline.rows();
+            Err(document
+                .complain(
+                    body.name.span(),
+                    format!("two bodies are named `{name}`"),
+                    "here again",
+                )
+                .help(format!("rename one; the other is at {rows}")))
+        }
+        (None, Some(known)) if bodies[known].weight.is_none() && weight.is_some() => {
+            bodies[known].weight = weight;
+            Ok(())
+        }
+        (None, Some(_)) => Err(document
+            .complain(
+                body.name.span(),
+                format!("`{name}` is there already"),
+                "here again",
+            )
+            .help("without corners this table may give the block of the CSV its weight, once")),
+        (None, None) if !csv => Err(missing_key(document, body.name.span(), "corners")),
+        (None, None) => {
+            let known = bodies.iter().map(|body| body.outline.name.as_str());
+            Err(unknown_block(document, &body.name, known))
+        }
+        (Some(corners), None) => {
+            let points = corners.get_ref().iter();
+            let corners: Vec<Point> = points
+                .clone()
+                .map(|pair| coordinates(document, pair, "a corner"))
+                .collect::<Result<_, _>>()?;
+            bodies.push(Written {
+                outline: Outline {
+                    name: name.to_owned(),
+                    place: Place::new(document, body.name.span()),
+                    corners,
+                    places: points
+                        .map(|pair| Place::new(document, pair.span()))
+                        .collect(),
+                },
+                weight,
+                moves,
+            });
+            Ok(())
+        }
+    }
+}
+
+/// Turns the blocks of `supports` into supports.
+fn hold(document: &Document, bodies: &mut [Written], table: &Blocks) -> Result<(), Complaint> {
+    for word in &table.supports {
+        let named = |body: &Written| body.outline.name == *word.get_ref();
+        let Some(body) = bodies.iter().position(named) else {
+            let known = bodies.iter().map(|body| body.outline.name.as_str());
+            return Err(unknown_block(document, word, known));
+        };
+        if !std::mem::replace(&mut bodies[body].moves, false) {
+            let title = format!("`{}` is a support already", word.get_ref());
+            return Err(document
+                .complain(word.span(), title, "here again")
+                .help("name each support once"));
+        }
+    }
+    Ok(())
+}
