@@ -153,15 +153,11 @@ pub fn main() -> ExitCode {
         Command::Check(arguments) => check::check(&arguments),
         Command::List => cases::list(),
         Command::Show { case } => cases::show(&case),
-<<<<<<< HEAD
         Command::Export { case, head_joints } => {
             external::export(&case, head_joints.map(Into::into))
         }
         Command::Schema { of } => external::schema(of),
-        Command::New { name } => cases::new(&name),
-=======
         Command::New { name, kind } => cases::new(&name, kind.into()),
->>>>>>> e00c995 (Write templates of blocks and arches, and show every form of a case)
     };
     match done {
         Ok(status) => ExitCode::from(status),
