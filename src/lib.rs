@@ -16,6 +16,7 @@
 
 pub mod case;
 pub mod chart;
+pub mod draw;
 pub mod external;
 pub mod judge;
 pub mod mechanism;

@@ -58,8 +58,8 @@ impl Mechanism {
         rates.collect()
     }
 
-    /// Largest corner velocity of a block after taking away the motion of `reference`.
-    fn largest(&self, scene: &Scene, block: usize, reference: Option<usize>) -> f64 {
+    /// Largest corner velocity of a block; with a `reference`, relative to that block's motion.
+    pub fn speed(&self, scene: &Scene, block: usize, reference: Option<usize>) -> f64 {
         let shape = &scene.blocks[block].shape;
         let own = self.motions[block];
         let speed = |corner: &Point| {
@@ -71,10 +71,18 @@ impl Mechanism {
         shape.corners().iter().map(speed).fold(0.0, f64::max)
     }
 
+    /// Largest corner velocity of all blocks; 0 where nothing moves.
+    pub fn fastest(&self, scene: &Scene) -> f64 {
+        let blocks = 0..self.motions.len();
+        blocks
+            .map(|block| self.speed(scene, block, None))
+            .fold(0.0, f64::max)
+    }
+
     /// Which blocks move: largest corner velocity beyond `threshold` of the scene's largest.
     pub fn moving(&self, scene: &Scene, threshold: f64) -> Vec<bool> {
         let speeds: Vec<f64> = (0..self.motions.len())
-            .map(|block| self.largest(scene, block, None))
+            .map(|block| self.speed(scene, block, None))
             .collect();
         let limit = threshold * speeds.iter().copied().fold(0.0, f64::max);
         speeds.iter().map(|&speed| speed > limit).collect()
@@ -113,16 +121,13 @@ fn widths(scene: &Scene, mechanism: &Mechanism, threshold: f64) -> Option<(f64, 
     }
     top.sort_by(|a, b| a.0.total_cmp(&b.0));
     let first = top.first()?.2;
-    let fastest = (0..scene.blocks.len())
-        .map(|block| mechanism.largest(scene, block, None))
-        .fold(0.0, f64::max);
-    let limit = threshold * fastest;
+    let limit = threshold * mechanism.fastest(scene);
     let reach = |still: &dyn Fn(usize) -> bool| {
         let part = top.iter().take_while(|&&(_, _, block)| !still(block));
         part.map(|&(_, far, _)| far).fold(0.0, f64::max)
     };
-    let e = reach(&|block| mechanism.largest(scene, block, None) <= limit);
-    let c = reach(&|block| mechanism.largest(scene, block, Some(first)) > limit);
+    let e = reach(&|block| mechanism.speed(scene, block, None) <= limit);
+    let c = reach(&|block| mechanism.speed(scene, block, Some(first)) > limit);
     (e > 0.0).then_some((c.min(e), e))
 }
 

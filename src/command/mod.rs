@@ -2,6 +2,7 @@
 
 mod cases;
 mod check;
+mod draw;
 mod external;
 mod interrupt;
 mod plan;
@@ -30,6 +31,8 @@ enum Command {
     Run(RunArguments),
     /// Check cases against their references and against each other; none named: the whole library.
     Check(CheckArguments),
+    /// Draw a wall with its mechanism, as SVG.
+    Draw(DrawArguments),
     /// List the cases that are built in, and the methods.
     List,
     /// Print a case as it is read: its file, blocks and joints.
@@ -110,6 +113,23 @@ struct CheckArguments {
     out: Option<PathBuf>,
 }
 
+#[derive(Args)]
+struct DrawArguments {
+    /// A case file, or the name of a built-in case.
+    case: String,
+    #[command(flatten)]
+    plan: PlanArguments,
+    /// Macro-block, interval and pushover beside each other, unless `--method` names others.
+    #[arg(long)]
+    side_by_side: bool,
+    /// Also draw the contact forces of each method that gives them.
+    #[arg(long)]
+    forces: bool,
+    /// The file to write.
+    #[arg(short, long, value_name = "FILE.svg")]
+    output: PathBuf,
+}
+
 #[derive(Clone, Copy, ValueEnum)]
 enum Format {
     Table,
@@ -151,6 +171,7 @@ pub fn main() -> ExitCode {
     let done = match Arguments::parse().command {
         Command::Run(arguments) => run::run(&arguments),
         Command::Check(arguments) => check::check(&arguments),
+        Command::Draw(arguments) => draw::draw(&arguments),
         Command::List => cases::list(),
         Command::Show { case } => cases::show(&case),
         Command::Export { case, head_joints } => {

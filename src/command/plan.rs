@@ -120,6 +120,11 @@ impl PlanArguments {
         Ok((cases, plan))
     }
 
+    /// Whether the user chose methods.
+    pub fn names_methods(&self) -> bool {
+        !self.method.is_empty()
+    }
+
     fn settings(&self) -> Result<Settings, Stop> {
         let mut settings = Settings {
             starts: self.starts as usize,

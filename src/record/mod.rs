@@ -7,7 +7,7 @@ mod number;
 mod table;
 
 pub use number::{nine_digits, number, short};
-pub use table::{HEADING, LEGEND, lines};
+pub use table::{HEADING, LEGEND, lines, multiplier};
 
 use crate::judge::{Check, Verdict};
 use crate::run::CaseResult;

@@ -49,7 +49,7 @@ fn line(result: &CaseResult, row: &Row) -> String {
 }
 
 /// λ with the digits that its status vouches for.
-fn multiplier(row: &Row) -> String {
+pub fn multiplier(row: &Row) -> String {
     let Some(Bracket { lower, upper }) = row.outcome.bracket else {
         return "-".to_owned();
     };

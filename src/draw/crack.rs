@@ -1,0 +1,157 @@
+//! Lines over the wall: the push, the crack of a mechanism (paper, Fig. 5) and that of the
+//! macro-block model (Fig. 3).
+
+use super::frame::Frame;
+use super::palette::{CRACK, FAINT, LARGEST, MACRO_CRACK};
+use super::svg::{INK, Path, Px, Svg};
+use crate::mechanism::Crack;
+use crate::record::short;
+use crate::scene::{Point, Push, Scene, Vector};
+
+/// Pixels between two dimension lines above the wall.
+const DIMENSION: f64 = 17.0;
+
+/// Pixels that the dimension lines of a crack take above the wall.
+pub const DIMENSIONS: f64 = 2.0 * DIMENSION;
+
+/// The toe that a push turns a wall about.
+fn toe(scene: &Scene) -> Point {
+    let (low, high) = scene.bounds();
+    match scene.push {
+        Push::Right => Point::new(high.x, low.y),
+        Push::Left => low,
+    }
+}
+
+/// Into the wall from its toe.
+fn inwards(scene: &Scene) -> f64 {
+    -scene.push.sign()
+}
+
+/// The macro-block of the closed form as corners in order: a strip of width s beside the edge and a
+/// triangle of slope tan β on it (Eqs. 2 and 3). `None` where the scene is no coursed wall.
+pub fn macro_block(scene: &Scene, tan_beta: f64) -> Option<[Point; 4]> {
+    let wall = scene.coursed?;
+    let (toe, into) = (toe(scene), inwards(scene));
+    let top = wall.overlap + wall.height * tan_beta;
+    let at = |x: f64, y: f64| toe + Vector::new(into * x, y);
+    Some([
+        at(0.0, 0.0),
+        at(wall.overlap, 0.0),
+        at(top, wall.height),
+        at(0.0, wall.height),
+    ])
+}
+
+/// The macro-block turned about its toe over the wall (the paper's Fig. 4b and d).
+pub fn turned_macro_block(svg: &mut Svg, frame: &Frame, scene: &Scene, tan_beta: f64) {
+    let Some(corners) = macro_block(scene, tan_beta) else {
+        return;
+    };
+    let angle = -scene.push.sign() * TURN;
+    let turned = corners.map(|corner| {
+        let arm = corner - corners[0];
+        frame.at(corner + Vector::new(-arm.y, arm.x) * angle)
+    });
+    let mut path = Path::default();
+    path.add(&turned, true);
+    let attributes = format!(
+        "class=\"macro-block\" fill=\"{LARGEST}\" fill-opacity=\"0.85\" stroke=\"{INK}\" \
+         stroke-width=\"1.2\""
+    );
+    svg.path(&path, attributes, "macro-block: turns about the toe");
+}
+
+/// Angle that the macro-block is shown turned by.
+pub const TURN: f64 = 0.11;
+
+/// The crack of the macro-block model: dashed, at tan β.
+pub fn macro_crack(svg: &mut Svg, frame: &Frame, scene: &Scene, tan_beta: f64) {
+    let Some([toe, foot, head, _]) = macro_block(scene, tan_beta) else {
+        return;
+    };
+    let mut path = Path::default();
+    path.add(&[toe, foot, head].map(|p| frame.at(p)), false);
+    let attributes = format!(
+        "class=\"macro-crack\" fill=\"none\" stroke=\"{MACRO_CRACK}\" stroke-width=\"1.5\" \
+         stroke-dasharray=\"7 4\""
+    );
+    let tan_beta = crate::record::number(tan_beta, 4);
+    svg.path(
+        &path,
+        attributes,
+        &format!("crack of the macro-block model, tan β = {tan_beta}"),
+    );
+}
+
+/// From the toe to the ends of c and e along the top, and their dimension lines at `above` pixels.
+pub fn crack(svg: &mut Svg, frame: &Frame, scene: &Scene, crack: &Crack, above: f64) {
+    let (Some(c), Some(e)) = (crack.c, crack.e) else {
+        return;
+    };
+    let Some(wall) = scene.coursed else {
+        return;
+    };
+    let (toe, into) = (toe(scene), inwards(scene));
+    let on_top = |x: f64| toe + Vector::new(into * x, wall.height);
+    let mut lines = Path::default();
+    lines.add(&[on_top(c), toe, on_top(e)].map(|p| frame.at(p)), false);
+    let style = format!("fill=\"none\" stroke=\"{CRACK}\"");
+    let words = "crack: all relative motion lies between these lines from the toe";
+    svg.path(
+        &lines,
+        format!("class=\"crack\" {style} stroke-width=\"1.4\""),
+        words,
+    );
+    for (row, (name, width)) in [("c", c), ("e", e)].into_iter().enumerate() {
+        let y = above - DIMENSION * row as f64;
+        let [edge, end] = [on_top(0.0), on_top(width)].map(|p| frame.at(p)[0]);
+        let mut line = Path::default();
+        line.add(&[[edge, y], [end, y]], false);
+        for x in [edge, end] {
+            line.add(&[[x, y - 3.5], [x, y + 3.5]], false);
+        }
+        svg.path(
+            &line,
+            format!("class=\"dimension\" {style} stroke-width=\"0.9\""),
+            "",
+        );
+        // Beyond the end within the wall, where no line is.
+        let anchor = if into < 0.0 { "end" } else { "start" };
+        let attributes = format!("font-size=\"11.5\" fill=\"{CRACK}\"");
+        let words = format!("{name} = {}", short(width, 3));
+        svg.text([end + 6.0 * into, y + 4.0], anchor, attributes, &words);
+    }
+}
+
+/// Pixels beside a scene that its push takes.
+pub const PUSH: f64 = 46.0;
+
+/// The live load: an arrow towards the scene at two thirds of its height.
+pub fn push(svg: &mut Svg, frame: &Frame, scene: &Scene) {
+    let (low, high) = scene.bounds();
+    let sign = scene.push.sign();
+    let x = match scene.push {
+        Push::Right => low.x,
+        Push::Left => high.x,
+    };
+    let [x, y] = frame.at(Point::new(x, low.y + 0.62 * (high.y - low.y)));
+    let (tail, tip) = (x - sign * (PUSH - 6.0), x - sign * 9.0);
+    let mut shaft = Path::default();
+    shaft.add(&[[tail, y], [tip - 6.0 * sign, y]], false);
+    svg.path(
+        &shaft,
+        format!("fill=\"none\" stroke=\"{INK}\" stroke-width=\"1.8\""),
+        "",
+    );
+    let mut head = Path::default();
+    let back: Px = [tip - 9.0 * sign, y - 4.5];
+    head.add(&[[tip, y], back, [back[0], y + 4.5]], true);
+    svg.path(
+        &head,
+        format!("class=\"push\" fill=\"{INK}\""),
+        "direction of the live load",
+    );
+    let attributes = format!("font-size=\"13\" font-style=\"italic\" fill=\"{FAINT}\"");
+    svg.text([(tail + tip) / 2.0, y - 8.0], "middle", attributes, "λ");
+}

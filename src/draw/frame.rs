@@ -1,0 +1,138 @@
+//! From the scene's lengths to pixels.
+
+use super::svg::Px;
+use crate::mechanism::Mechanism;
+use crate::scene::{Point, Polygon, Scene, Side, Vector};
+
+/// Where a scene lies in a drawing.
+#[derive(Clone, Copy, Debug)]
+pub struct Frame {
+    /// Pixels for a unit of length.
+    pub scale: f64,
+    /// The scene's lower-left corner, and where it lies.
+    pub corner: (Point, Px),
+}
+
+impl Frame {
+    /// A point of the scene.
+    pub fn at(&self, point: Point) -> Px {
+        let (low, [x, y]) = self.corner;
+        [
+            x + self.scale * (point.x - low.x),
+            y - self.scale * (point.y - low.y),
+        ]
+    }
+}
+
+/// Part of the scene's height by which its fastest corner is shown displaced.
+const SHOWN: f64 = 0.11;
+
+/// How a mechanism is shown: every point moved along its velocity.
+#[derive(Clone, Copy)]
+pub struct Displaced<'a> {
+    scene: &'a Scene,
+    mechanism: Option<&'a Mechanism>,
+    factor: f64,
+}
+
+impl<'a> Displaced<'a> {
+    /// The mechanism, amplified so that its fastest corner moves by a fixed part of the height;
+    /// `None` leaves every block in its place.
+    pub fn new(scene: &'a Scene, mechanism: Option<&'a Mechanism>) -> Self {
+        let (low, high) = scene.bounds();
+        let least = (high.x - low.x)
+            .min(high.y - low.y)
+            .max(0.5 * scene.height());
+        let fastest = mechanism.map_or(0.0, |mechanism| mechanism.fastest(scene));
+        Self {
+            scene,
+            mechanism,
+            factor: if fastest > 0.0 {
+                SHOWN * least / fastest
+            } else {
+                0.0
+            },
+        }
+    }
+
+    /// What displacements are multiplied by.
+    pub fn factor(&self) -> f64 {
+        self.factor
+    }
+
+    /// Displacement of a point that moves with a block.
+    pub fn by(&self, block: usize, point: Point) -> Vector {
+        let Some(mechanism) = self.mechanism else {
+            return Vector::zeros();
+        };
+        let arm = point - self.scene.blocks[block].shape.centroid();
+        mechanism.motions[block].at(arm) * self.factor
+    }
+
+    /// A point that moves with one side of a joint.
+    pub fn on(&self, side: Side, point: Point) -> Point {
+        match side {
+            Side::Block(block) => point + self.by(block, point),
+            Side::Support(_) => point,
+        }
+    }
+
+    /// Displaced corners of a block.
+    pub fn corners(&self, block: usize) -> impl Iterator<Item = Point> + '_ {
+        let corners = self.scene.blocks[block].shape.corners().iter();
+        corners.map(move |&corner| corner + self.by(block, corner))
+    }
+
+    /// Lower-left and upper-right corner of all blocks, in their place and displaced.
+    pub fn bounds(&self) -> (Point, Point) {
+        let blocks = 0..self.scene.blocks.len();
+        let corners = blocks.flat_map(|block| self.corners(block));
+        corners.fold(self.scene.bounds(), |(low, high), corner| {
+            (low.inf(&corner), high.sup(&corner))
+        })
+    }
+}
+
+/// What of a convex polygon lies in a box; empty where nothing does.
+pub fn clipped(polygon: &Polygon, low: Point, high: Point) -> Vec<Point> {
+    let mut corners = polygon.corners().to_vec();
+    // Half-planes n·p ≤ d.
+    let sides = [
+        (Vector::new(1.0, 0.0), high.x),
+        (Vector::new(-1.0, 0.0), -low.x),
+        (Vector::new(0.0, 1.0), high.y),
+        (Vector::new(0.0, -1.0), -low.y),
+    ];
+    for (normal, distance) in sides {
+        let beyond = |p: &Point| normal.dot(&p.coords) - distance;
+        let mut kept = Vec::with_capacity(corners.len() + 1);
+        for (i, a) in corners.iter().enumerate() {
+            let b = &corners[(i + 1) % corners.len()];
+            let (out_a, out_b) = (beyond(a), beyond(b));
+            if out_a <= 0.0 {
+                kept.push(*a);
+            }
+            if (out_a < 0.0 && out_b > 0.0) || (out_a > 0.0 && out_b < 0.0) {
+                kept.push(a + (b - a) * (out_a / (out_a - out_b)));
+            }
+        }
+        corners = kept;
+    }
+    corners
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_support_is_cut_to_the_drawing() {
+        let ground = Polygon::rectangle(-50.0, 50.0, -3.0, 0.0).unwrap();
+        let seen = clipped(&ground, Point::new(-1.0, -1.0), Point::new(9.0, 4.0));
+        let area: f64 = (0..4)
+            .map(|i| seen[i].coords.perp(&seen[(i + 1) % 4].coords))
+            .sum();
+        assert_eq!((seen.len(), area / 2.0), (4, 10.0));
+        assert!(clipped(&ground, Point::new(0.0, 1.0), Point::new(1.0, 2.0)).is_empty());
+    }
+}

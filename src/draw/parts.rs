@@ -1,0 +1,126 @@
+//! Parts of a mechanism that move as one rigid body.
+
+use crate::mechanism::{Mechanism, Motion};
+use crate::scene::{Scene, Side};
+
+/// Relative motion, as a fraction of the scene's largest corner velocity, below which two blocks
+/// move alike and a joint neither slides nor opens. Displacements of a pushover hold the give of its
+/// contacts beside the collapse.
+pub fn threshold(method: &str) -> f64 {
+    match method {
+        "pushover" => 1e-2,
+        _ => 1e-4,
+    }
+}
+
+/// Blocks of one rigid motion.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Part {
+    /// The blocks, in the scene's order.
+    pub blocks: Vec<usize>,
+    /// Whether the part moves at all.
+    pub moves: bool,
+    /// Area of its blocks.
+    pub area: f64,
+}
+
+/// Every block in exactly one part, largest area first. Blocks belong together where each moves
+/// like the first of them, touching or not.
+pub fn parts(scene: &Scene, mechanism: &Mechanism, threshold: f64) -> Vec<Part> {
+    let limit = threshold * mechanism.fastest(scene);
+    let mut parts: Vec<Part> = Vec::new();
+    for (index, block) in scene.blocks.iter().enumerate() {
+        let moves = mechanism.speed(scene, index, None) > limit;
+        let area = block.shape.area();
+        let alike = |part: &&mut Part| match part.moves {
+            true => moves && mechanism.speed(scene, index, Some(part.blocks[0])) <= limit,
+            false => !moves,
+        };
+        match parts.iter_mut().find(alike) {
+            Some(part) => {
+                part.blocks.push(index);
+                part.area += area;
+            }
+            None => parts.push(Part {
+                blocks: vec![index],
+                moves,
+                area,
+            }),
+        }
+    }
+    // Stable, so that parts of equal area keep the order of their first blocks.
+    parts.sort_by(|a, b| b.area.total_cmp(&a.area));
+    parts
+}
+
+/// A tint for each part, one of so many `tints`: parts with a joint between them get
+/// different ones as long as there are enough. `None` for what stands still and `Some(0)` for the
+/// largest part that moves, which no other part shares.
+pub fn tints(scene: &Scene, parts: &[Part], tints: usize) -> Vec<Option<usize>> {
+    let mut part_of = vec![0; scene.blocks.len()];
+    for (index, part) in parts.iter().enumerate() {
+        for &block in &part.blocks {
+            part_of[block] = index;
+        }
+    }
+    let mut beside: Vec<Vec<usize>> = vec![Vec::new(); parts.len()];
+    for joint in &scene.joints {
+        let Side::Block(from) = joint.from else {
+            continue;
+        };
+        let (a, b) = (part_of[from], part_of[joint.to]);
+        if a != b {
+            beside[a].push(b);
+            beside[b].push(a);
+        }
+    }
+    let mut given: Vec<Option<usize>> = vec![None; parts.len()];
+    let mut next = 0;
+    let largest = parts.iter().position(|part| part.moves);
+    for index in (0..parts.len()).filter(|&index| parts[index].moves) {
+        if Some(index) == largest {
+            given[index] = Some(0);
+            continue;
+        }
+        // Going round the palette uses all of it, where always the first free tint would not.
+        let round = (0..tints - 1).map(|step| 1 + (next + step) % (tints - 1));
+        let free = round.clone().find(|&tint| {
+            beside[index]
+                .iter()
+                .all(|&other| given[other] != Some(tint))
+        });
+        let tint = free.unwrap_or(1 + next % (tints - 1));
+        given[index] = Some(tint);
+        next = tint;
+    }
+    given
+}
+
+/// How a part moves, in words: what turns, turns about a point.
+pub fn in_words(scene: &Scene, mechanism: &Mechanism, part: &Part) -> String {
+    let count = match part.blocks.len() {
+        1 => "1 block".to_owned(),
+        count => format!("{count} blocks as one body"),
+    };
+    if !part.moves {
+        return format!("{count}: stands still");
+    }
+    let first = part.blocks[0];
+    let Motion { velocity, rotation } = mechanism.motions[first];
+    let (low, high) = scene.bounds();
+    let far = 20.0 * (high - low).norm();
+    let centroid = scene.blocks[first].shape.centroid();
+    let turns = rotation.abs() * far > velocity.norm();
+    if !turns {
+        let degrees = velocity.y.atan2(velocity.x).to_degrees();
+        let degrees = crate::record::number(degrees, 0);
+        return format!("{count}: slides without turning, towards {degrees}°");
+    }
+    let x = crate::record::short(centroid.x - velocity.y / rotation, 2);
+    let y = crate::record::short(centroid.y + velocity.x / rotation, 2);
+    let way = match rotation > 0.0 {
+        true => "counter-clockwise",
+        false => "clockwise",
+    };
+    format!("{count}: turns {way} about ({x}, {y})")
+}
