@@ -48,6 +48,11 @@ impl Complaint {
         self
     }
 
+    /// What to write instead; empty where nobody knows.
+    pub(crate) fn advice(&self) -> &str {
+        self.help.as_deref().unwrap_or_default()
+    }
+
     /// What is wrong, in one line.
     pub fn title(&self) -> &str {
         &self.title

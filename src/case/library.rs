@@ -35,13 +35,14 @@ const BESIDE: [(&str, &str); 1] = embed!["cases/walls/paper-1-blocks.csv",];
 const PAPER: usize = 3;
 
 /// A case that was found and not yet read.
-#[derive(Debug)]
-struct Found {
+#[derive(Clone, Debug)]
+pub(crate) struct Found {
     /// As the user would write it.
-    path: String,
+    pub path: String,
     /// What tells one file from another; `None` for an embedded case.
-    identity: Option<PathBuf>,
-    bytes: Vec<u8>,
+    pub identity: Option<PathBuf>,
+    /// The text.
+    pub bytes: Vec<u8>,
 }
 
 /// The embedded cases as (path from the top of the repository, text).
@@ -72,7 +73,7 @@ fn first(count: usize) -> Vec<Case> {
 /// # Errors
 /// The first complaint about the argument or about a file it names.
 pub fn find(argument: &str) -> Result<Vec<Case>, Complaint> {
-    look(argument)?.iter().map(read).collect()
+    look(argument)?.iter().map(Found::read).collect()
 }
 
 /// All cases that a run's arguments name; none named: the paper's. A file named twice counts once.
@@ -107,7 +108,7 @@ pub fn collect(arguments: &[String]) -> Result<Vec<Case>, Vec<Complaint>> {
             }
             paths.push((name, &one.path));
         }
-        match read(one) {
+        match one.read() {
             Ok(case) => cases.push(case),
             Err(complaint) => complaints.push(complaint),
         }
@@ -119,25 +120,32 @@ pub fn collect(arguments: &[String]) -> Result<Vec<Case>, Vec<Complaint>> {
     }
 }
 
-fn read(found: &Found) -> Result<Case, Complaint> {
-    let Some(file) = &found.identity else {
-        return read_embedded(&found.path, &found.bytes);
-    };
-    let beside = |name: &str| {
-        // Beside the file itself, also where a link leads to it.
-        fs::read(file.with_file_name(name)).map_err(|error| error.to_string())
-    };
-    Case::read_beside(&found.path, &found.bytes, &beside)
+impl Found {
+    /// Reads the case.
+    pub fn read(&self) -> Result<Case, Complaint> {
+        let beside = |name: &str| self.beside(name);
+        Case::read_beside(&self.path, &self.bytes, &beside)
+    }
+
+    /// Bytes of the file of this name beside the case; in words why there are none.
+    pub fn beside(&self, name: &str) -> Result<Vec<u8>, String> {
+        match &self.identity {
+            // Beside the file itself, also where a link leads to it.
+            Some(file) => fs::read(file.with_file_name(name)).map_err(|error| error.to_string()),
+            None => beside_embedded(&self.path, name),
+        }
+    }
 }
 
 fn read_embedded(path: &str, bytes: &[u8]) -> Result<Case, Complaint> {
-    let beside = |name: &str| {
-        let wanted = Path::new(path).with_file_name(name);
-        let found = BESIDE.iter().find(|(path, _)| Path::new(path) == wanted);
-        let text = found.map(|(_, text)| text.as_bytes().to_vec());
-        text.ok_or_else(|| "it is not built in".to_owned())
-    };
-    Case::read_beside(path, bytes, &beside)
+    Case::read_beside(path, bytes, &|name| beside_embedded(path, name))
+}
+
+fn beside_embedded(path: &str, name: &str) -> Result<Vec<u8>, String> {
+    let wanted = Path::new(path).with_file_name(name);
+    let found = BESIDE.iter().find(|(path, _)| Path::new(path) == wanted);
+    let text = found.map(|(_, text)| text.as_bytes().to_vec());
+    text.ok_or_else(|| "it is not built in".to_owned())
 }
 
 /// The same file; or an embedded case and the very file that it was embedded from.
@@ -159,7 +167,8 @@ fn two_of_a_name(name: &str, first: &str, second: &str) -> Complaint {
     .help("a case is named by its file: rename one, or run them one after the other")
 }
 
-fn look(argument: &str) -> Result<Vec<Found>, Complaint> {
+/// As [`find`], but none is read yet.
+pub(crate) fn look(argument: &str) -> Result<Vec<Found>, Complaint> {
     let path = Path::new(argument);
     if path.is_dir() {
         return look_below(path);
@@ -167,6 +176,9 @@ fn look(argument: &str) -> Result<Vec<Found>, Complaint> {
     if path.exists() {
         return if is_case(path) {
             Ok(vec![load(path)?])
+        } else if is_sweep(argument) {
+            let title = format!("{argument} is a sweep and not a case");
+            Err(Complaint::new(title).help(format!("write `trilith sweep {argument}`")))
         } else {
             let title = format!("{argument} is not a case: its name does not end in `.toml`");
             Err(Complaint::new(title).help("name a `.toml` file, a folder, or a known case"))
@@ -215,9 +227,15 @@ fn stem(path: &str) -> &str {
     file.strip_suffix(".toml").unwrap_or(file)
 }
 
+/// A sweep is a `.toml` file too, and no case.
 fn is_case(path: &Path) -> bool {
-    path.extension()
-        .is_some_and(|extension| extension == "toml")
+    let is = |name: &str| name.ends_with(".toml") && !is_sweep(name);
+    path.file_name()
+        .is_some_and(|name| is(&name.to_string_lossy()))
+}
+
+fn is_sweep(name: &str) -> bool {
+    name.ends_with(".sweep.toml")
 }
 
 fn load(path: &Path) -> Result<Found, Complaint> {
@@ -305,7 +323,7 @@ mod tests {
                 let path = entry.unwrap().path();
                 if path.is_dir() {
                     folders.push(path);
-                } else if !is_case(&path) {
+                } else if !is_case(&path) && !is_sweep(&path.to_string_lossy()) {
                     let path = path.strip_prefix(top).unwrap().display().to_string();
                     found.push(path.replace('\\', "/"));
                 }

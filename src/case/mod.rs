@@ -22,9 +22,10 @@ mod written;
 use std::path::Path;
 
 pub use complaint::Complaint;
-pub(crate) use complaint::Document;
+pub(crate) use complaint::{Document, listed, nearest};
 pub(crate) use explain::explain;
 pub use geometry::Geometry;
+pub(crate) use library::{Found, look};
 pub use library::{collect, embedded, find, library, paper};
 pub use reference::{Kind, METHOD_NAMES, Quantity, Reference};
 pub use template::Template;

@@ -7,6 +7,7 @@ use trilith::case::{self, Case, Geometry, Template};
 use trilith::method::METHODS;
 use trilith::report::write_whole;
 use trilith::scene::{Forces, Friction, Push};
+use trilith::sweep::{self, Sweep};
 
 use super::{Stop, print};
 
@@ -14,6 +15,12 @@ pub(super) fn list() -> Result<u8, Stop> {
     let mut text = String::from("cases built in:\n");
     for ((path, _), case) in case::embedded().zip(case::library()) {
         let _ = writeln!(text, "  {:<16} {:<32} {}", case.name, path, case.title);
+    }
+    text.push_str("\nsweeps built in:\n");
+    for (path, _) in sweep::embedded() {
+        let sweep =
+            Sweep::find(path).map_err(|complaint| Stop::bad_input(complaint.to_string()))?;
+        let _ = writeln!(text, "  {:<16} {:<32} {}", sweep.name, path, sweep.title);
     }
     text.push_str("\nmethods:\n");
     for method in METHODS {

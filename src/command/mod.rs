@@ -8,13 +8,16 @@ mod interrupt;
 mod plan;
 mod progress;
 mod run;
+mod slurm;
 mod solve;
+mod sweep;
 
 use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use plan::PlanArguments;
+use sweep::{MergeArguments, SweepArguments};
 use trilith::case::Template;
 
 /// Validation and regression harness for the limit analysis of dry-joint masonry walls.
@@ -33,7 +36,11 @@ enum Command {
     Check(CheckArguments),
     /// Draw a wall with its mechanism, as SVG.
     Draw(DrawArguments),
-    /// List the cases that are built in, and the methods.
+    /// Run a sweep over ranges of a case's values; interrupted and started again, it goes on.
+    Sweep(SweepArguments),
+    /// Merge the shards of a sweep that ran on several machines.
+    Merge(MergeArguments),
+    /// List the cases and sweeps that are built in, and the methods.
     List,
     /// Print a case as it is read: its file, blocks and joints.
     Show {
@@ -172,6 +179,8 @@ pub fn main() -> ExitCode {
         Command::Run(arguments) => run::run(&arguments),
         Command::Check(arguments) => check::check(&arguments),
         Command::Draw(arguments) => draw::draw(&arguments),
+        Command::Sweep(arguments) => sweep::sweep(&arguments),
+        Command::Merge(arguments) => sweep::merge(&arguments),
         Command::List => cases::list(),
         Command::Show { case } => cases::show(&case),
         Command::Export { case, head_joints } => {

@@ -38,6 +38,10 @@ impl<M: Method + ?Sized> Method for &M {
     fn solve(&self, scene: &Scene, settings: &Settings) -> Outcome {
         (**self).solve(scene, settings)
     }
+
+    fn solve_apart(&self, scene: &Scene, settings: &Settings) -> (Outcome, Option<Duration>) {
+        (**self).solve_apart(scene, settings)
+    }
 }
 
 /// Every method, in the order in which tables show them. A new one is one file and one line.

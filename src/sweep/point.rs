@@ -100,7 +100,7 @@ impl<'a> Point<'a> {
             "macro-block" => (1e-5, 0.0),
             "associative" => (2e-3, 1.6),
             "sequential" => (4e-2, 1.6),
-            "interval" => (4e-2, 1.8),
+            "interval" | "auto" => (4e-2, 1.8),
             _ => (0.5, 1.4),
         };
         of_33_blocks * (self.subject.blocks.max(1) as f64 / 33.0).powf(growth)

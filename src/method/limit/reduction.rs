@@ -18,7 +18,7 @@ pub(super) struct Part {
     /// Block of the whole scene by block of the part.
     blocks: Vec<usize>,
     /// Joint of the whole scene by joint of the part.
-    joints: Vec<usize>,
+    pub(super) joints: Vec<usize>,
 }
 
 /// Scenes of fewer blocks are solved whole: there is nothing to gain.

@@ -33,16 +33,47 @@ impl Method for Interval {
     }
 }
 
+impl Interval {
+    /// As [`Method::solve`], starting from further normal forces too: N of every joint over the
+    /// scene's total weight, such as those of a state of a scene that differs little.
+    pub fn solve_from(&self, scene: &Scene, settings: &Settings, further: &[Vec<f64>]) -> Outcome {
+        let aim = Aim {
+            settings,
+            enough: f64::NEG_INFINITY,
+            further,
+        };
+        aimed(scene, &aim)
+    }
+}
+
 /// The interval; a search that may stop at the first state below `enough`.
 pub(crate) fn lowest(scene: &Scene, settings: &Settings, enough: f64) -> Outcome {
+    let aim = Aim {
+        settings,
+        enough,
+        further: &[],
+    };
+    aimed(scene, &aim)
+}
+
+/// What a search is asked for.
+struct Aim<'a> {
+    settings: &'a Settings,
+    /// The first state below this λ is enough.
+    enough: f64,
+    /// Normal forces to start from after the search's own starts.
+    further: &'a [Vec<f64>],
+}
+
+fn aimed(scene: &Scene, aim: &Aim) -> Outcome {
     let mut work = Work::default();
     let standing = match own_weight(scene, &mut work) {
         Ok(forces) => forces,
         Err(outcome) => return *outcome,
     };
-    let reduce = settings.reduction;
+    let reduce = aim.settings.reduction;
     for part in reduction::parts(scene).into_iter().filter(|_| reduce) {
-        let Ok(ends) = search(scene, Some(&part), settings, enough, &mut work) else {
+        let Ok(ends) = search(scene, Some(&part), aim, &mut work) else {
             continue;
         };
         // On 96 courses the whole wall closed no gap either, in minutes more.
@@ -54,7 +85,7 @@ pub(crate) fn lowest(scene: &Scene, settings: &Settings, enough: f64) -> Outcome
             return outcome;
         }
     }
-    match search(scene, None, settings, enough, &mut work) {
+    match search(scene, None, aim, &mut work) {
         Ok(ends) => {
             report(scene, &ends, &standing, &mut work).unwrap_or_else(|| undecided(&ends, work))
         }
@@ -90,16 +121,20 @@ struct Found {
 fn search(
     scene: &Scene,
     part: Option<&Part>,
-    settings: &Settings,
-    enough: f64,
+    aim: &Aim,
     work: &mut Work,
 ) -> Result<Vec<End>, Ending> {
     let searched = part.map_or(scene, |part| &part.scene);
     let mut search = Search::new(searched);
     let mut ends = Vec::new();
-    for start in starts::starts(searched, &mut search, settings.starts)? {
+    let own = starts::starts(searched, &mut search, aim.settings.starts)?;
+    let further = aim
+        .further
+        .iter()
+        .map(|normal| neighbour(scene, part, normal));
+    for start in own.into_iter().chain(further) {
         let name = start.name;
-        let found = follow(&mut search, start, settings.starts, enough);
+        let found = follow(&mut search, start, aim.settings.starts, aim.enough);
         let scale = search.program().scale();
         let states = found.and_then(|way| {
             let mut whole = |state| collapse_state(scene, part, scale, state, work);
@@ -109,7 +144,7 @@ fn search(
                 first: whole(&way.first),
             })
         });
-        let reached = |found: &Found| found.lowest.lambda <= enough;
+        let reached = |found: &Found| found.lowest.lambda <= aim.enough;
         let is_enough = states.as_ref().is_ok_and(reached);
         ends.push(End { name, states });
         if is_enough {
@@ -120,6 +155,22 @@ fn search(
     work.iterations += search.work.iterations;
     work.modelled = searched.blocks.len();
     Ok(ends)
+}
+
+/// A start from normal forces of the whole scene, over its total weight.
+fn neighbour(scene: &Scene, part: Option<&Part>, normal: &[f64]) -> Start {
+    let normal = match part {
+        None => normal.to_vec(),
+        Some(part) => {
+            let unit = scene.total_weight() / part.scene.total_weight();
+            let joints = part.joints.iter();
+            joints.map(|&joint| normal[joint] * unit).collect()
+        }
+    };
+    Start {
+        name: "neighbour",
+        normal,
+    }
 }
 
 /// A state in the case's units, completed to one of the whole scene.

@@ -1,0 +1,194 @@
+//! `trilith sweep` and `trilith merge`.
+
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use clap::Args;
+use trilith::case::Complaint;
+use trilith::method::Status;
+use trilith::record::number;
+use trilith::report::write_whole;
+use trilith::sweep::{self, Journal, MOST_SHARDS, Point, Row, Shard, Sweep};
+
+use super::progress::Progress;
+use super::{REFUTED, Stop, interrupt, print, slurm};
+
+#[derive(Args)]
+pub(super) struct SweepArguments {
+    /// A sweep file, or the name of a built-in sweep; `trilith list` names them.
+    #[arg(value_name = "FILE")]
+    pub file: String,
+    /// Folder of the results and of the journal [default: target/sweeps/NAME].
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Run only the K-th of N parts, for `trilith merge`.
+    #[arg(long, value_name = "K/N")]
+    shard: Option<Shard>,
+    /// Print a script that runs N shards as a Slurm job array and then merges them.
+    #[arg(long, value_name = "N", conflicts_with = "shard",
+          value_parser = clap::value_parser!(u64).range(1..=MOST_SHARDS as u64))]
+    slurm: Option<u64>,
+}
+
+#[derive(Args)]
+pub(super) struct MergeArguments {
+    /// The sweep whose shards have run.
+    #[arg(value_name = "FILE")]
+    file: String,
+    /// Folder that the shards were told [default: target/sweeps/NAME].
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+}
+
+fn find(file: &str, out: Option<&Path>) -> Result<(Sweep, PathBuf), Stop> {
+    let sweep = Sweep::find(file).map_err(complained)?;
+    let folder = match out {
+        Some(folder) => folder.to_owned(),
+        None => Path::new("target/sweeps").join(&sweep.name),
+    };
+    Ok((sweep, folder))
+}
+
+fn complained(complaint: Complaint) -> Stop {
+    Stop::bad_input(complaint.to_string())
+}
+
+fn not_written(error: impl std::fmt::Display) -> Stop {
+    Stop::bad_input(format!("error: cannot write the sweep: {error}"))
+}
+
+pub(super) fn sweep(arguments: &SweepArguments) -> Result<u8, Stop> {
+    let (sweep, folder) = find(&arguments.file, arguments.out.as_deref())?;
+    if let Some(shards) = arguments.slurm {
+        print(&slurm::script(
+            &arguments.file,
+            &sweep.name,
+            &folder,
+            shards,
+        )?)?;
+        return Ok(0);
+    }
+    let (points, journal) = match arguments.shard {
+        None => (sweep.points(), "sweep.journal".to_owned()),
+        Some(shard) => (shard.deal(sweep.points()), shard.journal()),
+    };
+    let journal = Journal::open(&folder.join(journal)).map_err(complained)?;
+    let rows = run(&points, &journal)?;
+    match arguments.shard {
+        None => hand_out(&sweep, &rows, &folder),
+        Some(shard) => {
+            let path = shard.write(&folder, &rows).map_err(not_written)?;
+            print(&format!(
+                "shard {shard} of {}: {} points in {}\n",
+                sweep.name,
+                rows.len(),
+                path.display()
+            ))?;
+            Ok(status(&rows))
+        }
+    }
+}
+
+pub(super) fn merge(arguments: &MergeArguments) -> Result<u8, Stop> {
+    let (sweep, folder) = find(&arguments.file, arguments.out.as_deref())?;
+    let rows = sweep::merge(&sweep.points(), &folder).map_err(complained)?;
+    hand_out(&sweep, &rows, &folder)
+}
+
+/// Runs what the journal does not know, with progress; Ctrl-C leaves the journal.
+fn run(points: &[Point], journal: &Journal) -> Result<Vec<Row>, Stop> {
+    let kept = points
+        .iter()
+        .filter(|p| journal.get(p.id()).is_some())
+        .count();
+    if kept > 0 {
+        eprintln!("{kept} of {} points are finished already", points.len());
+    }
+    let open = points.iter().filter(|p| journal.get(p.id()).is_none());
+    let progress = Progress::weighted(open.map(Point::expected_seconds).sum());
+    let finished = AtomicUsize::new(kept);
+    let work = || {
+        sweep::run(points, Some(journal), |point, _| {
+            if journal.get(point.id()).is_none() {
+                let count = finished.fetch_add(1, Ordering::Relaxed) + 1;
+                let message = format!("{count}/{} {}", points.len(), point.describe());
+                progress.advance(point.expected_seconds(), message);
+            }
+        })
+    };
+    let rows = interrupt::or_leave(work, || {
+        progress.clear();
+        eprintln!(
+            "interrupted: {} of {} points are in {}; run the same command again to go on",
+            finished.load(Ordering::Relaxed),
+            points.len(),
+            journal.path().display()
+        );
+    });
+    progress.clear();
+    rows.map_err(not_written)
+}
+
+/// Writes the files of a complete sweep and prints what is in them.
+fn hand_out(sweep: &Sweep, rows: &[Row], folder: &Path) -> Result<u8, Stop> {
+    let path = folder.join("sweep.csv");
+    let times = sweep::times_csv(rows).map_err(not_written)?;
+    write_whole(&folder.join("times.csv"), &times).map_err(not_written)?;
+    let csv = sweep::sweep_csv(rows).map_err(not_written)?;
+    write_whole(&path, &csv).map_err(not_written)?;
+    print(&format!(
+        "{}: {}\n{}{} points in {}\n",
+        sweep.name,
+        sweep.title,
+        summary(rows),
+        rows.len(),
+        path.display()
+    ))?;
+    Ok(status(rows))
+}
+
+fn status(rows: &[Row]) -> u8 {
+    match rows.iter().any(|row| row.status == Status::Failed) {
+        true => REFUTED,
+        false => 0,
+    }
+}
+
+/// A line a case and method: how far λ goes over all points, and how many points ended how.
+fn summary(rows: &[Row]) -> String {
+    let mut groups: Vec<(&str, &str)> = Vec::new();
+    for row in rows {
+        let group = (row.case.as_str(), row.method.as_str());
+        if !groups.contains(&group) {
+            groups.push(group);
+        }
+    }
+    let mut text = String::new();
+    let width = groups.iter().map(|(case, _)| case.chars().count()).max();
+    let width = width.unwrap_or(0).max(4);
+    let _ = writeln!(
+        text,
+        "{:<width$}  {:<11}  {:>9}  {:>9}  points",
+        "case", "method", "lowest λ", "highest λ"
+    );
+    for (case, method) in groups {
+        let of_group = || rows.iter().filter(|r| r.case == case && r.method == method);
+        let lowest = of_group().filter_map(|r| r.lower).reduce(f64::min);
+        let highest = of_group().filter_map(|r| r.upper).reduce(f64::max);
+        let shown = |value: Option<f64>| value.map_or("-".to_owned(), |v| number(v, 5));
+        let ended = Status::ALL.iter().filter_map(|status| {
+            let count = of_group().filter(|row| row.status == *status).count();
+            (count > 0).then(|| format!("{count} {}", status.name()))
+        });
+        let ended: Vec<String> = ended.collect();
+        let _ = writeln!(
+            text,
+            "{case:<width$}  {method:<11}  {:>9}  {:>9}  {}",
+            shown(lowest),
+            shown(highest),
+            ended.join(", ")
+        );
+    }
+    text
+}

@@ -1,0 +1,359 @@
+//! The walls of a sweep: a case with some keys of its file replaced, for every combination.
+
+use std::cell::RefCell;
+use std::ops;
+use std::sync::Arc;
+
+use rayon::prelude::*;
+use toml::{Spanned, Table, Value};
+
+use super::file::File;
+use super::values::{Placed, text, values};
+use crate::case::{Case, Complaint, Document, Found};
+use crate::method::Settings;
+
+/// Most combinations of one sweep.
+const MOST_VARIANTS: usize = 1_000_000;
+
+/// A case file before anything is replaced in it.
+pub(super) struct Base {
+    /// The file, which says what lies beside it.
+    pub found: Found,
+    /// What is in it, without title, source and references: those are about another wall as soon as
+    /// a value differs.
+    pub table: Table,
+    /// Where it is written, if that is in the sweep.
+    pub span: Option<ops::Range<usize>>,
+}
+
+impl Base {
+    /// Reads the text of a case, which has to be a sound one by itself.
+    pub fn read(found: Found) -> Result<Self, Complaint> {
+        found.read()?;
+        let text = String::from_utf8_lossy(&found.bytes);
+        let table = toml::from_str(&text).map_err(|e| Complaint::new(e.to_string()))?;
+        Ok(Self::new(found, table, None))
+    }
+
+    /// The case of this table, which is written at `span` of the sweep.
+    pub fn new(found: Found, mut table: Table, span: Option<ops::Range<usize>>) -> Self {
+        for key in ["title", "source", "references"] {
+            table.remove(key);
+        }
+        Self { found, table, span }
+    }
+
+    /// The case of another table, and the texts that determine it: its own and what it names.
+    fn with(&self, text: String) -> (Result<Case, Complaint>, Vec<String>) {
+        let beside: RefCell<Vec<String>> = RefCell::default();
+        let read = |name: &str| {
+            let bytes = self.found.beside(name)?;
+            let text = String::from_utf8_lossy(&bytes).into_owned();
+            beside.borrow_mut().push(text);
+            Ok(bytes)
+        };
+        let case = Case::read_beside(&self.found.path, text.as_bytes(), &read);
+        let mut texts = beside.into_inner();
+        texts.insert(0, text);
+        (case, texts)
+    }
+}
+
+/// Keys that vary together: one table `[[vary]]`.
+pub(super) struct Axis<'a> {
+    pub keys: Vec<Key<'a>>,
+    pub length: usize,
+}
+
+/// A key with all its values.
+pub(super) struct Key<'a> {
+    pub name: &'a str,
+    span: ops::Range<usize>,
+    values: Vec<Placed>,
+}
+
+/// The tables `[[vary]]` of a file, their keys in the order they are written in.
+pub(super) fn axes<'a>(document: &Document, file: &'a File) -> Result<Vec<Axis<'a>>, Complaint> {
+    let mut axes: Vec<Axis> = Vec::new();
+    for table in &file.vary {
+        let mut keys = Vec::new();
+        for (key, written) in table {
+            keys.push(Key {
+                name: key.get_ref(),
+                span: key.span(),
+                values: values(document, key.get_ref(), written)?,
+            });
+        }
+        keys.sort_by_key(|key| key.span.start);
+        let Some(first) = keys.first() else {
+            continue;
+        };
+        let length = first.values.len();
+        if let Some(other) = keys.iter().find(|key| key.values.len() != length) {
+            let title = format!(
+                "`{}` has {} values and `{}` has {length}",
+                other.name,
+                other.values.len(),
+                first.name
+            );
+            return Err(document
+                .complain(other.span.clone(), title, "these vary together")
+                .help("write as many values for each, or put `[[vary]]` between the two"));
+        }
+        let known = axes.iter().flat_map(|axis| &axis.keys);
+        if let Some(twice) = keys
+            .iter()
+            .find(|key| known.clone().any(|k| k.name == key.name))
+        {
+            let title = format!("`{}` varies twice", twice.name);
+            return Err(document
+                .complain(twice.span.clone(), title, "the second time here")
+                .help("remove one of the two"));
+        }
+        axes.push(Axis { keys, length });
+    }
+    let count = axes
+        .iter()
+        .try_fold(1_usize, |all, axis| all.checked_mul(axis.length));
+    if count.is_none_or(|count| count > MOST_VARIANTS) {
+        let title = format!("a sweep of more than {MOST_VARIANTS} walls");
+        let span = axes.last().map_or(0..0, |axis| axis.keys[0].span.clone());
+        return Err(document
+            .complain(span, title, "the last factor")
+            .help("write fewer values, or more than one sweep"));
+    }
+    Ok(axes)
+}
+
+/// One wall of the sweep.
+pub(super) struct Variant {
+    pub case: Arc<Case>,
+    /// Number of blocks with head joints in contact.
+    pub blocks: usize,
+    /// Text of the case and of the files that it names.
+    pub determined_by: Vec<String>,
+    pub parameters: Vec<(String, String)>,
+    pub settings: Settings,
+    /// Index of the value on every axis.
+    pub place: Vec<usize>,
+}
+
+/// Every combination: cases slowest, then the axes in their order.
+pub(super) fn variants(
+    document: &Document,
+    bases: &[Base],
+    axes: &[Axis],
+    settings: Settings,
+) -> Result<Vec<Variant>, Complaint> {
+    let count: usize = axes.iter().map(|axis| axis.length).product();
+    let place = |mut index: usize| {
+        let mut place = vec![0; axes.len()];
+        for (at, axis) in place.iter_mut().zip(axes).rev() {
+            *at = index % axis.length;
+            index /= axis.length;
+        }
+        place
+    };
+    let read = (0..bases.len() * count).into_par_iter().map(|index| {
+        let replaced = Replaced::new(axes, place(index % count));
+        replaced.variant(document, &bases[index / count], settings)
+    });
+    // Of several complaints always the first, whichever core is faster.
+    read.collect::<Vec<_>>().into_iter().collect()
+}
+
+/// The values that one combination puts into the case.
+struct Replaced<'a> {
+    values: Vec<(&'a str, &'a Placed)>,
+    place: Vec<usize>,
+}
+
+impl<'a> Replaced<'a> {
+    fn new(axes: &'a [Axis], place: Vec<usize>) -> Self {
+        let mut values = Vec::new();
+        for (axis, &at) in axes.iter().zip(&place) {
+            values.extend(axis.keys.iter().map(|key| (key.name, &key.values[at])));
+        }
+        Self { values, place }
+    }
+
+    fn variant(
+        self,
+        document: &Document,
+        base: &Base,
+        mut settings: Settings,
+    ) -> Result<Variant, Complaint> {
+        let mut table = base.table.clone();
+        for rank in [Rank::Plain, Rank::Aspect, Rank::Refine] {
+            for (key, (value, span)) in &self.values {
+                let done = match key.strip_prefix("settings.") {
+                    Some(name) if rank == Rank::Plain => settings.set(name, &text(value)),
+                    None if rank == Rank::of(key) => replace(&mut table, key, value),
+                    _ => Ok(()),
+                };
+                done.map_err(|error| {
+                    let title = format!("`{key}` cannot vary: {error}");
+                    document
+                        .complain(span.clone(), title, format!("`{key}` here"))
+                        .help("vary a key of the case, such as `overburden` or `unit.length`, `settings.NAME`, `aspect` or `refine`")
+                })?;
+            }
+        }
+        let written = toml::to_string(&table).map_err(|e| Complaint::new(e.to_string()))?;
+        let (case, determined_by) = base.with(written);
+        let case = case.map_err(|inner| self.blame(document, base, &determined_by[0], &inner))?;
+        let blocks = case.scene(case.head_joints[0]).blocks.len();
+        let parameters = self.values.iter();
+        Ok(Variant {
+            case: Arc::new(case),
+            blocks,
+            determined_by,
+            parameters: parameters
+                .map(|(key, (value, _))| ((*key).to_owned(), text(value)))
+                .collect(),
+            settings,
+            place: self.place,
+        })
+    }
+
+    /// Points at the value that a case does not take, with the case's own complaint.
+    fn blame(
+        &self,
+        document: &Document,
+        base: &Base,
+        written: &str,
+        inner: &Complaint,
+    ) -> Complaint {
+        let line = inner
+            .line()
+            .and_then(|(_, line)| written.lines().nth(line - 1));
+        let named = |key: &str| {
+            let last = key.rsplit('.').next().unwrap_or(key);
+            line.is_some_and(|line| line.trim_start().starts_with(last))
+        };
+        let guilty = self.values.iter().find(|(key, _)| named(key));
+        let first = self.values.first();
+        let span = match (guilty, &base.span, first) {
+            (Some((_, (_, span))), _, _)
+            | (None, Some(span), _)
+            | (None, None, Some((_, (_, span)))) => span,
+            (None, None, None) => {
+                let title = format!("{}: {}", base.found.path, inner.title());
+                return Complaint::new(title).help(inner.advice());
+            }
+        };
+        let told = self.values.iter();
+        let told: Vec<String> = told
+            .map(|(key, (value, _))| format!("{key} = {value}"))
+            .collect();
+        let label = match told.is_empty() {
+            true => "in this case".to_owned(),
+            false => format!("with {}", told.join(", ")),
+        };
+        let title = format!("no such wall: {}", inner.title());
+        document
+            .complain(span.clone(), title, label)
+            .help(inner.advice())
+    }
+}
+
+/// When a key is replaced: what is computed from other keys comes after them.
+#[derive(Clone, Copy, PartialEq)]
+enum Rank {
+    Plain,
+    Aspect,
+    Refine,
+}
+
+impl Rank {
+    fn of(key: &str) -> Self {
+        match key {
+            "aspect" => Rank::Aspect,
+            "refine" => Rank::Refine,
+            _ => Rank::Plain,
+        }
+    }
+}
+
+/// Puts a value into a case.
+fn replace(table: &mut Table, key: &str, value: &Value) -> Result<(), String> {
+    match key {
+        "aspect" => {
+            let aspect = as_number(value).ok_or("the aspect of a unit is a number")?;
+            let height = number_of(table, "height")?;
+            set_unit(table, "length", aspect * height)
+        }
+        "refine" => refine(table, value),
+        "title" | "source" | "references" => Err("it says nothing about the wall".into()),
+        "head_joints" => Err("write `head_joints = \"both\"` above `[[vary]]`".into()),
+        _ => {
+            let (parents, last) = key.rsplit_once('.').unwrap_or(("", key));
+            let mut inside = table;
+            for parent in parents.split('.').filter(|parent| !parent.is_empty()) {
+                let next = inside.get_mut(parent).and_then(Value::as_table_mut);
+                inside = next.ok_or_else(|| format!("the case has no table `{parent}`"))?;
+            }
+            inside.insert(last.to_owned(), value.clone());
+            Ok(())
+        }
+    }
+}
+
+/// Cuts every unit of a bond into n by n of them: more courses in a wall of the same size.
+fn refine(table: &mut Table, value: &Value) -> Result<(), String> {
+    let times = value
+        .as_integer()
+        .filter(|times| (1..=1000).contains(times));
+    let times = times.ok_or("write a whole number from 1 to 1000")?;
+    for key in ["courses", "units"] {
+        let count = table.get(key).and_then(Value::as_integer);
+        let count = count.ok_or("the case has no `bond` with a number of courses and units")?;
+        let count = count.checked_mul(times).ok_or("too many courses")?;
+        table.insert(key.to_owned(), Value::Integer(count));
+    }
+    let times = times as f64;
+    for (key, parts) in [
+        ("length", times),
+        ("height", times),
+        ("weight", times * times),
+    ] {
+        let size = number_of(table, key)?;
+        set_unit(table, key, size / parts)?;
+    }
+    Ok(())
+}
+
+fn as_number(value: &Value) -> Option<f64> {
+    let whole = value.as_integer().map(|whole| whole as f64);
+    value.as_float().or(whole)
+}
+
+/// A number of the table `unit`.
+fn number_of(table: &Table, key: &str) -> Result<f64, String> {
+    let unit = table.get("unit").and_then(Value::as_table);
+    let number = unit.and_then(|unit| unit.get(key)).and_then(as_number);
+    number.ok_or_else(|| format!("the case has no `unit` with a `{key}`"))
+}
+
+fn set_unit(table: &mut Table, key: &str, number: f64) -> Result<(), String> {
+    let unit = table.get_mut("unit").and_then(Value::as_table_mut);
+    let unit = unit.ok_or("the case has no `unit`")?;
+    unit.insert(key.to_owned(), Value::Float(number));
+    Ok(())
+}
+
+/// The settings of a file.
+pub(super) fn settings(document: &Document, file: &File) -> Result<Settings, Complaint> {
+    let mut settings = Settings::default();
+    let mut written: Vec<_> = file.settings.iter().collect();
+    written.sort_by_key(|(name, _)| name.span().start);
+    for (name, value) in written {
+        let set = settings.set(name.get_ref(), &text(&value.get_ref().0));
+        set.map_err(|error| {
+            let span = Spanned::span(value);
+            let (title, help) = error.split_once("; ").unwrap_or((&error, ""));
+            document.complain(span, title, "here").help(help)
+        })?;
+    }
+    Ok(settings)
+}
