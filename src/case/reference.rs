@@ -50,17 +50,20 @@ pub enum Quantity {
     C,
     /// Width that moves at all along the top.
     E,
+    /// 1 where the scene stands under its dead load, 0 where it falls.
+    AtRest,
 }
 
 impl Quantity {
     /// Every quantity.
-    pub const ALL: [Quantity; 6] = [
+    pub const ALL: [Quantity; 7] = [
         Quantity::Lambda,
         Quantity::Lower,
         Quantity::Upper,
         Quantity::TanBeta,
         Quantity::C,
         Quantity::E,
+        Quantity::AtRest,
     ];
 
     /// The word in case files.
@@ -72,6 +75,7 @@ impl Quantity {
             Quantity::TanBeta => "tan_beta",
             Quantity::C => "c",
             Quantity::E => "e",
+            Quantity::AtRest => "at_rest",
         }
     }
 }

@@ -18,6 +18,11 @@ pub fn computed(outcome: &Outcome, quantity: Quantity) -> Option<Bracket> {
         Quantity::TanBeta => crack(|c| Some(c.tan_beta)),
         Quantity::C => crack(|c| c.c),
         Quantity::E => crack(|c| c.e),
+        Quantity::AtRest => match (outcome.status, outcome.bracket) {
+            (Status::Falls, _) => Some(Bracket::point(0.0)),
+            (Status::Stands, _) | (_, Some(_)) => Some(Bracket::point(1.0)),
+            _ => None,
+        },
     }
 }
 
