@@ -14,6 +14,7 @@
 //! the weight of each block (and of the overburden) acting sideways, so λ is also the horizontal
 //! acceleration in units of g. Compression is positive; an opening joint has a positive rate.
 
+pub mod atlas;
 pub mod case;
 pub mod chart;
 pub mod draw;

@@ -1,6 +1,8 @@
 //! Commands: arguments in, text and an exit status out.
 
+mod atlas;
 mod cases;
+mod chart;
 mod check;
 mod draw;
 mod external;
@@ -40,6 +42,10 @@ enum Command {
     Sweep(SweepArguments),
     /// Merge the shards of a sweep that ran on several machines.
     Merge(MergeArguments),
+    /// Draw speed against accuracy: every method over its ladder of settings.
+    Chart(chart::ChartArguments),
+    /// Map where each method is right, inaccurate, without an answer, or wrong.
+    Atlas(atlas::AtlasArguments),
     /// List the cases and sweeps that are built in, and the methods.
     List,
     /// Print a case as it is read: its file, blocks and joints.
@@ -181,6 +187,8 @@ pub fn main() -> ExitCode {
         Command::Draw(arguments) => draw::draw(&arguments),
         Command::Sweep(arguments) => sweep::sweep(&arguments),
         Command::Merge(arguments) => sweep::merge(&arguments),
+        Command::Chart(arguments) => chart::chart(&arguments),
+        Command::Atlas(arguments) => atlas::atlas(&arguments),
         Command::List => cases::list(),
         Command::Show { case } => cases::show(&case),
         Command::Export { case, head_joints } => {

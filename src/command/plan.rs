@@ -166,7 +166,7 @@ pub(super) fn externals(arguments: &[String]) -> Result<Vec<&'static dyn Method>
     Ok(all)
 }
 
-fn collect(arguments: &[String]) -> Result<Vec<Case>, Stop> {
+pub(super) fn collect(arguments: &[String]) -> Result<Vec<Case>, Stop> {
     case::collect(arguments).map_err(|complaints| {
         let texts: Vec<String> = complaints.iter().map(ToString::to_string).collect();
         Stop::bad_input(texts.join("\n\n"))

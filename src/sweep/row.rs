@@ -25,6 +25,8 @@ pub struct Row {
     pub lower: Option<f64>,
     /// Upper value.
     pub upper: Option<f64>,
+    /// Error that the method states for its bracket, relative.
+    pub stated_error: Option<f64>,
     /// Slope of the crack.
     pub tan_beta: Option<f64>,
     /// Width that moves as one rigid body along the top, in the case's unit of length.
@@ -64,6 +66,7 @@ impl Row {
             status: outcome.status,
             lower: outcome.bracket.and_then(|b| rounded(b.lower)),
             upper: outcome.bracket.and_then(|b| rounded(b.upper)),
+            stated_error: outcome.stated_error,
             tan_beta: crack.and_then(|c| rounded(c.tan_beta)),
             c: crack.and_then(|c| c.c).and_then(rounded),
             e: crack.and_then(|c| c.e).and_then(rounded),

@@ -65,6 +65,8 @@ pub struct Settings {
     pub stated_error: f64,
     /// Time steps after which the search gives up.
     pub budget: usize,
+    /// Whether a self-check that fails takes the number away. Off only to show what they are worth.
+    pub self_checks: bool,
 }
 
 impl Settings {
@@ -111,6 +113,7 @@ impl Settings {
             tolerance: if model.courses > 30.0 { 0.95 } else { 0.4 } * stated_error,
             stated_error,
             budget: 200_000,
+            self_checks: true,
         }
     }
 

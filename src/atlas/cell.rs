@@ -1,0 +1,184 @@
+//! What a method's answer at one place is worth.
+
+use super::grid::{Grid, Place, grids};
+use crate::method::{Bracket, Method, Status};
+use crate::sweep::{self, Point, Row, Subject};
+
+/// What an answer turned out to be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Verdict {
+    /// Within 1 % of the reference.
+    Right,
+    /// Outside, and it claims no more: an estimate, or a range that holds the reference.
+    Inaccurate,
+    /// No answer: `undecided`, `not-applicable`, `failed`.
+    Refused,
+    /// The reference lies outside what a `verified` or `bracketed` answer states, or an answer
+    /// without a multiplier where there is one.
+    Wrong,
+}
+
+impl Verdict {
+    /// Every verdict, from good to bad.
+    pub const ALL: [Verdict; 4] = [
+        Verdict::Right,
+        Verdict::Inaccurate,
+        Verdict::Refused,
+        Verdict::Wrong,
+    ];
+
+    /// The word in tables and legends.
+    pub fn name(self) -> &'static str {
+        match self {
+            Verdict::Right => "right",
+            Verdict::Inaccurate => "inaccurate",
+            Verdict::Refused => "refused",
+            Verdict::Wrong => "WRONG",
+        }
+    }
+}
+
+/// Relative error of a right answer.
+pub const RIGHT: f64 = 0.01;
+
+/// One method at one place of a grid.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cell {
+    /// Name of the grid.
+    pub grid: &'static str,
+    /// Name of the method.
+    pub method: String,
+    /// Values of the place.
+    pub x: String,
+    /// Values of the place.
+    pub y: String,
+    /// The multiplier, from elsewhere.
+    pub reference: f64,
+    /// What the answer claims.
+    pub status: Status,
+    /// The answer.
+    pub bracket: Option<Bracket>,
+    /// What it turned out to be.
+    pub verdict: Verdict,
+    /// Why this status, in words.
+    pub reason: String,
+}
+
+impl Cell {
+    fn new(grid: &Grid, place: &Place, row: Row) -> Self {
+        let ends = row.lower.zip(row.upper);
+        let bracket = ends.map(|(lower, upper)| Bracket { lower, upper });
+        let stated = row.stated_error.unwrap_or(0.0);
+        Self {
+            grid: grid.name,
+            method: row.method,
+            x: place.x.clone(),
+            y: place.y.clone(),
+            reference: place.reference,
+            status: row.status,
+            bracket,
+            verdict: verdict(row.status, bracket, stated, place.reference, place.accuracy),
+            reason: row.reason,
+        }
+    }
+
+    /// Error of the farther end, where there is an answer.
+    pub fn error(&self) -> Option<f64> {
+        let answered = self.verdict != Verdict::Refused;
+        Some(self.bracket.filter(|_| answered)?.error(self.reference))
+    }
+}
+
+/// What an answer is worth against a reference that is itself known to `accuracy`. A claim is held
+/// to what it states, also where that is less than 1 %.
+fn verdict(
+    status: Status,
+    bracket: Option<Bracket>,
+    stated: f64,
+    reference: f64,
+    accuracy: f64,
+) -> Verdict {
+    let claims = match status {
+        Status::Undecided | Status::NotApplicable | Status::Failed => return Verdict::Refused,
+        Status::Stands | Status::Falls => return Verdict::Wrong,
+        Status::Verified | Status::Bracketed => true,
+        Status::Estimate => false,
+    };
+    let Some(bracket) = bracket else {
+        return Verdict::Refused;
+    };
+    let slack = (stated + accuracy) * reference.max(1e-3);
+    let holds = bracket.lower - slack <= reference && reference <= bracket.upper + slack;
+    match (claims && !holds, bracket.error(reference) <= RIGHT) {
+        (true, _) => Verdict::Wrong,
+        (false, true) => Verdict::Right,
+        (false, false) => Verdict::Inaccurate,
+    }
+}
+
+/// Runs methods on every place of the grids that speak of them, through the sweep's runner.
+/// `finished` is called after each.
+pub fn run(
+    grids: &[Grid],
+    methods: &[&dyn Method],
+    finished: impl Fn(&Point, &Row) + Sync,
+) -> Vec<Cell> {
+    let (mut of_point, mut points) = (Vec::new(), Vec::new());
+    for grid in grids {
+        let speaks = |name: &str| grid.methods.is_empty() || grid.methods.contains(&name);
+        for &method in methods.iter().filter(|method| speaks(method.name())) {
+            for place in &grid.cells {
+                of_point.push((grid, place));
+                points.push(point(grid, place, method));
+            }
+        }
+    }
+    let rows = sweep::run(&points, None, finished);
+    // Only a journal can fail.
+    let rows = rows.unwrap_or_default();
+    let cells = of_point.into_iter().zip(rows);
+    cells
+        .map(|((grid, place), row)| Cell::new(grid, place, row))
+        .collect()
+}
+
+fn point<'a>(grid: &Grid, place: &'a Place, method: &'a dyn Method) -> Point<'a> {
+    let subject = Subject {
+        case: grid.name.to_owned(),
+        parameters: vec![
+            (grid.x.to_owned(), place.x.clone()),
+            (grid.y.to_owned(), place.y.clone()),
+        ],
+        blocks: place.blocks,
+        sides: Box::new(|| vec![(place.scene)()]),
+        determined_by: Vec::new(),
+    };
+    Point::new(subject, method, place.settings)
+}
+
+/// Number of places of all grids, for a method that all of them speak of.
+pub fn size(large: bool) -> usize {
+    grids(large).iter().map(|grid| grid.cells.len()).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn claims_are_held_to_what_they_state_and_estimates_to_one_percent() {
+        let at = |lower, upper| Some(Bracket { lower, upper });
+        let of = |status, bracket, stated| verdict(status, bracket, stated, 0.5, 1e-6);
+        use Verdict::*;
+        assert_eq!(of(Status::Verified, at(0.5, 0.5), 0.0), Right);
+        assert_eq!(of(Status::Verified, at(0.501, 0.501), 0.0), Wrong);
+        assert_eq!(of(Status::Bracketed, at(0.4985, 0.499), 2e-3), Right);
+        assert_eq!(of(Status::Bracketed, at(0.497, 0.498), 2e-3), Wrong);
+        assert_eq!(of(Status::Bracketed, at(0.4, 0.6), 0.0), Inaccurate);
+        assert_eq!(of(Status::Estimate, at(0.3, 0.3), 0.0), Inaccurate);
+        assert_eq!(of(Status::Estimate, at(0.503, 0.503), 0.0), Right);
+        assert_eq!(of(Status::Undecided, at(0.3, 0.3), 0.0), Refused);
+        assert_eq!(of(Status::Stands, None, 0.0), Wrong);
+        assert_eq!(of(Status::Verified, at(f64::NAN, f64::NAN), 0.0), Wrong);
+    }
+}

@@ -1,0 +1,21 @@
+//! The stability map: grids over what makes each method fail, and what its answers are worth there.
+//!
+//! ```text
+//! grids × methods ── sweep runner ──▶ cells ──▶ atlas.csv, GRID.svg, a table
+//! ```
+//!
+//! A cell is right, inaccurate (outside 1 % as an estimate), refused (no answer), or wrong: a claim
+//! that the reference refutes. References come from formulas and from another code, never from the
+//! methods; wrong cells must not exist.
+
+mod cell;
+mod grid;
+mod picture;
+mod scenes;
+mod text;
+
+pub use cell::{Cell, RIGHT, Verdict, run, size};
+pub use grid::{Grid, Place, grids};
+pub use picture::picture;
+pub use scenes::{Columns, moved, running_bond};
+pub use text::{csv, table};

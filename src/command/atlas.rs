@@ -1,0 +1,50 @@
+//! `trilith atlas`.
+
+use std::path::PathBuf;
+
+use clap::Args;
+use trilith::atlas::{self, Verdict};
+use trilith::method::METHODS;
+
+use super::chart::write;
+use super::plan::externals;
+use super::progress::Progress;
+use super::{REFUTED, Stop, print};
+
+#[derive(Args)]
+pub(super) struct AtlasArguments {
+    /// All cells instead of the small atlas that the tests run; takes minutes.
+    #[arg(long)]
+    large: bool,
+    /// Also run programs of your own: a .toml file that names them, or NAME=COMMAND.
+    #[arg(long, value_name = "FILE.toml|NAME=COMMAND")]
+    external: Vec<String>,
+    /// Folder for atlas.csv and a picture a grid.
+    #[arg(long, value_name = "DIR")]
+    out: PathBuf,
+}
+
+pub(super) fn atlas(arguments: &AtlasArguments) -> Result<u8, Stop> {
+    let externals = externals(&arguments.external)?;
+    let methods = [METHODS.as_slice(), &externals].concat();
+    let grids = atlas::grids(arguments.large);
+    let runs = grids.iter().map(|grid| {
+        let methods = match grid.methods {
+            [] => methods.len(),
+            some => some.len(),
+        };
+        methods * grid.cells.len()
+    });
+    let progress = Progress::new(runs.sum());
+    let cells = atlas::run(&grids, &methods, |point, _| progress.done(point.describe()));
+    progress.clear();
+    let broken = |e| Stop::bad_input(format!("error: cannot write CSV: {e}"));
+    let mut files = vec![("atlas.csv".to_owned(), atlas::csv(&cells).map_err(broken)?)];
+    for grid in &grids {
+        files.push((format!("{}.svg", grid.name), atlas::picture(grid, &cells)));
+    }
+    write(&arguments.out, &files)?;
+    print(&atlas::table(&grids, &cells))?;
+    let wrong = cells.iter().any(|cell| cell.verdict == Verdict::Wrong);
+    Ok(if wrong { REFUTED } else { 0 })
+}
