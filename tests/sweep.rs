@@ -217,3 +217,270 @@ fn a_script_for_slurm_names_every_shard_and_a_merge_that_waits() {
         assert!(script.contains(part), "{part} is not in\n{script}");
     }
 }
+
+#[test]
+fn every_mistake_in_a_sweep_gets_its_line_and_a_way_out() {
+    let top = "case = \"paper-1\"\nmethods = [\"associative\"]\n";
+    let vary = |lines: &str| format!("{top}\n[[vary]]\n{lines}\n");
+    for (line, file, title, help) in [
+        (
+            1,
+            "methods = []".into(),
+            "a sweep without a case",
+            "add `case = \"paper-1\"`",
+        ),
+        (
+            1,
+            "case = \"paper-9\"".into(),
+            "no case named `paper-9`",
+            "did you mean the case `paper-1`?",
+        ),
+        (
+            1,
+            "case = 3".into(),
+            "expected a case",
+            "a list of cases, or a table `[case]`",
+        ),
+        (
+            1,
+            "case = [\"paper-1\", \"paper-1\"]".into(),
+            "comes twice",
+            "name each case once",
+        ),
+        (
+            1,
+            "case = \"a.sweep.toml\"".into(),
+            "a sweep and not a case",
+            "`trilith sweep ",
+        ),
+        (
+            1,
+            "case = paper-1".into(),
+            "must be quoted",
+            "put words in quotes: `\"paper-1\"`",
+        ),
+        (
+            2,
+            top.replace("asso", "aso"),
+            "no method named `asociative`",
+            "did you mean `associative`?",
+        ),
+        (
+            2,
+            top.replace("[\"associative\"]", "[]"),
+            "without methods",
+            "drop `methods`",
+        ),
+        (
+            2,
+            top.replace("[\"associative\"]", "\"all\""),
+            "a list of words",
+            "write `methods = [",
+        ),
+        (
+            3,
+            format!("{top}head_joints = \"opn\""),
+            "unknown head_joints",
+            "`contact`, `open`, `both`",
+        ),
+        (
+            3,
+            format!("{top}overburden = [1, 2]"),
+            "unknown key",
+            "put `overburden = [...]` under `[[vary]]`",
+        ),
+        (
+            3,
+            format!("{top}neighbours = \"friction\"\n"),
+            "does not vary",
+            "one of the keys that vary",
+        ),
+        (
+            4,
+            format!("{top}[settings]\nstarts = 0"),
+            "`starts` is `0`",
+            "a whole number from 1",
+        ),
+        (
+            4,
+            format!("{top}[settings]\nstrats = 1"),
+            "no setting `strats`",
+            "settings are starts, ",
+        ),
+        (
+            3,
+            format!("{top}[vary]\nfriction = [0.5]"),
+            "expected a sequence",
+            "write `[[vary]]`, with two",
+        ),
+        (
+            5,
+            vary("overbuden = [0, 1]"),
+            "unknown key `overbuden`",
+            "did you mean `overburden`?",
+        ),
+        (
+            5,
+            vary("overburden = [0, -1]"),
+            "`overburden` is negative",
+            "a number from 0 to",
+        ),
+        (
+            5,
+            vary("friction = [nan]"),
+            "not a finite number",
+            "write a number",
+        ),
+        (
+            5,
+            vary("unit.length = [4.0]"),
+            "unknown key `length`",
+            "`\"unit.length\" = ",
+        ),
+        (
+            5,
+            vary("\"units.length\" = [4.0]"),
+            "no table `units`",
+            "vary a key of the case",
+        ),
+        (
+            5,
+            vary("title = [\"a\"]"),
+            "says nothing about the wall",
+            "vary a key of the case",
+        ),
+        (
+            5,
+            vary("head_joints = [\"open\"]"),
+            "a column of its own",
+            "`head_joints = \"both\"`",
+        ),
+        (
+            5,
+            vary("refine = [2]"),
+            "the case has no bond",
+            "`bond = \"running\"`",
+        ),
+        (
+            5,
+            vary("\"settings.starts\" = [0]"),
+            "`starts` is `0`",
+            "from 1 to",
+        ),
+        (
+            5,
+            vary("friction = 0.5"),
+            "a list of values or a range",
+            "write `[0.4, 0.5]`, or `{ from",
+        ),
+        (
+            5,
+            vary("friction = []"),
+            "through no value",
+            "at least one value",
+        ),
+        (
+            5,
+            vary("friction = [1, 1.0]"),
+            "runs through 1 twice",
+            "write each value once",
+        ),
+        (
+            5,
+            vary("friction = [[1]]"),
+            "expected a number, a word",
+            "write one value",
+        ),
+        (
+            8,
+            vary("friction = [1]\n\n[[vary]]\nfriction = [2]"),
+            "varies twice",
+            "remove one of the two",
+        ),
+        (
+            6,
+            vary("push = [\"left\"]\nfriction = [1, 2]"),
+            "has 2 values and `push` has 1",
+            "put `[[vary]]` between",
+        ),
+        (
+            5,
+            vary("friction = { from = 0, to = 1, count = 1 }"),
+            "`count` is out of range",
+            "from 2 to",
+        ),
+        (
+            5,
+            vary("friction = { from = 0, count = 4 }"),
+            "an incomplete range",
+            "`{ from = 0, to = 10, count = 40 }`",
+        ),
+        (
+            5,
+            vary("friction = { form = 0, to = 1, count = 4 }"),
+            "unknown key `form`",
+            "did you mean `from`?",
+        ),
+        (
+            5,
+            vary("friction = { from = 0,5, to = 1, count = 4 }"),
+            "a decimal comma",
+            "`0.5`",
+        ),
+        (
+            5,
+            vary("friction = { from = \"a\", to = 1, count = 4 }"),
+            "no usable number",
+            "such as `0.65`",
+        ),
+        (
+            5,
+            vary("friction = { from = 0, to = 1, count = 4, spacing = \"log\" }"),
+            "unknown spacing",
+            "logarithmic",
+        ),
+        (
+            5,
+            vary("friction = { from = 0, to = 1, count = 4, spacing = \"logarithmic\" }"),
+            "through zero",
+            "positive",
+        ),
+        (
+            2,
+            "methods = [\"interval\"]\n[case]\nfriction = 0.5".into(),
+            "missing key `unit`",
+            "add `unit = {",
+        ),
+    ] {
+        let folder = folder_with(&file);
+        fs::write(folder.path().join("a.sweep.toml"), top).expect("it can be written");
+        let output = trilith(folder.path(), &["sweep", "small.sweep.toml"]);
+        let shown = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{shown}");
+        assert!(output.stdout.is_empty() && !folder.path().join("target").exists());
+        let place = format!("small.sweep.toml:{line}:");
+        for part in [place.as_str(), title, help] {
+            assert!(shown.contains(part), "`{part}` is not in\n{shown}");
+        }
+    }
+}
+
+#[test]
+fn arguments_that_make_no_sense_are_refused() {
+    let folder = folder_with(SMALL);
+    for (arguments, told) in [
+        (&["sweep", "fig-77"][..], "did you mean `fig-7`?"),
+        (
+            &["sweep", "small.sweep.toml", "--shard", "5/4"],
+            "write K/N",
+        ),
+        (&["sweep", "small.sweep.toml", "--slurm", "0"], "1..=1000"),
+        (&["merge", "small.sweep.toml"], "run the shards first"),
+        (&["run", "small.sweep.toml"], "a sweep and not a case"),
+    ] {
+        let output = trilith(folder.path(), arguments);
+        let shown = text(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{shown}");
+        assert!(shown.contains(told), "{shown}");
+    }
+}

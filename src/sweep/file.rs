@@ -88,7 +88,10 @@ fn complaint(document: &Document, error: &toml::de::Error) -> Complaint {
     let (key, known) = words.split_first().unwrap_or((&"", &[]));
     if error.message().starts_with("unknown field ") {
         let in_range = known.contains(&"from");
-        let help = if let Some(near) = nearest(key, known.iter().copied()) {
+        let dotted = span.start > 0 && document.text.as_bytes().get(span.start - 1) == Some(&b'.');
+        let help = if in_range && dotted {
+            format!("put a key with a dot in quotes, such as `\"unit.{key}\" = [4.0, 5.0]`")
+        } else if let Some(near) = nearest(key, known.iter().copied()) {
             format!("did you mean `{near}`?")
         } else if in_range {
             "write a range as `{ from = 0, to = 10, count = 40 }`".into()

@@ -162,6 +162,10 @@ pub(super) fn variants(
     read.collect::<Vec<_>>().into_iter().collect()
 }
 
+/// What can vary, for help lines.
+const VARIES: &str = "vary a key of the case, such as `overburden` or `\"unit.length\"`, a setting \
+                      such as `\"settings.starts\"`, `aspect` or `refine`";
+
 /// The values that one combination puts into the case.
 struct Replaced<'a> {
     values: Vec<(&'a str, &'a Placed)>,
@@ -192,10 +196,10 @@ impl<'a> Replaced<'a> {
                     _ => Ok(()),
                 };
                 done.map_err(|error| {
-                    let title = format!("`{key}` cannot vary: {error}");
+                    let (what, help) = error.split_once("; ").unwrap_or((&error, VARIES));
                     document
-                        .complain(span.clone(), title, format!("`{key}` here"))
-                        .help("vary a key of the case, such as `overburden` or `unit.length`, `settings.NAME`, `aspect` or `refine`")
+                        .complain(span.clone(), format!("`{key}` cannot vary: {what}"), "here")
+                        .help(help)
                 })?;
             }
         }
@@ -285,7 +289,9 @@ fn replace(table: &mut Table, key: &str, value: &Value) -> Result<(), String> {
         }
         "refine" => refine(table, value),
         "title" | "source" | "references" => Err("it says nothing about the wall".into()),
-        "head_joints" => Err("write `head_joints = \"both\"` above `[[vary]]`".into()),
+        "head_joints" => {
+            Err("it is a column of its own; write `head_joints = \"both\"` at the top".into())
+        }
         _ => {
             let (parents, last) = key.rsplit_once('.').unwrap_or(("", key));
             let mut inside = table;
@@ -299,15 +305,18 @@ fn replace(table: &mut Table, key: &str, value: &Value) -> Result<(), String> {
     }
 }
 
+const NO_BOND: &str = "the case has no bond; write the case as `bond = \"running\"`, `courses = 6`, \
+                       `units = 5`";
+
 /// Cuts every unit of a bond into n by n of them: more courses in a wall of the same size.
 fn refine(table: &mut Table, value: &Value) -> Result<(), String> {
     let times = value
         .as_integer()
         .filter(|times| (1..=1000).contains(times));
-    let times = times.ok_or("write a whole number from 1 to 1000")?;
+    let times = times.ok_or("it cuts a unit into n by n; write whole numbers from 1 to 1000")?;
     for key in ["courses", "units"] {
         let count = table.get(key).and_then(Value::as_integer);
-        let count = count.ok_or("the case has no `bond` with a number of courses and units")?;
+        let count = count.ok_or(NO_BOND)?;
         let count = count.checked_mul(times).ok_or("too many courses")?;
         table.insert(key.to_owned(), Value::Integer(count));
     }
