@@ -12,9 +12,15 @@ macro_rules! embed {
 }
 
 /// Path from the top of the repository, and text.
-const EMBEDDED: [(&str, &str); 2] = embed![
+const EMBEDDED: [(&str, &str); 8] = embed![
     "cases/sweeps/fig-6.sweep.toml",
     "cases/sweeps/fig-7.sweep.toml",
+    "cases/sweeps/study-bond.sweep.toml",
+    "cases/sweeps/study-courses.sweep.toml",
+    "cases/sweeps/study-friction.sweep.toml",
+    "cases/sweeps/study-overlap.sweep.toml",
+    "cases/sweeps/study-unit-aspect.sweep.toml",
+    "cases/sweeps/study-wall-aspect.sweep.toml",
 ];
 
 /// The embedded sweeps as (path from the top of the repository, text).
@@ -77,4 +83,25 @@ pub(super) fn sweep_name(path: &str) -> Result<String, Complaint> {
     };
     Err(Complaint::new(title)
         .help("use letters, digits, `-`, `_` and `.`, and let the name end in `.sweep.toml`"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_sweep_file_is_embedded_and_can_be_read() {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases/sweeps");
+        let files = std::fs::read_dir(folder).expect("the folder is there");
+        let names = files.map(|file| file.expect("it can be listed").file_name());
+        let mut names: Vec<String> = names.map(|n| n.to_string_lossy().into_owned()).collect();
+        names.sort();
+        let paths: Vec<String> = names.iter().map(|n| format!("cases/sweeps/{n}")).collect();
+        let known: Vec<&str> = embedded().map(|(path, _)| path).collect();
+        assert_eq!(known, paths, "add the new sweep to EMBEDDED");
+        for path in known {
+            let sweep = Sweep::find(path).unwrap_or_else(|complaint| panic!("{complaint}"));
+            assert!(!sweep.points().is_empty() && !sweep.source.is_empty());
+        }
+    }
 }

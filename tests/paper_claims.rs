@@ -1,0 +1,193 @@
+//! What the paper claims about the overburden and about its bounds, and where a claim fails.
+
+use trilith::sweep::{self, Row, Sweep};
+
+/// The rows of an embedded sweep whose text is changed first.
+fn rows(name: &str, change: impl Fn(String) -> String) -> Vec<Row> {
+    let path = format!("cases/sweeps/{name}.sweep.toml");
+    let found = sweep::embedded().find(|(known, _)| *known == path);
+    let (path, text) = found.expect("the sweep is built in");
+    let changed = change(text.to_owned());
+    assert_ne!(changed, text, "the change finds nothing to change");
+    let sweep = Sweep::read(path, changed.as_bytes()).unwrap_or_else(|c| panic!("{c}"));
+    sweep::run(&sweep.points(), None, |_, _| {}).expect("no journal, no error")
+}
+
+/// All but the pushover, which takes its time.
+fn quick(text: String) -> String {
+    text.replace(", \"pushover\"", "")
+}
+
+/// Overburden ratios 0, 1, … 10.
+fn eleven(text: String) -> String {
+    text.replace("count = 40", "count = 11")
+}
+
+fn find<'a>(rows: &'a [Row], case: &str, method: &str, overburden: &str) -> &'a Row {
+    let is = |row: &&Row| row.parameter("overburden") == Some(overburden);
+    let mut found = rows.iter().filter(is);
+    let found = found.find(|row| row.case == case && row.method == method);
+    found.unwrap_or_else(|| panic!("no row {case} {method} at {overburden}"))
+}
+
+/// The macro range of the same wall as a row's, where the closed form applies.
+fn range(rows: &[Row], of: &Row) -> Option<[f64; 2]> {
+    let same = |row: &&Row| row.case == of.case && row.parameters == of.parameters;
+    let found = rows
+        .iter()
+        .find(|row| same(row) && row.method == "macro-block")?;
+    Some([found.lower?, found.upper?])
+}
+
+/// The rows whose λ is not within the macro range, "BELOW" or "above", with their ratio to it.
+fn outside(rows: &[Row]) -> Vec<(&Row, f64)> {
+    let micro = rows.iter().filter(|row| row.method != "macro-block");
+    let outside = micro.filter_map(|row| {
+        let [low, high] = range(rows, row)?;
+        let (lower, upper) = (row.lower?, row.upper?);
+        match (lower < low, upper > high) {
+            (true, _) => Some((row, lower / low)),
+            (_, true) => Some((row, upper / high)),
+            _ => None,
+        }
+    });
+    outside.collect()
+}
+
+/// Section 3.1.1: "the bounds computed by macro-block model always contain the load factor by
+/// micro-block model whatever overload amount".
+fn assert_contained(rows: &[Row]) {
+    let outside = outside(rows);
+    let told: Vec<String> = outside
+        .iter()
+        .map(|(row, ratio)| format!("{} {} {:?} {ratio}", row.case, row.method, row.parameters))
+        .collect();
+    assert!(told.is_empty(), "outside of the macro range: {told:#?}");
+    let judged = rows.iter().filter(|row| row.lower.is_some()).count();
+    assert_eq!(judged, rows.len(), "a row without λ would prove nothing");
+}
+
+#[test]
+fn the_macro_range_contains_the_micro_values_and_all_fall_with_the_overburden() {
+    let rows = rows("fig-7", |text| quick(eleven(text)));
+    assert_contained(&rows);
+    for case in ["paper-1", "paper-1@open"] {
+        for method in ["macro-block", "associative", "interval"] {
+            let at = |ratio: u32| {
+                let row = find(&rows, case, method, &ratio.to_string());
+                [row.lower, row.upper].map(|end| end.expect("it has a number"))
+            };
+            for end in [0, 1] {
+                let value = |ratio| at(ratio)[end];
+                for ratio in 0..10 {
+                    assert!(value(ratio + 1) < value(ratio), "{case} {method} {ratio}");
+                }
+                // "For overloads larger than three or four times the wall self weight, the load
+                // factors remain almost constant": by how much they still fall up to ten.
+                let falls = [[0, 3], [3, 10], [4, 10]].map(|[a, b]| 1.0 - value(b) / value(a));
+                let allowed = match method {
+                    "macro-block" => [0.22, 0.031, 0.021],
+                    _ => [0.11, 0.0145, 0.0095],
+                };
+                let [early, from_three, from_four] = falls;
+                assert!(early > allowed[0], "{case} {method}: {falls:?}");
+                assert!(from_three < allowed[1], "{case} {method}: {falls:?}");
+                assert!(from_four < allowed[2], "{case} {method}: {falls:?}");
+            }
+        }
+    }
+    // "As the overload increases, also tan β tends to be constant": of the closed form. That of the
+    // micro mechanisms is the same at every overburden.
+    let slope = |method, ratio: u32| {
+        let row = find(&rows, "paper-1", method, &ratio.to_string());
+        row.tan_beta.expect("it has a crack")
+    };
+    assert!(slope("macro-block", 0) - slope("macro-block", 3) > 0.12);
+    assert!((slope("macro-block", 3) - slope("macro-block", 10)).abs() < 0.013);
+    for ratio in 0..=10 {
+        assert!((slope("associative", ratio) - 16.0 / 21.0).abs() < 1e-8);
+    }
+}
+
+#[test]
+#[ignore = "44 pushovers; about 15 s in release"]
+fn the_pushover_lies_within_the_range_too_and_where_the_interval_lies() {
+    let rows = rows("fig-7", eleven);
+    assert_contained(&rows);
+    for ratio in 0..=10 {
+        let ratio = ratio.to_string();
+        for case in ["paper-1", "paper-1@open"] {
+            let [interval, pushover] =
+                ["interval", "pushover"].map(|method| find(&rows, case, method, &ratio));
+            let [low, high] = [interval.lower, interval.upper].map(|end| end.expect("a number"));
+            // The error that the pushover states, 0.2 %, on either side of what is verified.
+            let within = low * 0.998..=high * 1.002;
+            for end in [pushover.lower, pushover.upper] {
+                let end = end.expect("it has a bracket");
+                assert!(
+                    within.contains(&end),
+                    "{case} {ratio}: {end} not in {within:?}"
+                );
+            }
+        }
+    }
+}
+
+/// A row that lies outside of the range, as the sweep's file says and why.
+type Known = fn(&Row, f64) -> bool;
+
+fn number(row: &Row, name: &str) -> f64 {
+    let value = row.parameter(name).and_then(|text| text.parse().ok());
+    value.unwrap_or_else(|| panic!("no number {name}"))
+}
+
+/// The whole wall slides off its base: λ = μ, which the closed form does not know.
+fn slides(row: &Row, friction: f64) -> bool {
+    row.lower
+        .is_some_and(|lower| (lower - friction).abs() < 1e-6)
+}
+
+#[test]
+fn elsewhere_the_range_fails_only_where_the_studies_say_so() {
+    let studies: [(&str, &[(usize, Known)]); 4] = [
+        (
+            "study-friction",
+            &[
+                (16, |row, ratio| {
+                    ratio < 1.0
+                        && slides(row, number(row, "friction"))
+                        && number(row, "friction") < 0.35
+                }),
+                (12, |row, ratio| {
+                    let locked = number(row, "friction") > 0.95 && number(row, "overburden") > 0.0;
+                    ratio > 1.0 && locked && !row.case.ends_with("@open")
+                }),
+            ],
+        ),
+        (
+            "study-unit-aspect",
+            &[
+                (12, |row, ratio| {
+                    ratio < 1.0 && slides(row, 0.65) && number(row, "aspect") > 3.9
+                }),
+                (1, |row, ratio| {
+                    let square = number(row, "aspect") == 1.0 && row.method == "interval";
+                    square && !row.case.ends_with("@open") && (0.9..0.92).contains(&ratio)
+                }),
+            ],
+        ),
+        ("study-wall-aspect", &[]),
+        ("study-overlap", &[]),
+    ];
+    for (name, known) in studies {
+        let rows = rows(name, quick);
+        let mut counts = vec![0; known.len()];
+        for (row, ratio) in outside(&rows) {
+            let reason = known.iter().position(|(_, is)| is(row, ratio));
+            let told = format!("{} {} {:?} {ratio}", row.case, row.method, row.parameters);
+            counts[reason.unwrap_or_else(|| panic!("no reason for {name}: {told}"))] += 1;
+        }
+        let told: Vec<usize> = known.iter().map(|(count, _)| *count).collect();
+        assert_eq!(counts, told, "{name}: a deviation is gone or new");
+    }
+}
