@@ -83,6 +83,9 @@ pub fn in_turn(order: &[usize], work: impl Fn(usize) + Sync) {
     });
 }
 
+/// Multipliers nearer than this, relative to the larger, are those of sides alike.
+const ALIKE: f64 = 1e-6;
+
 /// The answer of the side that gives way first. A side without an honest answer leaves the wall
 /// without one, as it may be the weaker.
 fn weaker(sides: &[Scene], mut answers: Vec<Answer>) -> Answer {
@@ -95,21 +98,34 @@ fn weaker(sides: &[Scene], mut answers: Vec<Answer>) -> Answer {
         (_, Some(bracket)) => (3, bracket.lower),
         (_, None) => (2, 0.0),
     };
-    let ranked = |a: &Answer, b: &Answer| {
+    // Of sides that differ by rounding alone, the first: it must not depend on the machine.
+    let margin = |lambda: f64| ALIKE * lambda.abs().max(1e-3);
+    let weaker = |a: &Answer, b: &Answer| {
         let ((a, x), (b, y)) = (rank(a), rank(b));
-        a.cmp(&b).then(x.total_cmp(&y))
+        a < b || a == b && x < y - margin(y)
     };
-    // A stable sort: of equal sides, the first.
-    answers.sort_by(ranked);
-    let mut answer = answers.swap_remove(0);
+    let mut first = 0;
+    for side in 1..answers.len() {
+        if weaker(&answers[side], &answers[first]) {
+            first = side;
+        }
+    }
+    let mut answer = answers.swap_remove(first);
+    let alike = answers.iter().all(|other| !weaker(&answer, other));
     if let [_, _, ..] = sides {
         let side = match sides[answer.side].push {
             Push::Right => "pushed right",
             Push::Left => "pushed left",
         };
         let reason = match (answer.outcome.bracket, answer.outcome.reason.as_str()) {
-            (Some(_), "") => format!("weaker when {side}"),
-            (Some(_), reason) => format!("weaker when {side}; {reason}"),
+            (Some(_), reason) => {
+                let which = match alike {
+                    true => "alike when pushed right and left".to_owned(),
+                    false => format!("weaker when {side}"),
+                };
+                let part = if reason.is_empty() { "" } else { "; " };
+                format!("{which}{part}{reason}")
+            }
             (None, reason) => format!("{side}: {reason}"),
         };
         answer.outcome.reason = reason;
@@ -273,13 +289,19 @@ pub fn run_each(
 
 fn check(case: &Case, scenes: &[(HeadJoints, Vec<Scene>)], rows: &[Row]) -> Vec<Check> {
     let mut checks = Vec::new();
-    for (head_joints, _) in scenes {
-        let of_scene = rows.iter().filter(|row| row.head_joints == *head_joints);
-        let answers: Vec<_> = of_scene
-            .map(|row| (row.method.as_str(), &row.outcome))
-            .collect();
-        checks.extend(cross_check(*head_joints, &answers));
-        checks.extend(reference_checks(case, *head_joints, &answers));
+    for (head_joints, sides) in scenes {
+        let answers = |side: Option<usize>| -> Vec<(&str, &Outcome)> {
+            let of_scene = rows.iter().filter(|row| row.head_joints == *head_joints);
+            let of_side = of_scene.filter(|row| side.is_none_or(|side| row.side == side));
+            of_side
+                .map(|row| (row.method.as_str(), &row.outcome))
+                .collect()
+        };
+        // What holds between methods holds for one and the same scene.
+        for side in 0..sides.len() {
+            checks.extend(cross_check(*head_joints, &answers(Some(side))));
+        }
+        checks.extend(reference_checks(case, *head_joints, &answers(None)));
     }
     let associative = |head_joints| -> Option<Bracket> {
         let mut found = rows.iter().filter(|row| row.method == "associative");
@@ -351,6 +373,34 @@ mod tests {
         assert_eq!(answer.outcome.bracket, Some(Bracket::point(0.4)));
         assert_eq!(answer.side, 1);
         assert_eq!(answer.outcome.reason, "weaker when pushed left; told");
+    }
+
+    #[test]
+    fn rounding_does_not_choose_a_side() {
+        let answer = answer([|| at(0.5), || at(0.5 - 1e-12)]);
+        assert_eq!(answer.side, 0);
+        assert_eq!(
+            answer.outcome.reason,
+            "alike when pushed right and left; told"
+        );
+    }
+
+    #[test]
+    fn a_side_that_falls_is_the_weaker_and_one_that_stands_the_stronger() {
+        let of = |outcomes: [Outcome; 2]| {
+            let answers = outcomes.into_iter().enumerate();
+            let answers = answers.map(|(side, outcome)| Answer {
+                outcome,
+                side,
+                residual: None,
+                seconds: 0.0,
+            });
+            weaker(&sides(), answers.collect())
+        };
+        let falls = Outcome::without_number(Status::Falls, "why");
+        assert_eq!(of([at(0.5), falls]).side, 1);
+        let stands = Outcome::without_number(Status::Stands, "why");
+        assert_eq!(of([stands, at(0.5)]).side, 1);
     }
 
     #[test]
