@@ -98,6 +98,59 @@ fn a_template_runs_and_is_not_overwritten() {
 }
 
 #[test]
+fn every_kind_of_case_has_a_template_that_runs() {
+    let folder = tempfile::tempdir().unwrap();
+    for (kind, shown) in [
+        ("wall", "4 courses of units 4 x 1.75"),
+        (
+            "blocks",
+            "edges touch within 1e-6 of the smaller block's extent",
+        ),
+        ("arch", "an arch of mean radius 10, thickness 1.5"),
+    ] {
+        let made = trilith(folder.path(), &["new", kind, "--kind", kind]);
+        assert_eq!(made.status.code(), Some(0), "{}", text(&made.stderr));
+        let file = format!("{kind}.toml");
+        let show = trilith(folder.path(), &["show", &file]);
+        assert!(text(&show.stdout).contains(shown), "{}", text(&show.stdout));
+        let ran = trilith(folder.path(), &["run", &file, "--method", "associative"]);
+        assert_eq!(ran.status.code(), Some(0), "{}", text(&ran.stderr));
+    }
+}
+
+#[test]
+fn a_csv_is_read_beside_its_case_and_its_mistakes_are_named_there() {
+    let folder = tempfile::tempdir().unwrap();
+    let inner = folder.path().join("inner");
+    std::fs::create_dir(&inner).unwrap();
+    let put = |name: &str, content: &str| std::fs::write(inner.join(name), content).unwrap();
+    let case = "friction = 0.3\n[blocks]\ncsv = \"b.csv\"\nsupports = [\"g\"]\n";
+    put("pier.toml", case);
+    let csv = "block,x,y\ng,-1,-1\ng,3,-1\ng,3,0\ng,-1,0\nA,0,0\nA,2,0\nA,2,1\nA,0,1\n";
+    put("b.csv", csv);
+    // From another folder: the CSV is looked for beside the case.
+    let ran = trilith(
+        folder.path(),
+        &["run", "inner/pier.toml", "--method", "associative"],
+    );
+    assert_eq!(ran.status.code(), Some(0), "{}", text(&ran.stderr));
+    assert!(
+        text(&ran.stdout).contains("0.30000"),
+        "{}",
+        text(&ran.stdout)
+    );
+    put("b.csv", &csv.replace("A,2,1", "A,two,1"));
+    let ran = trilith(folder.path(), &["run", "inner/pier.toml"]);
+    assert_eq!(ran.status.code(), Some(2));
+    assert!(
+        text(&ran.stderr).contains("inner/b.csv:8:3"),
+        "{}",
+        text(&ran.stderr)
+    );
+    assert!(text(&ran.stderr).contains("`two` is not a number"));
+}
+
+#[test]
 fn records_of_a_users_wall_are_compared_and_reviewed() {
     let folder = tempfile::tempdir().unwrap();
     assert!(trilith(folder.path(), &["new", "mine"]).status.success());

@@ -8,6 +8,7 @@ mod complaint;
 mod corners;
 mod course;
 mod courses;
+mod embedded;
 mod explain;
 mod file;
 mod forces;

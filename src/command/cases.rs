@@ -14,7 +14,7 @@ use super::{Stop, print};
 pub(super) fn list() -> Result<u8, Stop> {
     let mut text = String::from("cases built in:\n");
     for ((path, _), case) in case::embedded().zip(case::library()) {
-        let _ = writeln!(text, "  {:<16} {:<32} {}", case.name, path, case.title);
+        let _ = writeln!(text, "  {:<24} {:<44} {}", case.name, path, case.title);
     }
     text.push_str("\nsweeps built in:\n");
     for (path, _) in sweep::embedded() {
