@@ -9,6 +9,7 @@ mod external;
 mod interrupt;
 mod plan;
 mod progress;
+mod report;
 mod run;
 mod slurm;
 mod solve;
@@ -46,6 +47,8 @@ enum Command {
     Chart(chart::ChartArguments),
     /// Map where each method is right, inaccurate, without an answer, or wrong.
     Atlas(atlas::AtlasArguments),
+    /// Run the methods on cases and write one HTML file about it that needs nothing else.
+    Report(ReportArguments),
     /// List the cases and sweeps that are built in, and the methods.
     List,
     /// Print a case as it is read: its file, blocks and joints.
@@ -143,6 +146,27 @@ struct DrawArguments {
     output: PathBuf,
 }
 
+#[derive(Args)]
+struct ReportArguments {
+    /// Case files, folders of them, or names of built-in cases; none: the paper's three walls.
+    #[arg(value_name = "CASE")]
+    cases: Vec<String>,
+    #[command(flatten)]
+    plan: PlanArguments,
+    /// Also plot this sweep's `sweep.csv`; the overburden's is the paper's Fig. 7.
+    #[arg(long, value_name = "FILE.csv")]
+    sweep: Vec<PathBuf>,
+    /// Also take in the figures and tables in this folder: speed against accuracy.
+    #[arg(long, value_name = "DIR")]
+    chart: Option<PathBuf>,
+    /// Also take in the figures and tables in this folder: the atlas.
+    #[arg(long, value_name = "DIR")]
+    atlas: Option<PathBuf>,
+    /// Folder for report.html, results.csv, results.json and one record a case.
+    #[arg(long, value_name = "DIR")]
+    out: PathBuf,
+}
+
 #[derive(Clone, Copy, ValueEnum)]
 enum Format {
     Table,
@@ -189,6 +213,7 @@ pub fn main() -> ExitCode {
         Command::Merge(arguments) => sweep::merge(&arguments),
         Command::Chart(arguments) => chart::chart(&arguments),
         Command::Atlas(arguments) => atlas::atlas(&arguments),
+        Command::Report(arguments) => report::report(&arguments),
         Command::List => cases::list(),
         Command::Show { case } => cases::show(&case),
         Command::Export { case, head_joints } => {

@@ -17,9 +17,10 @@ mod parts;
 mod svg;
 mod wall;
 
-pub use frame::Displaced;
+pub use frame::{Displaced, Frame};
 pub use parts::{Part, parts, threshold};
-pub use svg::{Path, escape, px};
+pub use svg::{Path, Px, escape, px};
+pub use wall::Shown;
 
 use crate::run::Row;
 use crate::scene::Scene;
@@ -54,6 +55,8 @@ pub struct Options {
     pub framed: bool,
     /// Pixels that a picture is wide.
     pub width: f64,
+    /// Pixels for a unit of length, where several drawings share it; else as large as fits.
+    pub scale: Option<f64>,
 }
 
 impl Options {
@@ -67,6 +70,7 @@ impl Options {
                 2 => 480.0,
                 _ => 400.0,
             },
+            scale: None,
         }
     }
 }
@@ -141,6 +145,38 @@ pub fn figure(title: &str, views: &[View], options: &Options) -> String {
     let words: Vec<String> = captions.iter().map(|lines| lines.join(", ")).collect();
     let title = format!("{title}. {}", words.join(". "));
     svg.document([across + 2.0 * BORDER, y + BORDER], &title)
+}
+
+/// The largest scale at which each of these pictures fits into its width.
+pub fn common_scale(views: &[View], width: f64) -> f64 {
+    let panels: Vec<Panel> = views
+        .iter()
+        .map(|view| Panel::new(view, Contents::Mechanism))
+        .collect();
+    fitting(&panels, width)
+}
+
+fn fitting(panels: &[Panel], width: f64) -> f64 {
+    let scales = panels
+        .iter()
+        .map(|panel| panel.scale([width, HIGHEST * width]));
+    scales.fold(f64::INFINITY, f64::min)
+}
+
+/// The legend of every mark, as a drawing of its own.
+pub fn legend(width: f64) -> String {
+    let all = Holds {
+        mechanism: true,
+        crack: true,
+        macro_crack: true,
+        forces: true,
+    };
+    let mut svg = Svg::default();
+    let height = legend::draw(&mut svg, &legend::entries(all), [2.0, 2.0], width);
+    svg.document(
+        [width + 4.0, height + 4.0],
+        "What the marks of the drawings mean",
+    )
 }
 
 fn holds(views: &[View], options: &Options) -> Holds {

@@ -77,11 +77,7 @@ pub fn blocks(svg: &mut Svg, frame: &Frame, scene: &Scene, shown: &Shown) {
         "class=\"blocks\" stroke=\"{BLOCK_LINE}\" stroke-width=\"{width}\""
     ));
     for (part, tint) in shown.parts.iter().zip(&shown.tints) {
-        let fill = match tint {
-            None => STILL,
-            Some(0) => LARGEST,
-            Some(other) => PARTS[other - 1],
-        };
+        let fill = fill(*tint);
         let words = match shown.mechanism {
             Some(mechanism) => in_words(scene, mechanism, part),
             None => String::new(),
@@ -95,13 +91,21 @@ pub fn blocks(svg: &mut Svg, frame: &Frame, scene: &Scene, shown: &Shown) {
     svg.close();
 }
 
+fn fill(tint: Option<usize>) -> &'static str {
+    match tint {
+        None => STILL,
+        Some(0) => LARGEST,
+        Some(other) => PARTS[other - 1],
+    }
+}
+
 /// A mechanism as it is shown.
 pub struct Shown<'a> {
     /// The mechanism, where there is one.
     pub mechanism: Option<&'a Mechanism>,
     /// Where it takes every point.
     pub displaced: Displaced<'a>,
-    /// Its rigid parts.
+    /// Its rigid parts, as from [`parts`].
     pub parts: Vec<Part>,
     /// Their tints, as from [`tints`].
     pub tints: Vec<Option<usize>>,
@@ -124,6 +128,18 @@ impl<'a> Shown<'a> {
             parts,
             limit: threshold * mechanism.map_or(0.0, |mechanism| mechanism.fastest(scene)),
         }
+    }
+
+    /// The colour of every block.
+    pub fn fills(&self) -> Vec<&'static str> {
+        let count = self.parts.iter().map(|part| part.blocks.len()).sum();
+        let mut fills = vec![STILL; count];
+        for (part, tint) in self.parts.iter().zip(&self.tints) {
+            for &block in &part.blocks {
+                fills[block] = fill(*tint);
+            }
+        }
+        fills
     }
 }
 

@@ -7,7 +7,7 @@ mod number;
 mod table;
 
 pub use number::{nine_digits, number, short};
-pub use table::{HEADING, LEGEND, lines, multiplier};
+pub use table::{HEADING, LEGEND, cells, lines, multiplier};
 
 use crate::judge::{Check, Verdict};
 use crate::run::CaseResult;

@@ -20,6 +20,16 @@ pub fn lines(result: &CaseResult) -> Vec<String> {
 }
 
 fn line(result: &CaseResult, row: &Row) -> String {
+    let widths = [12, 8, 15, 18, 18, 8, 9, 10, 6, 6, 12, 0];
+    let cells = cells(result, row).into_iter().zip(widths);
+    let padded: Vec<String> = cells
+        .map(|(cell, width)| format!("{cell:<width$}"))
+        .collect();
+    padded.join(" ").trim_end().to_owned()
+}
+
+/// What a row says, column by column as in [`HEADING`].
+pub fn cells(result: &CaseResult, row: &Row) -> [String; 12] {
     let outcome = &row.outcome;
     let known = References::of(&result.case, row);
     let crack = outcome.crack.as_ref();
@@ -28,24 +38,21 @@ fn line(result: &CaseResult, row: &Row) -> String {
     if crack.is_some_and(|c| !c.sharp) {
         tan_beta.push('~');
     }
-    let text = format!(
-        "{:<12} {:<8} {:<15} {:<18} {:<18} {:<8} {:<9} {:<10} {:<6} {:<6} {:<12} {}",
-        row.method,
-        row.head_joints.name(),
-        outcome.status.name(),
+    let error = known.error(outcome);
+    [
+        row.method.clone(),
+        row.head_joints.name().to_owned(),
+        outcome.status.name().to_owned(),
         multiplier(row),
         known.multiplier(),
-        known
-            .error(outcome)
-            .map_or("-".to_owned(), |e| number(100.0 * e, 2)),
+        error.map_or("-".to_owned(), |e| number(100.0 * e, 2)),
         tan_beta,
         known.slope(),
         width(crack.and_then(|c| c.c)),
         width(crack.and_then(|c| c.e)),
-        verdict(result, row),
+        verdict(result, row).to_owned(),
         note(row),
-    );
-    text.trim_end().to_owned()
+    ]
 }
 
 /// λ with the digits that its status vouches for.

@@ -1,6 +1,7 @@
 //! Results for people and for machines: table, CSV, JSON, files.
 
 mod files;
+pub mod html;
 mod library;
 mod rows;
 mod snapshot;

@@ -1,0 +1,83 @@
+//! `trilith report`.
+
+use std::path::Path;
+
+use trilith::case;
+use trilith::method::Settings;
+use trilith::report::html::{Attached, Report, SweepTable, attached, page};
+use trilith::report::write_whole;
+use trilith::run::CaseResult;
+
+use super::run::{refuted, write};
+use super::solve::solve;
+use super::{REFUTED, ReportArguments, Stop, print};
+
+pub(super) fn report(arguments: &ReportArguments) -> Result<u8, Stop> {
+    let (cases, mut plan) = arguments.plan.read(&arguments.cases, case::paper)?;
+    plan.settings.recording = true;
+    // Before the long work: a file that cannot be read is known now.
+    let extras = Extras::read(arguments)?;
+    let settings = plan.settings;
+    let results = solve(&cases, &plan, |complete| {
+        let path = hand_out(
+            &arguments.out,
+            complete,
+            &settings,
+            Extras::read(arguments)?,
+        )?;
+        Ok(format!("reported in {path}"))
+    });
+    let path = hand_out(&arguments.out, &results, &settings, extras)?;
+    print(&format!("wrote {path}\n"))?;
+    Ok(if refuted(&results) { REFUTED } else { 0 })
+}
+
+/// Files that the report takes in.
+struct Extras {
+    sweeps: Vec<SweepTable>,
+    chart: Vec<Attached>,
+    atlas: Vec<Attached>,
+}
+
+impl Extras {
+    fn read(arguments: &ReportArguments) -> Result<Self, Stop> {
+        let sweep = |path: &std::path::PathBuf| {
+            SweepTable::read(path).map_err(|e| Stop::bad_input(format!("error: {e}")))
+        };
+        let folder = |folder: &Option<std::path::PathBuf>| match folder {
+            Some(folder) => attached(folder).map_err(|e| Stop::bad_input(format!("error: {e}"))),
+            None => Ok(Vec::new()),
+        };
+        Ok(Self {
+            sweeps: arguments
+                .sweep
+                .iter()
+                .map(sweep)
+                .collect::<Result<_, _>>()?,
+            chart: folder(&arguments.chart)?,
+            atlas: folder(&arguments.atlas)?,
+        })
+    }
+}
+
+/// Writes the page and, beside it, what `run` writes.
+fn hand_out(
+    folder: &Path,
+    results: &[CaseResult],
+    settings: &Settings,
+    extras: Extras,
+) -> Result<String, Stop> {
+    let text = page(&Report {
+        results,
+        settings,
+        sweeps: extras.sweeps,
+        chart: extras.chart,
+        atlas: extras.atlas,
+    });
+    write(folder, results)?;
+    let path = folder.join("report.html");
+    let shown = path.display().to_string();
+    write_whole(&path, &text)
+        .map_err(|e| Stop::bad_input(format!("error: cannot write {shown}: {e}")))?;
+    Ok(shown)
+}

@@ -1,0 +1,102 @@
+//! One case: drawings, replay, certificates, record.
+
+use maud::{Markup, PreEscaped, html};
+
+use super::{certificates, replay};
+use crate::draw::{Options, View, common_scale, figure};
+use crate::record::record;
+use crate::run::{CaseResult, Row};
+use crate::scene::HeadJoints;
+
+/// Methods whose drawings are shown at once: a closed form, a limit analysis, a pushover (the
+/// paper's Figs. 4 and 5).
+const FOREMOST: [&str; 3] = ["macro-block", "interval", "pushover"];
+
+/// The panel of a case.
+pub fn panel(result: &CaseResult) -> Markup {
+    let (foremost, further) = drawn(result);
+    html! {
+        p.title { (result.case.title) }
+        @if !result.case.source.is_empty() { p.small { "Source: " (result.case.source) } }
+        h3 { "Mechanisms" }
+        (drawings(result, &foremost))
+        @if !further.is_empty() {
+            details {
+                summary { (further.len()) " more: other methods and head joints" }
+                (drawings(result, &further))
+            }
+        }
+        @for row in result.rows.iter().filter(|row| row.outcome.recording.len() > 1) {
+            (replay::replay(result, row))
+        }
+        @if let Some(certificates) = certificates::certificates(result) {
+            details { summary { "Certificates" } (certificates) }
+        }
+        details {
+            summary { "Record" }
+            div.scroll tabindex="0" role="region" aria-label={"Record of " (result.case.name)} {
+                pre { (record(result)) }
+            }
+        }
+    }
+}
+
+/// Rows to draw: the foremost methods with the head joints that published mechanisms are of, and
+/// what else has a mechanism. The closed form does not see head joints: it is drawn once.
+fn drawn(result: &CaseResult) -> (Vec<&Row>, Vec<&Row>) {
+    let open = result
+        .rows
+        .iter()
+        .any(|row| row.head_joints == HeadJoints::Open);
+    let main = |row: &Row| (row.head_joints == HeadJoints::Open) == open;
+    let is_foremost = |row: &Row| FOREMOST.contains(&row.method.as_str()) && main(row);
+    let worth = |row: &&Row| {
+        let closed = row.method == "macro-block";
+        match closed {
+            true => row.outcome.crack.is_some() && main(row),
+            false => row.outcome.mechanism.is_some(),
+        }
+    };
+    let (mut foremost, mut further): (Vec<&Row>, Vec<&Row>) = result
+        .rows
+        .iter()
+        .filter(worth)
+        .partition(|row| is_foremost(row));
+    if foremost.is_empty() {
+        std::mem::swap(&mut foremost, &mut further);
+    }
+    (foremost, further)
+}
+
+/// The view of a row, with the crack of the closed form for the same scene.
+pub fn view<'a>(result: &'a CaseResult, row: &'a Row) -> View<'a> {
+    let same = |other: &&Row| other.method == "macro-block" && other.head_joints == row.head_joints;
+    let closed = result.rows.iter().find(same);
+    View {
+        scene: result.scene(row),
+        row,
+        macro_slope: closed
+            .and_then(|row| row.outcome.crack)
+            .map(|crack| crack.tan_beta),
+    }
+}
+
+/// Pixels that a drawing is wide where the page does not make it narrower.
+const WIDTH: f64 = 400.0;
+
+/// Drawings of these rows, at one scale.
+fn drawings(result: &CaseResult, rows: &[&Row]) -> Markup {
+    let views: Vec<View> = rows.iter().map(|row| view(result, row)).collect();
+    let options = Options {
+        forces: false,
+        framed: false,
+        width: WIDTH,
+        scale: Some(common_scale(&views, WIDTH)),
+    };
+    let svg = |view: &View| figure(&result.case.name, &[*view], &options);
+    html! {
+        div.drawings {
+            @for view in &views { figure.drawing { (PreEscaped(svg(view))) } }
+        }
+    }
+}

@@ -1,0 +1,130 @@
+//! How to read the report, what it cannot vouch for, and what it was made with.
+
+use maud::{Markup, PreEscaped, html};
+
+use crate::draw::legend;
+use crate::method::Settings;
+
+/// What the words and marks mean.
+pub fn reading() -> Markup {
+    let statuses = [
+        (
+            "verified",
+            "proved to a residual of 1e-8, with total weight, height and live power scaled to 1",
+        ),
+        (
+            "bracketed",
+            "between the two values by the method's own evidence",
+        ),
+        ("estimate", "a number without a proof"),
+        (
+            "stands, falls",
+            "no push is too large; does not stand under its own weight",
+        ),
+        (
+            "not-applicable",
+            "outside the method's limits of validity, which are named",
+        ),
+        ("undecided", "no honest answer, with the reason"),
+        ("failed", "broke, or was refuted by the judge"),
+    ];
+    let methods = [
+        (
+            "macro-block",
+            "closed form: one crack, two bodies; λ_low without and λ_upp with all friction along it",
+        ),
+        (
+            "associative",
+            "limit analysis with dilatant friction: an upper bound of every collapse multiplier",
+        ),
+        (
+            "sequential",
+            "the published sequence of linear programs for friction without dilatancy",
+        ),
+        (
+            "interval",
+            "lowest and highest collapse state found that satisfies every condition; not bounds",
+        ),
+        (
+            "pushover",
+            "rigid bodies in contact, pushed harder until they collapse: last rest and first collapse",
+        ),
+    ];
+    html! {
+        p { "λ is the multiplier of the horizontal live load at collapse; for a wall also the horizontal "
+            "acceleration in units of g. Head joints (perpends) are " b { "open" } " where they carry nothing, "
+            "as in dry-laid masonry before it is pushed, or in " b { "contact" } ", where they carry Coulomb "
+            "friction. The crack's slope is tan β = ((c + e)/2 − s)/H: c is the width along the top that moves "
+            "as one body, e the width that moves at all, s half a unit." }
+        dl.facts { @for (word, meaning) in statuses { dt { (word) } dd { (meaning) } } }
+        h3 { "Methods" }
+        dl.facts { @for (word, meaning) in methods { dt { (word) } dd { (meaning) } } }
+        h3 { "Drawings" }
+        p { "Blocks are shown displaced along their velocities, much amplified, over their outlines. "
+            "Velocities are first order: distances between blocks mean openings and slips." }
+        figure { (PreEscaped(legend(760.0))) }
+        p { "Residuals are the largest violations after scaling total weight, height and live power to 1, "
+            "recomputed by a judge that shares no code with the methods. A reference is published (p), "
+            "analytic (a) or from an independent code (i); its error is that of the farther end of the range." }
+    }
+}
+
+/// What nobody should conclude from it.
+pub fn limitations() -> Markup {
+    html! {
+        ul {
+            li { "The verified interval is what a search found: a lower collapse state without dilatancy may "
+                "exist, and no useful rigorous lower bound is known." }
+            li { "With head joints in contact the pushover's answer is not unique. It is a range over stated "
+                "variations, or undecided." }
+            li { "The closed form's range is an assumption about the mechanism, not a bound." }
+            li { "Blocks are rigid and infinitely strong, friction is Coulomb's, walls are loaded in their plane." }
+            li { "A published value can be met for a wrong reason; the crack's slope beside it is quantised by "
+                "half units, so that c and e say more." }
+        }
+    }
+}
+
+/// Packages that numbers depend on.
+const PACKAGES: [&str; 3] = ["clarabel", "rapier2d-f64", "nalgebra"];
+
+/// Versions, machine, settings.
+pub fn made_with(settings: &Settings) -> Markup {
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    let settings = format!("{settings:?}");
+    let settings = settings
+        .trim_start_matches("Settings { ")
+        .trim_end_matches(" }");
+    html! {
+        dl.facts {
+            dt { "trilith" } dd { (env!("CARGO_PKG_VERSION")) }
+            @for package in PACKAGES { dt { (package) } dd { (version(package)) } }
+            dt { "machine" }
+            dd { (std::env::consts::ARCH) ", " (std::env::consts::OS) ", " (cores) " cores" }
+            dt { "settings" }
+            dd { (settings) }
+            dt { "times" }
+            dd { "CPU seconds of one thread on this machine; everything else is the same on every run" }
+        }
+    }
+}
+
+/// The version that the program was locked to.
+fn version(package: &str) -> &'static str {
+    let lock = include_str!("../../../Cargo.lock");
+    let named = format!("name = \"{package}\"\nversion = \"");
+    let after = lock.split_once(named.as_str()).map(|(_, after)| after);
+    after
+        .and_then(|after| after.split('"').next())
+        .unwrap_or("unknown")
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn every_package_has_its_version() {
+        for package in super::PACKAGES {
+            assert!(super::version(package).contains('.'), "{package}");
+        }
+    }
+}

@@ -1,0 +1,228 @@
+//! A sweep as a plot: λ over what varied (the overburden: the paper's Fig. 7).
+
+use std::path::Path;
+
+use kuva::plot::LinePlot;
+use kuva::render::layout::Layout;
+use kuva::render::plots::Plot;
+use maud::{Markup, PreEscaped, html};
+
+use super::plot;
+use super::table::{Cell, sortable};
+use crate::record::short;
+
+/// A sweep's CSV, read.
+pub struct SweepTable {
+    name: String,
+    columns: Vec<String>,
+    rows: Vec<Vec<String>>,
+}
+
+/// Why a file is no sweep.
+#[derive(Debug, thiserror::Error)]
+pub enum SweepError {
+    /// It cannot be read.
+    #[error("cannot read {path}: {error}")]
+    Unreadable {
+        /// The file.
+        path: String,
+        /// Why.
+        error: csv::Error,
+    },
+    /// A column is missing.
+    #[error("{path}, line 1: there is no column `{column}`; a sweep's `sweep.csv` is expected")]
+    Column {
+        /// The file.
+        path: String,
+        /// Which column.
+        column: &'static str,
+    },
+}
+
+/// Columns that say what came out, and how large the scene was; the others are what varied.
+const RESULTS: [&str; 12] = [
+    "case", "method", "status", "lower", "upper", "tan_beta", "c", "e", "residual", "reason",
+    "blocks", "joints",
+];
+
+impl SweepTable {
+    /// Reads a sweep's table.
+    ///
+    /// # Errors
+    /// A file that cannot be read, or that lacks a column.
+    pub fn read(path: &Path) -> Result<Self, SweepError> {
+        let shown = path.display().to_string();
+        let unreadable = |error| SweepError::Unreadable {
+            path: shown.clone(),
+            error,
+        };
+        let mut reader = csv::Reader::from_path(path).map_err(unreadable)?;
+        let heading = reader.headers().map_err(unreadable)?;
+        let columns: Vec<String> = heading.iter().map(str::to_owned).collect();
+        for column in ["case", "method", "lower", "upper"] {
+            if !columns.iter().any(|known| known == column) {
+                return Err(SweepError::Column {
+                    path: shown,
+                    column,
+                });
+            }
+        }
+        let mut rows = Vec::new();
+        for record in reader.records() {
+            let record = record.map_err(unreadable)?;
+            rows.push(record.iter().map(str::to_owned).collect());
+        }
+        let stem = path.file_stem().unwrap_or_default().to_string_lossy();
+        let folder = path.parent().and_then(Path::file_name).unwrap_or_default();
+        let name = match &*stem {
+            "sweep" if !folder.is_empty() => folder.to_string_lossy().into_owned(),
+            stem => stem.to_owned(),
+        };
+        Ok(Self {
+            name,
+            columns,
+            rows,
+        })
+    }
+
+    fn column(&self, name: &str) -> Option<usize> {
+        self.columns.iter().position(|column| column == name)
+    }
+
+    fn number(&self, row: &[String], column: &str) -> Option<f64> {
+        row.get(self.column(column)?)?.parse().ok()
+    }
+
+    /// The first column that varies and holds numbers in every row: the overburden, where it does.
+    fn abscissa(&self) -> Option<&str> {
+        let varies = |name: &&str| {
+            let values: Option<Vec<f64>> =
+                self.rows.iter().map(|row| self.number(row, name)).collect();
+            values.is_some_and(|values| values.windows(2).any(|pair| pair[0] != pair[1]))
+        };
+        let names = self.columns.iter().map(String::as_str);
+        let mut names = names.filter(|name| !RESULTS.contains(name)).filter(varies);
+        let first = names.clone().find(|name| *name == "overburden");
+        first.or_else(|| names.next())
+    }
+
+    /// Heading of its section.
+    pub fn title(&self) -> String {
+        match self.abscissa() {
+            Some("overburden") => "Overburden".to_owned(),
+            _ => format!("Sweep {}", self.name),
+        }
+    }
+
+    /// Everything that tells one line from another: case, method and what varies beside `x`.
+    fn series(&self, x: &str) -> Vec<(String, String, Vec<&Vec<String>>)> {
+        let beside: Vec<usize> = (0..self.columns.len())
+            .filter(|&i| !RESULTS.contains(&self.columns[i].as_str()) && self.columns[i] != x)
+            .filter(|&i| {
+                self.rows
+                    .windows(2)
+                    .any(|pair| pair[0].get(i) != pair[1].get(i))
+            })
+            .collect();
+        let cell = |row: &[String], column: Option<usize>| {
+            column.and_then(|i| row.get(i)).cloned().unwrap_or_default()
+        };
+        let mut found: Vec<(String, String, Vec<&Vec<String>>)> = Vec::new();
+        for row in &self.rows {
+            let method = cell(row, self.column("method"));
+            let mut label = format!("{} {method}", cell(row, self.column("case")));
+            for &i in &beside {
+                label.push_str(&format!(", {} {}", self.columns[i], cell(row, Some(i))));
+            }
+            match found.iter_mut().find(|(known, _, _)| *known == label) {
+                Some((_, _, rows)) => rows.push(row),
+                None => found.push((label, method, vec![row])),
+            }
+        }
+        found
+    }
+}
+
+/// Most lines that a plot can hold and still be read.
+const LINES: usize = 14;
+
+/// The plot, where something varies and few enough lines come of it; and the table.
+pub fn section(table: &SweepTable) -> Markup {
+    let columns: Vec<&str> = table.columns.iter().map(String::as_str).collect();
+    let rows: Vec<Vec<Cell>> = table
+        .rows
+        .iter()
+        .map(|row| row.iter().map(|cell| fitting(cell)).collect())
+        .collect();
+    html! {
+        @if let Some(x) = table.abscissa() {
+            @if let Some(svg) = plotted(table, x) {
+                figure { (PreEscaped(svg)) figcaption { "λ over " (x) ": both ends of each method's range" } }
+            }
+        }
+        details {
+            summary { (table.rows.len()) " points as a table" }
+            (sortable(&format!("Points of {}", table.name), &columns, &rows))
+        }
+    }
+}
+
+fn fitting(cell: &str) -> Cell {
+    match cell.parse::<f64>() {
+        Ok(value) if cell.contains('.') => Cell::number(short(value, 5)),
+        Ok(_) => Cell::number(cell),
+        Err(_) => Cell::text(cell),
+    }
+}
+
+fn plotted(table: &SweepTable, x: &str) -> Option<String> {
+    let series = table.series(x);
+    if series.len() > LINES {
+        return None;
+    }
+    let mut plots: Vec<Plot> = Vec::new();
+    for (label, method, rows) in &series {
+        let end = |which: &str| {
+            let points = rows
+                .iter()
+                .filter_map(|row| Some((table.number(row, x)?, table.number(row, which)?)));
+            let mut points: Vec<(f64, f64)> = points.collect();
+            points.sort_by(|a, b| a.0.total_cmp(&b.0));
+            points
+        };
+        let (low, high) = (end("lower"), end("upper"));
+        let line = |points| {
+            LinePlot::new()
+                .with_data(points)
+                .with_color(plot::color(method))
+                .with_stroke_width(1.8)
+        };
+        let wide = low
+            .iter()
+            .zip(&high)
+            .any(|(a, b)| b.1 - a.1 > 0.01 * b.1.abs().max(1e-3));
+        if wide {
+            plots.push(line(low).with_dashed().into());
+        }
+        plots.push(line(high).with_legend(label.clone()).into());
+    }
+    let layout = Layout::auto_from_plots(&plots)
+        .with_width(820.0)
+        .with_height(460.0)
+        .with_x_label(match x {
+            "overburden" => "overburden ratio p/(γH)",
+            other => other,
+        })
+        .with_y_label("collapse multiplier λ")
+        .with_y_axis_min(0.0)
+        .with_body_size(12)
+        .with_tick_size(12)
+        .with_label_size(13);
+    let id = format!(
+        "sweep-{}",
+        table
+            .name
+            .replace(|c: char| !c.is_ascii_alphanumeric(), "-")
+    );
+    Some(plot::svg(plots, layout, &id, &format!("λ over {x}")))
+}
