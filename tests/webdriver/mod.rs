@@ -16,16 +16,20 @@ pub struct Browser {
     _profile: tempfile::TempDir,
 }
 
-/// Whether both programs are there.
+/// Whether a browser and its driver are there.
 pub fn installed() -> bool {
-    ["chromium", "chromedriver"].iter().all(|program| {
+    let there = |program: &str| {
         let version = Command::new(program)
             .arg("--version")
             .stdout(Stdio::null())
             .stderr(Stdio::null())
             .status();
         version.is_ok_and(|status| status.success())
-    })
+    };
+    ["chromium", "google-chrome"]
+        .iter()
+        .any(|browser| there(browser))
+        && there("chromedriver")
 }
 
 impl Browser {
