@@ -484,3 +484,26 @@ fn arguments_that_make_no_sense_are_refused() {
         assert!(shown.contains(told), "{shown}");
     }
 }
+
+#[test]
+fn the_sweep_that_the_help_shows_can_be_read() {
+    let folder = tempfile::tempdir().expect("a folder for the test");
+    let help = text(&trilith(folder.path(), &["sweep", "--help"]).stdout);
+    let shown = help
+        .split_once("what varies in it:")
+        .expect("the format is shown")
+        .1;
+    let shown = shown
+        .split_once("`aspect` varies")
+        .expect("the sweep ends there")
+        .0;
+    // Few and quick ones of it.
+    let few = shown
+        .replace("count = 21", "count = 2")
+        .replace("[3.0, 4.0]", "[3.0, 4.5]");
+    let few = few.replace(", \"interval\"", "");
+    fs::write(folder.path().join("shown.sweep.toml"), few).expect("it can be written");
+    done(trilith(folder.path(), &["sweep", "shown.sweep.toml"]));
+    let rows = read(folder.path(), "target/sweeps/shown/sweep.csv");
+    assert_eq!(rows.lines().count(), 1 + 2 * 2 * 2, "{rows}");
+}

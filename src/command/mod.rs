@@ -40,6 +40,7 @@ enum Command {
     /// Draw a wall with its mechanism, as SVG.
     Draw(DrawArguments),
     /// Run a sweep over ranges of a case's values; interrupted and started again, it goes on.
+    #[command(after_help = sweep::FORMAT)]
     Sweep(SweepArguments),
     /// Merge the shards of a sweep that ran on several machines.
     Merge(MergeArguments),

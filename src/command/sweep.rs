@@ -14,6 +14,31 @@ use trilith::sweep::{self, Journal, MOST_SHARDS, Point, Row, Shard, Sweep};
 use super::progress::Progress;
 use super::{REFUTED, Stop, interrupt, print, slurm};
 
+/// What a sweep file looks like, below the help.
+pub(super) const FORMAT: &str = r#"A sweep file names a case and what varies in it:
+
+  title = "Friction under an overburden"
+  case = "paper-1"                # a name, a path beside this file, a list, or a table [case]
+  head_joints = "both"            # instead of what the case says: contact, open, both
+  methods = ["associative", "interval"]         # if left out, all
+  neighbours = "overburden"       # the interval also starts from the walls before and after
+
+  [settings]                      # as on the command line of `run`
+  starts = 4
+
+  [[vary]]                        # a key of the case's file: values one by one, or a range
+  overburden = { from = 0, to = 10, count = 21 }        # spacing = "logarithmic" may be added
+
+  [[vary]]                        # tables multiply; the keys of one table vary together
+  friction = [0.4, 0.65]
+  "unit.length" = [3.0, 4.0]      # a key within a table, in quotes; also "settings.starts"
+
+`aspect` varies the unit's length over its height at constant height; `refine = [1, 2]` cuts each
+unit of a bond into n by n: more courses in a wall of the same size.
+
+Rows go to a journal as they finish: the same command goes on where it was stopped. At the end
+sweep.csv holds every point in order, times.csv what each took."#;
+
 #[derive(Args)]
 pub(super) struct SweepArguments {
     /// A sweep file, or the name of a built-in sweep; `trilith list` names them.

@@ -53,23 +53,24 @@ struct Optimum {
     bracket: Bracket,
 }
 
-/// Solves the program with margins; with finer ones where those are too wide for a small λ; without
-/// any where it has no optimum with them: a scene that can lock, or one without slack anywhere, may
-/// still have one.
+/// Solves the program with margins; with finer ones, or none, where those are too wide for a small λ
+/// or prove nothing; without any where it has no optimum with them: a scene that can lock, or one
+/// without slack anywhere, may still have one.
 fn optimum(scene: &Scene, user: &Settings, work: &mut Work) -> Result<Optimum, Ending> {
     let Ok(found) = solved(scene, Some(EXACT), user, work) else {
-        let mut found = solved(scene, None, user, work)?;
-        // Without margins the ends may cross by what the solver leaves.
-        let bracket = &mut found.bracket;
-        bracket.lower = bracket.lower.min(bracket.upper);
-        return Ok(found);
+        return solved(scene, None, user, work);
     };
-    if is_one_number(&found.bracket) {
+    let is_exact =
+        |found: &Optimum| is_one_number(&found.bracket) && (loose(user) || proves(scene, found));
+    if is_exact(&found) {
         return Ok(found);
     }
-    let finer = solved(scene, Some(FINER), user, work);
-    let finer = finer.ok().filter(|finer| is_one_number(&finer.bracket));
-    Ok(finer.unwrap_or(found))
+    // Where a wall slides as a whole, many states share λ = μ, and the forces that the program with
+    // margins ends with can be a little out of balance.
+    let others = [Some(FINER), None].into_iter();
+    let others = others.take(if loose(user) { 1 } else { 2 });
+    let mut others = others.filter_map(|margins| solved(scene, margins, user, work).ok());
+    Ok(others.find(is_exact).unwrap_or(found))
 }
 
 fn solved(
@@ -85,12 +86,15 @@ fn solved(
     match program.solve_counted(work) {
         Ending::Solved(solution) => {
             let mechanism = program.scale().mechanism(&solution.velocity);
+            let upper = judge::kinematic_multiplier(scene, &mechanism);
+            let lower = match margins {
+                Some(_) => solution.lambda,
+                // Without margins the ends may cross by what the solver leaves.
+                None => solution.lambda.min(upper),
+            };
             Ok(Optimum {
                 forces: program.scale().forces(&solution.forces),
-                bracket: Bracket {
-                    lower: solution.lambda,
-                    upper: judge::kinematic_multiplier(scene, &mechanism),
-                },
+                bracket: Bracket { lower, upper },
                 mechanism,
             })
         }
