@@ -62,7 +62,7 @@ fn the_report_works_in_a_browser() {
 
     replay_moves(&browser);
     tables_sort(&browser);
-    can_be_used_without_a_mouse(&browser);
+    has_names_and_order(&browser);
     let shots = std::env::var_os(SCREENSHOTS).map(PathBuf::from);
     for (width, height) in [(1440, 1000), (390, 844)] {
         browser.resize(width, height);
@@ -155,12 +155,13 @@ fn tables_sort(browser: &Browser) {
 }
 
 /// Every control has a name, drawings have alternatives, headings do not skip, ids are unique.
-fn can_be_used_without_a_mouse(browser: &Browser) {
+fn has_names_and_order(browser: &Browser) {
     let faults = browser.run(
         "const all = s => [...document.querySelectorAll(s)], faults = [];
          all('button').forEach(b => b.textContent.trim() || faults.push('button without a name'));
          all('input').forEach(i => i.getAttribute('aria-label') || faults.push('input without a name'));
          all('svg').forEach(s => s.getAttribute('aria-label') || faults.push('svg without a name'));
+         all('svg').forEach(s => s.getAttribute('viewBox') || faults.push('svg that a narrow page cuts off'));
          all('img').forEach(i => i.alt || faults.push('image without a name'));
          all('.scroll').forEach(s => s.tabIndex === 0 && s.getAttribute('aria-label') || faults.push('scroll'));
          let level = 0;

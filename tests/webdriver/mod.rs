@@ -85,41 +85,43 @@ impl Browser {
     }
 
     fn post(&self, path: &str, body: &Value) -> Value {
+        let answer = self.send("POST", path, &body.to_string());
+        let answer = answer.unwrap_or_else(|error| panic!("{path}: {error}"));
+        let answer: Value = serde_json::from_slice(&answer).expect("an answer in JSON");
+        let value = answer["value"].clone();
+        assert!(value["error"].is_null(), "{path}: {value}");
+        value
+    }
+
+    /// The body of the answer to one request about the session.
+    fn send(&self, verb: &str, path: &str, body: &str) -> std::io::Result<Vec<u8>> {
         let path = match self.session.as_str() {
             "" => path.to_owned(),
             session => format!("/session/{session}{path}"),
         };
-        let body = body.to_string();
-        let mut stream = TcpStream::connect(("127.0.0.1", self.port)).unwrap();
-        stream
-            .set_read_timeout(Some(Duration::from_secs(120)))
-            .unwrap();
+        let mut stream = TcpStream::connect(("127.0.0.1", self.port))?;
+        stream.set_read_timeout(Some(Duration::from_secs(120)))?;
         let head = format!(
-            "POST {path} HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Type: application/json\r\n\
+            "{verb} {path} HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Type: application/json\r\n\
              Content-Length: {}\r\nConnection: close\r\n\r\n",
             body.len()
         );
-        stream.write_all(head.as_bytes()).unwrap();
-        stream.write_all(body.as_bytes()).unwrap();
+        stream.write_all(head.as_bytes())?;
+        stream.write_all(body.as_bytes())?;
         // The driver keeps the connection open: its answer ends where it says.
         let mut reader = BufReader::new(stream);
         let (mut line, mut length) = (String::new(), 0);
-        while reader.read_line(&mut line).unwrap() > 0 && !line.trim().is_empty() {
+        while reader.read_line(&mut line)? > 0 && !line.trim().is_empty() {
             if let Some((name, value)) = line.split_once(':')
                 && name.eq_ignore_ascii_case("content-length")
             {
-                length = value.trim().parse().unwrap();
+                length = value.trim().parse().unwrap_or(0);
             }
             line.clear();
         }
         let mut body = vec![0; length];
-        reader.read_exact(&mut body).unwrap();
-        let body = String::from_utf8_lossy(&body);
-        let value: Value =
-            serde_json::from_str(&body).unwrap_or_else(|e| panic!("{path}: {e}: {body}"));
-        let value = value["value"].clone();
-        assert!(value["error"].is_null(), "{path}: {value}");
-        value
+        reader.read_exact(&mut body)?;
+        Ok(body)
     }
 
     /// Opens a file.
@@ -168,9 +170,7 @@ impl Browser {
 impl Drop for Browser {
     fn drop(&mut self) {
         // Ends the browser too, which killing the driver alone would leave running.
-        if !self.session.is_empty() && !std::thread::panicking() {
-            self.devtools("Browser.close", json!({}));
-        }
+        let _ = self.send("DELETE", "", "");
         let _ = self.driver.kill();
         let _ = self.driver.wait();
     }

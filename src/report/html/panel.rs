@@ -16,7 +16,7 @@ const FOREMOST: [&str; 3] = ["macro-block", "interval", "pushover"];
 pub fn panel(result: &CaseResult) -> Markup {
     let (foremost, further) = drawn(result);
     html! {
-        p.title { (result.case.title) }
+        @if result.case.title != result.case.name { p.title { (result.case.title) } }
         @if !result.case.source.is_empty() { p.small { "Source: " (result.case.source) } }
         h3 { "Mechanisms" }
         (drawings(result, &foremost))

@@ -48,8 +48,26 @@ fn tidied(svg: &str, id: &str, name: &str) -> String {
             );
         }
     }
-    let label = format!("<svg role=\"img\" aria-label=\"{}\"", escape(name));
+    let label = format!(
+        "<svg{} role=\"img\" aria-label=\"{}\"",
+        view_box(&text),
+        escape(name)
+    );
     text.replacen("<svg", &label, 1)
+}
+
+/// The whole picture as the part that is shown, without which a narrow page would cut it off; empty
+/// where it says so itself.
+fn view_box(svg: &str) -> String {
+    let root = &svg[..svg.find('>').unwrap_or(svg.len())];
+    let size = |name: &str| {
+        let (_, after) = root.split_once(&format!(" {name}=\""))?;
+        after.split('"').next()
+    };
+    match (size("viewBox"), size("width"), size("height")) {
+        (None, Some(width), Some(height)) => format!(" viewBox=\"0 0 {width} {height}\""),
+        _ => String::new(),
+    }
 }
 
 #[cfg(test)]
@@ -69,6 +87,7 @@ mod tests {
         };
         let first = plot();
         assert_eq!(first, plot());
+        assert!(first.contains(" viewBox=\"0 0 "));
         assert!(!first.contains("<!--") && first.contains("aria-label=\"a &lt;line&gt;\""));
     }
 }

@@ -62,10 +62,10 @@ pub fn reading() -> Markup {
         h3 { "Drawings" }
         p { "Blocks are shown displaced along their velocities, much amplified, over their outlines. "
             "Velocities are first order: distances between blocks mean openings and slips." }
-        figure { (PreEscaped(legend(760.0))) }
+        figure { (PreEscaped(legend(350.0))) }
         p { "Residuals are the largest violations after scaling total weight, height and live power to 1, "
             "recomputed by a judge that shares no code with the methods. A reference is published (p), "
-            "analytic (a) or from an independent code (i); its error is that of the farther end of the range." }
+            "analytic (a) or from an independent code (i); its error is that of the farther end of the range. What is unfolded is printed." }
     }
 }
 

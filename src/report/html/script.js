@@ -53,5 +53,3 @@ for (const figure of document.querySelectorAll("figure.replay")) {
   slider.addEventListener("input", () => { stop(); show(+slider.value); });
   show(last);
 }
-// What is folded away is printed too.
-addEventListener("beforeprint", () => document.querySelectorAll("details").forEach(d => { d.open = true; }));
