@@ -17,6 +17,7 @@ mod library;
 mod neighbours;
 mod plan;
 mod point;
+mod replace;
 mod row;
 mod shard;
 mod values;

@@ -1,0 +1,93 @@
+//! Putting a value into the file of a case.
+
+use toml::{Table, Value};
+
+/// When a key is replaced: what is computed from other keys comes after them.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Rank {
+    Plain,
+    Aspect,
+    Refine,
+}
+
+impl Rank {
+    pub(super) fn of(key: &str) -> Self {
+        match key {
+            "aspect" => Rank::Aspect,
+            "refine" => Rank::Refine,
+            _ => Rank::Plain,
+        }
+    }
+}
+
+/// Puts a value into a case.
+pub(super) fn replace(table: &mut Table, key: &str, value: &Value) -> Result<(), String> {
+    match key {
+        "aspect" => {
+            let aspect = as_number(value).ok_or("the aspect of a unit is a number")?;
+            let height = number_of(table, "height")?;
+            set_unit(table, "length", aspect * height)
+        }
+        "refine" => refine(table, value),
+        "title" | "source" | "references" => Err("it says nothing about the wall".into()),
+        "head_joints" => {
+            Err("it is a column of its own; write `head_joints = \"both\"` at the top".into())
+        }
+        _ => {
+            let (parents, last) = key.rsplit_once('.').unwrap_or(("", key));
+            let mut inside = table;
+            for parent in parents.split('.').filter(|parent| !parent.is_empty()) {
+                let next = inside.get_mut(parent).and_then(Value::as_table_mut);
+                inside = next.ok_or_else(|| format!("the case has no table `{parent}`"))?;
+            }
+            inside.insert(last.to_owned(), value.clone());
+            Ok(())
+        }
+    }
+}
+
+const NO_BOND: &str = "the case has no bond; write the case as `bond = \"running\"`, `courses = 6`, \
+                       `units = 5`";
+
+/// Cuts every unit of a bond into n by n of them: more courses in a wall of the same size.
+fn refine(table: &mut Table, value: &Value) -> Result<(), String> {
+    let times = value
+        .as_integer()
+        .filter(|times| (1..=1000).contains(times));
+    let times = times.ok_or("it cuts a unit into n by n; write whole numbers from 1 to 1000")?;
+    for key in ["courses", "units"] {
+        let count = table.get(key).and_then(Value::as_integer);
+        let count = count.ok_or(NO_BOND)?;
+        let count = count.checked_mul(times).ok_or("too many courses")?;
+        table.insert(key.to_owned(), Value::Integer(count));
+    }
+    let times = times as f64;
+    for (key, parts) in [
+        ("length", times),
+        ("height", times),
+        ("weight", times * times),
+    ] {
+        let size = number_of(table, key)?;
+        set_unit(table, key, size / parts)?;
+    }
+    Ok(())
+}
+
+fn as_number(value: &Value) -> Option<f64> {
+    let whole = value.as_integer().map(|whole| whole as f64);
+    value.as_float().or(whole)
+}
+
+/// A number of the table `unit`.
+fn number_of(table: &Table, key: &str) -> Result<f64, String> {
+    let unit = table.get("unit").and_then(Value::as_table);
+    let number = unit.and_then(|unit| unit.get(key)).and_then(as_number);
+    number.ok_or_else(|| format!("the case has no `unit` with a `{key}`"))
+}
+
+fn set_unit(table: &mut Table, key: &str, number: f64) -> Result<(), String> {
+    let unit = table.get_mut("unit").and_then(Value::as_table_mut);
+    let unit = unit.ok_or("the case has no `unit`")?;
+    unit.insert(key.to_owned(), Value::Float(number));
+    Ok(())
+}
