@@ -220,3 +220,37 @@ fn a_push_to_the_left_is_the_mirror_image() {
     };
     assert_eq!(count(&right), count(&left));
 }
+
+#[test]
+fn the_command_writes_one_drawing_or_says_what_is_wrong() {
+    let folder = tempfile::tempdir().unwrap();
+    let draw = |arguments: &[&str]| {
+        let command = std::process::Command::new(env!("CARGO_BIN_EXE_trilith"))
+            .current_dir(folder.path())
+            .arg("draw")
+            .args(arguments)
+            .args(["-o", "wall.svg"])
+            .output();
+        let output = command.expect("the program starts");
+        (
+            output.status.code(),
+            String::from_utf8(output.stderr).unwrap(),
+        )
+    };
+    let file = folder.path().join("wall.svg");
+    let (code, said) = draw(&["paper-1", "--method", "associative,paper-2"]);
+    assert_eq!(code, Some(2), "{said}");
+    assert!(
+        said.contains("stands for 2 cases") && !file.exists(),
+        "{said}"
+    );
+    assert_eq!(
+        draw(&["sliding-block", "--method", "macro-block,associative"]).0,
+        Some(0)
+    );
+    let svg = std::fs::read_to_string(&file).unwrap();
+    assert!(
+        svg.contains("no mechanism to draw: ") && svg.contains("λ = 0.3"),
+        "{svg}"
+    );
+}

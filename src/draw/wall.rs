@@ -107,7 +107,7 @@ pub struct Shown<'a> {
     pub displaced: Displaced<'a>,
     /// Its rigid parts, as from [`parts`].
     pub parts: Vec<Part>,
-    /// Their tints, as from [`tints`].
+    /// A tint for each part; `None` for what stands still.
     pub tints: Vec<Option<usize>>,
     /// Rate below which a joint is at rest.
     limit: f64,
