@@ -1,6 +1,6 @@
 //! The grids: what is varied, on which scenes, against which value.
 
-use super::scenes::{Columns, moved, running_bond};
+use super::scenes::{Columns, moved, running_bond, running_bond_in};
 use crate::method::Settings;
 use crate::scene::Scene;
 
@@ -255,9 +255,8 @@ fn unit_and_distance(large: bool) -> Grid {
     for distance in chosen(&distances, large) {
         for unit in chosen(&units, large) {
             let scene = move || {
-                let wall = running_bond(courses);
-                let by = distance * unit * wall.height();
-                moved(&wall, unit, by)
+                let wall = running_bond_in(courses, unit);
+                moved(&wall, distance * wall.height())
             };
             cells.push(Place {
                 x: format!("{unit:e}"),
@@ -278,8 +277,8 @@ fn unit_and_distance(large: bool) -> Grid {
         causes: "paper-1 with open head joints in another unit and at another place; HiGHS: 0.639969 \
                  wherever it stands. Every method scales to the wall's own size first. Far away, \
                  coordinates lose the digits that joints and moment arms need: residuals above 1e-8 \
-                 are refuted or undecided, never a number. macro-block: its description of the wall \
-                 is lost when the wall is rebuilt as blocks, so that it declines.",
+                 are refuted or undecided, never a number. \
+                 macro-block: its range holds the multiplier and is far wider than 1 %.",
         cells,
     }
 }

@@ -17,5 +17,5 @@ mod text;
 pub use cell::{Cell, RIGHT, Verdict, run, size};
 pub use grid::{Grid, Place, grids};
 pub use picture::picture;
-pub use scenes::{Columns, moved, running_bond};
+pub use scenes::{Columns, moved, running_bond, running_bond_in};
 pub use text::{csv, table};

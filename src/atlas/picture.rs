@@ -47,7 +47,7 @@ pub fn picture(grid: &Grid, cells: &[Cell]) -> String {
          viewBox=\"0 0 {width:.0} {height:.0}\" font-family=\"DejaVu Sans, Arial, sans-serif\" \
          font-size=\"11\">\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n"
     );
-    let title = format!("{} × {}", grid.x, grid.y);
+    let title = format!("{} (to the right) × {} (upwards)", grid.x, grid.y);
     svg.push_str(&text([20.0, 26.0], "start", 15.0, "#000000", &title));
     svg.push_str(&legend());
     for (index, name) in names.iter().enumerate() {

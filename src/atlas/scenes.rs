@@ -1,8 +1,8 @@
 //! The scenes of the atlas: columns, whose multiplier is exact, and walls with a stored one.
 
 use crate::scene::{
-    Block, Course, Coursing, Friction, HeadJoints, Irregularity, JointClass, Load, Piece, Point,
-    Polygon, Push, Scene, Vector, Wall, find_joints,
+    Block, Course, Friction, HeadJoints, Irregularity, JointClass, Load, Piece, Point, Polygon,
+    Push, Scene, Vector, Wall, find_joints,
 };
 
 /// Columns of equal blocks side by side, in one unit of length and one of force.
@@ -124,6 +124,11 @@ fn assembled(blocks: Vec<Block>, supports: Vec<Polygon>, friction: f64) -> Scene
 /// Running bond of 4 × 1.75 units, μ = 0.65, five units long, with open head joints: paper-1 has 6
 /// courses and paper-2 10.
 pub fn running_bond(courses: usize) -> Scene {
+    running_bond_in(courses, 1.0)
+}
+
+/// The same in another unit of length, each unit of the wall as heavy as before.
+pub fn running_bond_in(courses: usize, unit: f64) -> Scene {
     let whole: Course = vec![Piece::Unit; 5];
     let cut: Course = [&[Piece::Half][..], &whole[1..], &[Piece::Half]].concat();
     let course = |row: usize| match row % 2 {
@@ -131,9 +136,9 @@ pub fn running_bond(courses: usize) -> Scene {
         _ => whole.clone(),
     };
     let wall = Wall {
-        unit_length: 4.0,
-        unit_height: 1.75,
-        thickness: 1.0,
+        unit_length: 4.0 * unit,
+        unit_height: 1.75 * unit,
+        thickness: unit,
         unit_weight: 1.0,
         courses: (0..courses).map(course).collect(),
         friction: Friction::from(0.65),
@@ -144,12 +149,11 @@ pub fn running_bond(courses: usize) -> Scene {
         .expect("running bond can be laid")
 }
 
-/// The scene in another unit of length, at another place, its joints searched afresh: its multiplier
-/// is the same.
-pub fn moved(scene: &Scene, unit: f64, by: f64) -> Scene {
-    let place = |point: Point| Point::new(point.x * unit + by, point.y * unit);
+/// The scene at another place, its joints searched afresh: its multiplier is the same.
+pub fn moved(scene: &Scene, by: f64) -> Scene {
+    let by = Vector::new(by, 0.0);
     let shape = |shape: &Polygon| {
-        let corners = shape.corners().iter().map(|&corner| place(corner));
+        let corners = shape.corners().iter().map(|corner| corner + by);
         Polygon::new(corners.collect()).expect("the atlas stays where blocks have digits left")
     };
     let supports = scene.supports.iter().map(shape).collect();
@@ -157,20 +161,23 @@ pub fn moved(scene: &Scene, unit: f64, by: f64) -> Scene {
     for block in &mut blocks {
         block.shape = shape(&block.shape);
         for load in &mut block.loads {
-            load.point = place(load.point);
+            load.point += by;
         }
     }
     let friction = scene.joints.first().map_or(0.0, |joint| joint.friction);
-    let open = scene.head_joints == HeadJoints::Open;
-    let mut moved = assembled(blocks, supports, friction);
-    if open {
-        moved.joints.retain(|j| j.class != JointClass::Head);
+    let Scene {
+        blocks,
+        supports,
+        mut joints,
+        ..
+    } = assembled(blocks, supports, friction);
+    if scene.head_joints == HeadJoints::Open {
+        joints.retain(|joint| joint.class != JointClass::Head);
     }
-    moved.head_joints = scene.head_joints;
-    moved.coursed = scene.coursed.map(|coursing| Coursing {
-        height: coursing.height * unit,
-        overlap: coursing.overlap * unit,
-        ..coursing
-    });
-    moved
+    Scene {
+        blocks,
+        supports,
+        joints,
+        ..scene.clone()
+    }
 }

@@ -180,10 +180,7 @@ fn panel(own: &[&Entry], methods: &[&str], plane: Plane) -> (Vec<Plot>, Layout) 
                 .with_marker_opacity(0.85),
         ));
     }
-    let points: Vec<[f64; 2]> = own
-        .iter()
-        .map(|e| plane.to_pixels(plane.place(e)))
-        .collect();
+    let points: Vec<[f64; 2]> = own.iter().flat_map(|entry| marks(entry, plane)).collect();
     let names: Vec<String> = front.iter().map(|entry| entry.name()).collect();
     let named: Vec<([f64; 2], &str)> = (front.iter().zip(&names))
         .map(|(entry, name)| (plane.to_pixels(plane.place(entry)), name.as_str()))
@@ -204,6 +201,16 @@ fn panel(own: &[&Entry], methods: &[&str], plane: Plane) -> (Vec<Plot>, Layout) 
             .with_annotation(TextAnnotation::new(name, anchor[0], anchor[1]).with_font_size(11));
     }
     (plots, layout)
+}
+
+/// Pixels that a point and its bar cover, a mark every ten.
+fn marks(entry: &Entry, plane: Plane) -> Vec<[f64; 2]> {
+    let [x, y] = plane.place(entry);
+    let [top, bottom] = [y, y - below(entry)].map(|y| plane.to_pixels([x, y]));
+    let count = ((bottom[1] - top[1]) / 10.0).floor().max(0.0) as usize;
+    (0..=count)
+        .map(|mark| [top[0], top[1] + 10.0 * mark as f64])
+        .collect()
 }
 
 /// From the error down to the nearer end of the bracket, in decades; nothing for what is one number.
