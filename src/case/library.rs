@@ -291,6 +291,18 @@ mod tests {
     }
 
     #[test]
+    fn every_case_says_where_it_and_its_references_come_from() {
+        let cases = library();
+        assert!(cases.len() >= 40, "{}", cases.len());
+        let references: Vec<_> = cases.iter().flat_map(|case| &case.references).collect();
+        assert!(references.len() >= 60, "{}", references.len());
+        assert!(cases.iter().all(|case| !case.source.trim().is_empty()));
+        assert!(references.iter().all(|r| !r.source.trim().is_empty()));
+        // What this project computes is never a reference.
+        assert!(references.iter().all(|r| !r.source.contains("trilith")));
+    }
+
+    #[test]
     fn every_file_beside_a_case_is_embedded() {
         let top = Path::new(env!("CARGO_MANIFEST_DIR"));
         let mut folders = vec![top.join("cases")];

@@ -20,6 +20,13 @@ pub enum Piece {
     Gap,
 }
 
+impl Piece {
+    /// Whether its length is a multiple of half a unit.
+    fn is_of_halves(&self) -> bool {
+        matches!(self, Piece::Unit | Piece::Half | Piece::Gap)
+    }
+}
+
 /// Pieces from left to right.
 pub type Course = Vec<Piece>;
 
@@ -74,6 +81,9 @@ pub enum Irregularity {
     /// The course (from 1, bottom to top) breaks the running bond.
     #[error("course {0} is not laid in regular running bond")]
     NotRunningBond(usize),
+    /// The course (from 1, bottom to top) holds pieces by which units do not lap by half.
+    #[error("course {0} is not of units and halves: the closed form assumes an overlap s = l/2")]
+    NotHalves(usize),
     /// Bed joints and base joint of different friction, of which Eq. (1) knows one.
     #[error("bed joints and base differ in friction")]
     Friction,
@@ -256,12 +266,11 @@ impl Wall {
     /// average, or less.
     fn coursing(&self) -> Option<Coursing> {
         let staggered = self.courses.windows(2).any(|pair| pair[0] != pair[1]);
-        let halves = |piece: &Piece| !matches!(piece, Piece::Quarter | Piece::Part(_));
         staggered.then(|| Coursing {
             height: self.height(),
             overlap: self.unit_length / 2.0,
             courses: self.courses.len(),
-            halves: self.courses.iter().flatten().all(halves),
+            halves: self.courses.iter().flatten().all(Piece::is_of_halves),
         })
     }
 
@@ -275,6 +284,9 @@ impl Wall {
         for (i, course) in self.courses.iter().enumerate() {
             if (self.course_width(course) - length).abs() > 1e-9 * length {
                 return Err(Irregularity::Width(i + 1));
+            }
+            if course.iter().any(|piece| !piece.is_of_halves()) {
+                return Err(Irregularity::NotHalves(i + 1));
             }
             let whole = starts_whole == (i % 2 == 0);
             let last = course.len() - 1;
