@@ -13,7 +13,7 @@ use rapier2d::prelude::{
     SpringCoefficients,
 };
 
-use super::groups::Groups;
+use super::groups::{Groups, Surface};
 use super::model::{Body, Model};
 use super::settings::Settings;
 use crate::scene::Side;
@@ -91,30 +91,22 @@ impl<'a> Engine<'a> {
             ccd: CCDSolver::new(),
         };
         for (id, support) in model.supports.iter().enumerate() {
-            // Neither rule squares μ, and the stronger one wins: the support's μ in either case.
-            let rule = if support.friction > model.friction {
-                CoefficientCombineRule::Max
-            } else {
-                CoefficientCombineRule::Min
-            };
-            let collider = collider(&support.outline, support.centre)?
-                .collision_groups(interaction(support.groups))
-                .friction(support.friction)
-                .friction_combine_rule(rule)
-                .user_data(id as u128);
-            world.colliders.insert(collider);
+            for surface in &support.surfaces {
+                let collider = collider(&support.outline, support.centre, surface)?;
+                world.colliders.insert(collider.user_data(id as u128));
+            }
         }
         let mut blocks = Vec::with_capacity(model.blocks.len());
         for (id, block) in model.blocks.iter().enumerate() {
             let handle = world.bodies.insert(body(block));
-            let collider = collider(&block.outline, [0.0; 2])?
-                .collision_groups(interaction(block.groups))
-                .friction(model.friction)
-                .friction_combine_rule(CoefficientCombineRule::Min)
-                .user_data((model.supports.len() + id) as u128);
-            world
-                .colliders
-                .insert_with_parent(collider, handle, &mut world.bodies);
+            for surface in &block.surfaces {
+                let collider = collider(&block.outline, [0.0; 2], surface)?
+                    .user_data((model.supports.len() + id) as u128);
+                let World {
+                    bodies, colliders, ..
+                } = &mut world;
+                colliders.insert_with_parent(collider, handle, bodies);
+            }
             blocks.push(handle);
         }
         Some(Self {
@@ -192,12 +184,13 @@ impl<'a> Engine<'a> {
         bodies.collect()
     }
 
-    /// Sets all velocities to zero (kinetic damping).
-    pub fn stop(&mut self) {
+    /// Multiplies all velocities; by zero, for kinetic damping.
+    pub fn scale_velocities(&mut self, factor: f64) {
         for &handle in &self.blocks {
             if let Some(body) = self.world.bodies.get_mut(handle) {
-                body.set_linvel(Vec2::ZERO, false);
-                body.set_angvel(0.0, false);
+                let (velocity, spin) = (body.linvel() * factor, body.angvel() * factor);
+                body.set_linvel(velocity, false);
+                body.set_angvel(spin, false);
             }
         }
     }
@@ -309,7 +302,7 @@ fn body(block: &Body) -> RigidBodyBuilder {
 }
 
 /// A rectangle with level sides becomes a cuboid, whose contacts rapier finds exactly.
-fn collider(outline: &[[f64; 2]], centre: [f64; 2]) -> Option<ColliderBuilder> {
+fn collider(outline: &[[f64; 2]], centre: [f64; 2], surface: &Surface) -> Option<ColliderBuilder> {
     let first = vec2(*outline.first()?);
     let (mut low, mut high) = (first, first);
     for &corner in outline {
@@ -338,6 +331,10 @@ fn collider(outline: &[[f64; 2]], centre: [f64; 2]) -> Option<ColliderBuilder> {
             .density(0.0)
             .restitution(0.0)
             .contact_skin(0.0)
+            .collision_groups(interaction(surface.groups))
+            // Only surfaces of one coefficient meet, and this rule does not square it.
+            .friction(surface.friction)
+            .friction_combine_rule(CoefficientCombineRule::Min)
             .position(pose),
     )
 }

@@ -69,11 +69,12 @@ impl<'a> Hold<'a> {
         let ramp = (settings.ramp / engine.dt()).ceil().max(1.0);
         let mut before = f64::INFINITY;
         let mut energy = 0.0;
+        let mut pace = None;
         (self.frames, self.stride) = (Vec::new(), 1);
         for window in 0..windows {
             let ramping = ((window * steps) as f64) < ramp - 1.0;
             let damped = ramping || before > slow;
-            let mut peak: f64 = 0.0;
+            let (mut peak, mut turned) = (0.0f64, false);
             for step in 0..steps {
                 let part = ((window * steps + step + 1) as f64 / ramp).min(1.0);
                 engine.multiplier = loads[0] + part * (loads[1] - loads[0]);
@@ -93,7 +94,8 @@ impl<'a> Hold<'a> {
                 let present = kinetic_energy(self.model, &states);
                 let falling = present < settings.damp_below * energy;
                 if damped && falling {
-                    engine.stop();
+                    engine.scale_velocities(0.0);
+                    turned = true;
                 }
                 energy = if falling { 0.0 } else { present.max(energy) };
             }
@@ -101,8 +103,36 @@ impl<'a> Hold<'a> {
                 return Held::Rest;
             }
             before = peak;
+            pace = match damped && !ramping && !turned {
+                true => {
+                    let factor = self.hurry(engine, &from, pace);
+                    (energy, before) = (energy * factor * factor, before * factor.max(1.0));
+                    Some(kinetic_energy(self.model, &engine.states()).sqrt())
+                }
+                false => None,
+            };
         }
         Held::Unclear
+    }
+
+    /// Takes inertia from a slow motion: what all speeds gained or lost over a window, `pace` being
+    /// what they began it with, they gain or lose `hurry` times more. Near the limit the blocks drift
+    /// by many elastic deflections before they rest or run away, and inertia alone sets how long
+    /// that takes; it has no part in where they stop. Returns the factor on the speeds.
+    fn hurry(&self, engine: &mut Engine, from: &[State], pace: Option<f64>) -> f64 {
+        let settings = self.settings;
+        let states = engine.states();
+        let fastest = speed(self.model, &states);
+        let moved = displacement(self.model, from, &states);
+        let now = kinetic_energy(self.model, &states).sqrt();
+        let slow = fastest * fastest < 2.0 * moved * settings.slow_motion;
+        let Some(began) = pace.filter(|_| slow && now > 0.0 && settings.hurry > 0.0) else {
+            return 1.0;
+        };
+        let factor = 1.0 + settings.hurry * (1.0 - began / now);
+        let factor = factor.clamp(0.0, 1.0 + settings.hurry / 2.0);
+        engine.scale_velocities(factor);
+        factor
     }
 
     /// Keeps every frame at first, and fewer as the hold grows longer.

@@ -3,7 +3,7 @@
 //! Engines carry lengths of their own (prediction distances, slops), so a scene in millimetres
 //! or far from the origin would fail by construction; here every scene looks alike.
 
-use super::groups::{Groups, groups};
+use super::groups::{Surface, surfaces};
 use crate::scene::{Point, Polygon, Scene, Side, Vector};
 
 /// A force at a point that turns with its block.
@@ -31,8 +31,8 @@ pub struct Body {
     pub inertia: f64,
     /// Largest distance of a corner from the centroid.
     pub reach: f64,
-    /// What it collides with.
-    pub groups: Groups,
+    /// What it collides with, and how rough it is.
+    pub surfaces: Vec<Surface>,
     /// Forces.
     pub loads: Vec<Force>,
 }
@@ -45,10 +45,8 @@ pub struct Support {
     pub centre: [f64; 2],
     /// Corners relative to the centroid, counter-clockwise.
     pub outline: Vec<[f64; 2]>,
-    /// Coefficient of friction against blocks.
-    pub friction: f64,
-    /// What it collides with.
-    pub groups: Groups,
+    /// What it collides with, and how rough it is.
+    pub surfaces: Vec<Surface>,
 }
 
 /// The dimensionless scene.
@@ -57,8 +55,6 @@ pub struct Model {
     pub blocks: Vec<Body>,
     /// Supports in the scene's order, then blocks held fixed.
     pub supports: Vec<Support>,
-    /// Coefficient of friction between blocks.
-    pub friction: f64,
     /// Course height: the median block height, in the scene's length unit.
     pub length: f64,
     /// Number of courses that fit into the height.
@@ -96,23 +92,20 @@ impl Model {
         }
         let areas: f64 = scene.blocks.iter().map(|block| block.shape.area()).sum();
         let area = areas / scene.blocks.len() as f64;
-        let (friction, by_support) = friction(scene)?;
         let point = |p: Point| -> [f64; 2] { ((p - low) / length).into() };
         let vector = |v: Vector| -> [f64; 2] { (v / force).into() };
-        let groups = groups(scene, NEAR * length)
-            .ok_or("blocks lie so close together that the engine's collision groups run out")?;
-        let supports = scene.supports.iter().zip(by_support).enumerate();
+        let surfaces = surfaces(scene, NEAR * length)?;
+        let supports = scene.supports.iter().zip(surfaces.supports).enumerate();
         let mut supports: Vec<Support> = supports
-            .map(|(index, (shape, friction))| Support {
+            .map(|(index, (shape, surfaces))| Support {
                 side: Side::Support(index),
                 centre: point(shape.centroid()),
                 outline: outline(shape, length),
-                friction,
-                groups: Groups::SUPPORT,
+                surfaces,
             })
             .collect();
         let mut blocks = Vec::with_capacity(scene.blocks.len());
-        for (index, block) in scene.blocks.iter().enumerate() {
+        for (index, (block, surfaces)) in scene.blocks.iter().zip(surfaces.blocks).enumerate() {
             let shape = &block.shape;
             let centroid = shape.centroid();
             let outline = outline(shape, length);
@@ -122,8 +115,7 @@ impl Model {
                     side: Side::Block(index),
                     centre,
                     outline,
-                    friction,
-                    groups: groups[index],
+                    surfaces,
                 });
                 continue;
             }
@@ -142,7 +134,7 @@ impl Model {
                 mass,
                 inertia: mass * gyration_squared(shape) / (length * length),
                 reach: reach / length,
-                groups: groups[index],
+                surfaces,
                 loads: loads.collect(),
             });
         }
@@ -157,7 +149,6 @@ impl Model {
             live: sum(|load| load.live),
             supports,
             blocks,
-            friction,
             length,
             courses: ((high.y - low.y) / length).max(1.0),
         })
@@ -173,31 +164,6 @@ fn course_height(scene: &Scene) -> f64 {
     let mut heights: Vec<f64> = scene.blocks.iter().map(height).collect();
     heights.sort_by(f64::total_cmp);
     heights[heights.len() / 2]
-}
-
-/// Coefficients between blocks and of each support, where one a body can express the joints'.
-fn friction(scene: &Scene) -> Result<(f64, Vec<f64>), String> {
-    let same = |a: f64, b: f64| (a - b).abs() <= 1e-12 * a.abs().max(b.abs());
-    let mut between: Option<f64> = None;
-    let mut supports: Vec<Option<f64>> = vec![None; scene.supports.len()];
-    for joint in &scene.joints {
-        let slot = match joint.from {
-            Side::Block(_) => &mut between,
-            Side::Support(support) => &mut supports[support],
-        };
-        let known = *slot.get_or_insert(joint.friction);
-        if !same(known, joint.friction) {
-            return Err(format!(
-                "friction differs from joint to joint ({known} and {}), and the engine knows one \
-                 coefficient for all blocks and one for each support",
-                joint.friction
-            ));
-        }
-    }
-    let any = between.or_else(|| supports.iter().flatten().next().copied());
-    let between = any.unwrap_or(0.0);
-    let supports = supports.iter().map(|s| s.unwrap_or(between)).collect();
-    Ok((between, supports))
 }
 
 /// Corners relative to the centroid.

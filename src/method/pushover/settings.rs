@@ -39,6 +39,11 @@ pub struct Settings {
     /// Kinetic damping: blocks are stopped when their kinetic energy has fallen to this part of
     /// its last peak.
     pub damp_below: f64,
+    /// Inertia taken from slow motions: what speeds gain or lose over a window, they gain or lose
+    /// this many times more.
+    pub hurry: f64,
+    /// Acceleration, in g, below which a motion is slow.
+    pub slow_motion: f64,
     /// Speed below which the settled scene is at rest under its own weight.
     pub settled_speed: f64,
     /// Displacement beyond which a large step is given up.
@@ -79,8 +84,13 @@ impl Settings {
             Accuracy::Fine => 2.0,
         };
         // Fewer courses than 8 still need the substep of 8: it also resolves a block's rocking.
-        let substep = 0.025 / model.courses.max(8.0) / finer;
         let tall = model.courses >= TALL;
+        // Elastic deflections, and with them all drift up to the limit, fall with the square of the
+        // substep at the same number of substeps: a tall wall has to be kept from leaning.
+        let product = if tall { 0.015 } else { 0.025 } / finer;
+        let substep = product / model.courses.max(8.0);
+        let sway = if tall { (product / 0.025).powi(2) } else { 1.0 };
+        let window = if tall { 0.2 } else { 0.5 };
         Self {
             substep,
             substeps: (32.0 * finer) as usize,
@@ -89,15 +99,17 @@ impl Settings {
             stabilization: 1,
             prediction: 0.02,
             recycle_distance: 0.02,
-            ramp: 0.5,
-            window: 0.5,
+            ramp: window,
+            window,
             patience: 200.0,
             // Stopping at every dip of the energy follows a step most gently, but keeps the slow
             // modes of a tall wall from ever settling.
             damp_below: if tall { 0.5 } else { 1.0 },
+            hurry: 16.0,
+            slow_motion: if tall { 0.02 } else { 0.01 },
             settled_speed: 1e-7,
-            runaway: 2e-3 * model.courses.max(10.0),
-            collapse: 6e-3 * model.courses.max(6.0),
+            runaway: sway * if tall { 6e-3 } else { 2e-3 } * model.courses.max(10.0),
+            collapse: sway * if tall { 7.5e-3 } else { 6e-3 } * model.courses.max(6.0),
             slip: f64::INFINITY,
             frames: 0,
             // paper-1 settles by 1.4e-4 and loses nothing up to 6e-4, but 2.7 % of λ at 2.2e-3.
@@ -108,9 +120,9 @@ impl Settings {
             },
             fall: 1.0,
             drift: 0.02 * model.courses.max(5.0),
-            first_increment: 5_000,
+            first_increment: if tall { 20_000 } else { 5_000 },
             largest: 10_000_000,
-            tolerance: if model.courses > 30.0 { 0.95 } else { 0.4 } * stated_error,
+            tolerance: if model.courses > 30.0 { 0.5 } else { 0.4 } * stated_error,
             stated_error,
             budget: 200_000,
             self_checks: true,

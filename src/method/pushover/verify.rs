@@ -39,6 +39,7 @@ pub fn verify(scene: &Scene, user: &method::Settings, outcome: &Outcome) -> Vec<
     };
     let undamped = |settings| Settings {
         damp_below: 0.0,
+        hurry: 0.0,
         ..settings
     };
     let runs = [
