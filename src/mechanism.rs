@@ -102,15 +102,14 @@ pub struct Crack {
     pub sharp: bool,
 }
 
-/// c and e of a mechanism at one threshold, or `None` where nothing moves at the edge.
-fn widths(scene: &Scene, mechanism: &Mechanism, threshold: f64) -> Option<(f64, f64)> {
+/// Blocks along the top by distance from the edge that the push points to, and how far each reaches.
+fn top_blocks(scene: &Scene) -> Vec<(usize, f64)> {
     let (low, high) = scene.bounds();
     let tolerance = 1e-6 * (high.y - low.y);
     let edge = match scene.push {
         Push::Right => high.x,
         Push::Left => low.x,
     };
-    // Top blocks by distance from the edge that the push points to.
     let mut top: Vec<(f64, f64, usize)> = Vec::new();
     for (i, block) in scene.blocks.iter().enumerate() {
         let (l, h) = block.shape.bounds();
@@ -120,14 +119,22 @@ fn widths(scene: &Scene, mechanism: &Mechanism, threshold: f64) -> Option<(f64, 
         }
     }
     top.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let first = top.first()?.2;
-    let limit = threshold * mechanism.fastest(scene);
-    let reach = |still: &dyn Fn(usize) -> bool| {
-        let part = top.iter().take_while(|&&(_, _, block)| !still(block));
-        part.map(|&(_, far, _)| far).fold(0.0, f64::max)
+    top.into_iter()
+        .map(|(_, far, block)| (block, far))
+        .collect()
+}
+
+/// c and e: blocks move at all beyond the first speed, and against the first block beyond the
+/// second. `None` where nothing moves at the edge.
+fn widths(scene: &Scene, mechanism: &Mechanism, beyond: [f64; 2]) -> Option<(f64, f64)> {
+    let top = top_blocks(scene);
+    let first = top.first()?.0;
+    let reach = |ends: &dyn Fn(usize) -> bool| {
+        let part = top.iter().take_while(|&&(block, _)| !ends(block));
+        part.map(|&(_, far)| far).fold(0.0, f64::max)
     };
-    let e = reach(&|block| mechanism.speed(scene, block, None) <= limit);
-    let c = reach(&|block| mechanism.speed(scene, block, Some(first)) > limit);
+    let e = reach(&|block| mechanism.speed(scene, block, None) <= beyond[0]);
+    let c = reach(&|block| mechanism.speed(scene, block, Some(first)) > beyond[1]);
     (e > 0.0).then_some((c.min(e), e))
 }
 
@@ -135,8 +142,9 @@ fn widths(scene: &Scene, mechanism: &Mechanism, threshold: f64) -> Option<(f64, 
 /// reported; `None` where the scene is no wall of units and halves, or nothing moves at its top edge.
 pub fn crack_slope(scene: &Scene, mechanism: &Mechanism, thresholds: [f64; 2]) -> Option<Crack> {
     let wall = scene.coursed.filter(|wall| wall.halves)?;
-    let (c, e) = widths(scene, mechanism, thresholds[0])?;
-    let again = widths(scene, mechanism, thresholds[1]);
+    let at = |threshold| widths(scene, mechanism, [threshold * mechanism.fastest(scene); 2]);
+    let (c, e) = at(thresholds[0])?;
+    let again = at(thresholds[1]);
     let same = |(c2, e2): (f64, f64)| {
         let tolerance = 1e-6 * wall.height;
         (c2 - c).abs() < tolerance && (e2 - e).abs() < tolerance
@@ -147,6 +155,51 @@ pub fn crack_slope(scene: &Scene, mechanism: &Mechanism, thresholds: [f64; 2]) -
         tan_beta: ((c + e) / 2.0 - wall.overlap) / wall.height,
         sharp: again.is_some_and(same),
     })
+}
+
+/// Crack slope of displacements, which hold elastic movements beside the collapse: what stands
+/// still is told from what moves by the widest gap between movements along the top, on a scale of
+/// ratios, and no threshold. Not sharp where that gap is narrower than a factor of 10, or not twice
+/// as wide as the next one, or where what moves is not in one piece.
+pub fn crack_slope_by_gap(scene: &Scene, mechanism: &Mechanism) -> Option<Crack> {
+    let wall = scene.coursed.filter(|wall| wall.halves)?;
+    let fastest = mechanism.fastest(scene);
+    let top = top_blocks(scene);
+    let first = top.first()?.0;
+    let speeds = |reference| -> Vec<f64> {
+        let speed = |&(block, _): &(usize, f64)| mechanism.speed(scene, block, reference);
+        top.iter().map(|block| speed(block) / fastest).collect()
+    };
+    let (own, relative) = (speeds(None), speeds(Some(first)));
+    let gaps = [widest_gap(&own), widest_gap(&relative)];
+    let limits = gaps.map(|(limit, _)| limit);
+    let (c, e) = widths(scene, mechanism, limits.map(|limit| limit * fastest))?;
+    // Moving first, then still; and against the first block the other way round.
+    let one_piece =
+        own.is_sorted_by_key(|&v| v <= limits[0]) && relative.is_sorted_by_key(|&v| v > limits[1]);
+    Some(Crack {
+        c: Some(c),
+        e: Some(e),
+        tan_beta: ((c + e) / 2.0 - wall.overlap) / wall.height,
+        sharp: one_piece && gaps.iter().all(|&(_, clear)| clear),
+    })
+}
+
+/// The middle of the widest gap between movements relative to the largest, and whether it is clear.
+/// Smaller movements than elastic ones are none: both ends of the scale count, so that all or none
+/// may move.
+fn widest_gap(movements: &[f64]) -> (f64, bool) {
+    const NONE: f64 = 1e-4;
+    let scale = movements.iter().map(|&v| v.max(NONE)).chain([NONE, 1.0]);
+    let mut scale: Vec<f64> = scale.collect();
+    scale.sort_by(f64::total_cmp);
+    let gaps = scale.windows(2).map(|pair| (pair[1] / pair[0], pair));
+    let mut gaps: Vec<(f64, &[f64])> = gaps.collect();
+    gaps.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let next = gaps.get(1).map_or(1.0, |gap| gap.0);
+    let (ratio, ends) = gaps[0];
+    let clear = ratio >= 10.0 && ratio >= 2.0 * next;
+    ((ends[0] * ends[1]).sqrt(), clear)
 }
 
 /// Thresholds for velocities of a linear program: 1e-6 as defined, repeated at 1e-4.

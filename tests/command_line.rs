@@ -225,4 +225,31 @@ fn list_and_show_name_the_built_in_cases() {
     }
     let show = text(&trilith(folder.path(), &["show", "paper-3"]).stdout);
     assert!(show.contains("1176 blocks, 3409 joints"), "{show}");
+    let show = text(&trilith(folder.path(), &["show", "stack", "--pushover"]).stdout);
+    for line in ["substep ", "contact frequency", "stated error", "√(H_c/g)"] {
+        assert!(show.contains(line), "{line} is not in\n{show}");
+    }
+}
+
+#[test]
+fn a_recording_is_in_the_json_on_request() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = [
+        "run",
+        "sliding-block",
+        "--method",
+        "pushover",
+        "--format",
+        "json",
+    ];
+    let rows = |arguments: &[&str]| -> serde_json::Value {
+        serde_json::from_slice(&trilith(folder.path(), arguments).stdout).unwrap()
+    };
+    assert!(rows(&run)[0].get("recording").is_none());
+    let rows = rows(&[&run[..], &["--recording"]].concat());
+    let frames = rows[0]["recording"].as_array().unwrap();
+    assert!(frames.len() >= 10, "{} frames", frames.len());
+    // The push is to the right: the block slides there and does not turn.
+    let last = frames.last().unwrap()[0].as_array().unwrap();
+    assert!(last[0].as_f64().unwrap() > 1e-3 && last[2].as_f64().unwrap().abs() < 1e-3);
 }

@@ -1,7 +1,7 @@
 //! What `--accuracy` promises: the stated error, and a bracket no wider than that.
 
 use trilith::case;
-use trilith::method::pushover::Pushover;
+use trilith::method::pushover::{Pushover, Settings as PushoverSettings, solve_with};
 use trilith::method::{Accuracy, Method, Settings, Status};
 use trilith::scene::HeadJoints;
 
@@ -48,5 +48,44 @@ fn normal_is_within_a_tenth_of_a_percent() {
 fn fine_is_within_a_twentieth_of_a_percent() {
     for (name, exact) in &WALLS[..2] {
         assert_within(name, *exact, Accuracy::Fine, 5e-4);
+    }
+}
+
+/// Crack slopes of the verified mechanisms (HiGHS through `oracle.py --start open`), the same at
+/// every accuracy: the largest gap between movements tells them, no threshold.
+#[test]
+fn every_accuracy_sees_the_same_crack() {
+    for (name, c, e) in [("paper-1", 8.0, 12.0), ("paper-2", 12.0, 20.0)] {
+        let case = case::find(name).unwrap_or_else(|complaint| panic!("{complaint}"));
+        for accuracy in [Accuracy::Coarse, Accuracy::Normal, Accuracy::Fine] {
+            let settings = Settings {
+                accuracy,
+                ..Settings::default()
+            };
+            let outcome = Pushover.solve(&case[0].scene(HeadJoints::Open), &settings);
+            let crack = outcome.crack.expect("a wall of units and halves");
+            assert!(crack.sharp, "{name}: {crack:?}");
+            assert_eq!((crack.c, crack.e), (Some(c), Some(e)), "{name}");
+        }
+    }
+}
+
+/// The tall wall: within 0.4 %, with and without kinetic damping, which agree within 0.4 %.
+#[test]
+#[ignore = "minutes"]
+fn the_tall_wall_with_and_without_damping() {
+    let case = case::find("paper-3").unwrap_or_else(|complaint| panic!("{complaint}"));
+    let scene = case[0].scene(HeadJoints::Open);
+    let damped = Pushover.solve(&scene, &Settings::default());
+    let undamped = solve_with(&scene, &Settings::default(), |settings| PushoverSettings {
+        damp_below: 0.0,
+        hurry: 0.0,
+        ..settings
+    });
+    for outcome in [damped, undamped] {
+        let bracket = outcome
+            .bracket
+            .unwrap_or_else(|| panic!("{}", outcome.reason));
+        assert!(bracket.error(0.5413) <= 4e-3, "{bracket:?}");
     }
 }

@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::path::Path;
 
 use trilith::case::{self, Case, Geometry, Template};
-use trilith::method::METHODS;
+use trilith::method::{METHODS, Settings, pushover};
 use trilith::report::write_whole;
 use trilith::scene::{Forces, Friction, Push};
 use trilith::sweep::{self, Sweep};
@@ -30,10 +30,19 @@ pub(super) fn list() -> Result<u8, Stop> {
     Ok(0)
 }
 
-pub(super) fn show(argument: &str) -> Result<u8, Stop> {
+pub(super) fn show(argument: &str, pushover: bool) -> Result<u8, Stop> {
     let cases = case::find(argument).map_err(|complaint| Stop::bad_input(complaint.to_string()))?;
     for case in &cases {
         print(&description(case))?;
+        for &head_joints in case.head_joints.iter().filter(|_| pushover) {
+            let scene = case.scene(head_joints);
+            let lines = pushover::parameters(&scene, &Settings::default())
+                .unwrap_or_else(|reason| format!("not run: {reason}\n"));
+            print(&format!(
+                "pushover, {} head joints\n{lines}",
+                head_joints.name()
+            ))?;
+        }
     }
     Ok(0)
 }

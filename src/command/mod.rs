@@ -56,6 +56,9 @@ enum Command {
     Show {
         /// A case file, or the name of a built-in case.
         case: String,
+        /// Also every parameter with which the pushover runs the case, with its unit.
+        #[arg(long)]
+        pushover: bool,
     },
     /// Print the scene of a case as JSON, as external methods read it.
     Export {
@@ -216,7 +219,7 @@ pub fn main() -> ExitCode {
         Command::Atlas(arguments) => atlas::atlas(&arguments),
         Command::Report(arguments) => report::report(&arguments),
         Command::List => cases::list(),
-        Command::Show { case } => cases::show(&case),
+        Command::Show { case, pushover } => cases::show(&case, pushover),
         Command::Export { case, head_joints } => {
             external::export(&case, head_joints.map(Into::into))
         }

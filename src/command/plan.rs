@@ -33,6 +33,9 @@ pub(super) struct PlanArguments {
     /// Push walls with head joints in contact also beyond 200 blocks, which takes long.
     #[arg(long)]
     long_ranges: bool,
+    /// Keep how the blocks moved in each pushover's collapse, in JSON and results.json.
+    #[arg(long)]
+    recording: bool,
     /// Change any other setting of the methods; a wrong name lists them all.
     #[arg(long, value_name = "NAME=VALUE")]
     set: Vec<String>,
@@ -131,6 +134,7 @@ impl PlanArguments {
             accuracy: self.accuracy.into(),
             verify: self.verify,
             long_ranges: self.long_ranges,
+            recording: self.recording,
             collapse: self.collapse.into(),
             ..Settings::default()
         };

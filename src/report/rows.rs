@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use crate::judge::Verdict;
+use crate::mechanism::Mechanism;
 use crate::record::{self, HEADING, LEGEND, nine_digits};
 use crate::run::{CaseResult, Row};
 use crate::scene::HeadJoints;
@@ -101,7 +102,9 @@ pub fn csv(results: &[CaseResult]) -> Result<String, csv::Error> {
 }
 
 /// JSON: a list of the CSV's rows with numbers as numbers and `null` where CSV is empty, and with
-/// the self-checks that ran, in words.
+/// the self-checks that ran, in words. Where a recording was asked for, `recording` has its frames,
+/// a constant time apart: for each block `[x, y, rotation]`, the displacement of its centroid in the
+/// case's length unit and its rotation in radians, counter-clockwise.
 ///
 /// # Errors
 /// Those of the JSON writer; none is expected in memory.
@@ -116,12 +119,23 @@ pub fn json(results: &[CaseResult]) -> Result<String, serde_json::Error> {
                 value[key] = as_number(&value[key]);
             }
             value["checks"] = row.outcome.checks.clone().into();
+            if !row.outcome.recording.is_empty() {
+                let frames = row.outcome.recording.iter();
+                value["recording"] = frames.map(frame).collect();
+            }
             rows.push(value);
         }
     }
     let mut text = serde_json::to_string_pretty(&rows)?;
     text.push('\n');
     Ok(text)
+}
+
+fn frame(moved: &Mechanism) -> serde_json::Value {
+    let motions = moved.motions.iter();
+    let numbers = motions.map(|m| [m.velocity.x, m.velocity.y, m.rotation]);
+    let digits = numbers.map(|n| n.map(|x| as_number(&nine_digits(x).into())).to_vec());
+    digits.map(serde_json::Value::from).collect()
 }
 
 fn as_number(text: &serde_json::Value) -> serde_json::Value {

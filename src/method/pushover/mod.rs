@@ -26,7 +26,7 @@ pub use checks::Check;
 pub use settings::Settings;
 pub use verify::{mirrored, verify};
 
-use crate::mechanism::{Mechanism, Motion, crack_slope};
+use crate::mechanism::{Mechanism, Motion, crack_slope_by_gap};
 use crate::method::{self, Bracket, Claim, Collapse, Method, Outcome, Status, Work};
 use crate::scene::{HeadJoints, Joint, JointClass, Scene, Side, Vector};
 use engine::{Contact, Engine, State};
@@ -34,9 +34,6 @@ use freeze::Freeze;
 use model::Model;
 use search::{Found, Search, search};
 use settings::GRID;
-
-/// Thresholds for displacements, which hold elastic movements beside the collapse.
-const DISPLACEMENT_THRESHOLDS: [f64; 2] = [1e-2, 5e-3];
 
 /// Natural frequency of the contacts times the substep beyond which walls jitter, with a margin
 /// for rounding.
@@ -116,6 +113,27 @@ fn first_slip(outcome: Outcome) -> Outcome {
 fn has_perpends(scene: &Scene) -> bool {
     let head = |joint: &Joint| joint.class == JointClass::Head;
     scene.head_joints == HeadJoints::Contact && scene.joints.iter().any(head)
+}
+
+/// Every parameter with its unit, one a line, as the pushover of this scene begins with them.
+///
+/// # Errors
+/// A sentence on what this method cannot honour in the scene.
+pub fn parameters(scene: &Scene, user: &method::Settings) -> Result<String, String> {
+    let freeze = freeze::beyond_stagger(scene).unwrap_or_default();
+    let model = Model::new(scene, &freeze.frozen)?;
+    let settings = Settings::new(&model, user.accuracy).asked(user);
+    let mut text = format!(
+        "  {:<26} {:<12} case length\n  {:<26} {:<12}\n",
+        "course height H_c",
+        model.length,
+        "blocks that may move",
+        model.blocks.len()
+    );
+    for (name, value, unit) in settings.listed() {
+        text.push_str(&format!("  {name:<26} {value:<12} {unit}\n"));
+    }
+    Ok(text)
 }
 
 /// The pushover with its own settings, which follow from the user's and the scene, changed.
@@ -218,7 +236,7 @@ fn judged(
             upper: found.upper as f64 / GRID,
         }),
         stated_error: Some(settings.stated_error),
-        crack: crack_slope(scene, &mechanism, DISPLACEMENT_THRESHOLDS),
+        crack: crack_slope_by_gap(scene, &mechanism),
         mechanism: Some(mechanism),
         recording: found.frames.iter().map(moved).collect(),
         checks: texts,

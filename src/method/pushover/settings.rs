@@ -146,6 +146,42 @@ impl Settings {
         }
     }
 
+    /// Name, value and unit of each, and of what the engine gets besides.
+    pub fn listed(&self) -> Vec<(&'static str, f64, &'static str)> {
+        let (time, speed, grid) = ("√(H_c/g)", "√(g·H_c)", "of λ");
+        vec![
+            ("time step", self.substep * self.substeps as f64, time),
+            ("substep", self.substep, time),
+            ("substeps", self.substeps as f64, "a time step"),
+            ("contact frequency", self.contact_frequency, "1/√(H_c/g)"),
+            ("contact damping ratio", self.damping_ratio, ""),
+            ("relaxation sweeps", self.stabilization as f64, "a substep"),
+            ("solver sweeps", 1.0, "a substep"),
+            ("warm start", 1.0, ""),
+            ("prediction distance", self.prediction, "H_c"),
+            ("contact recycle distance", self.recycle_distance, "H_c"),
+            ("ramp", self.ramp, time),
+            ("window", self.window, time),
+            ("patience", self.patience, time),
+            ("kinetic damping below", self.damp_below, "of its peak"),
+            ("hurry", self.hurry, ""),
+            ("slow motion", self.slow_motion, "g"),
+            ("settled speed", self.settled_speed, speed),
+            ("runaway", self.runaway, "H_c"),
+            ("collapse", self.collapse, "H_c"),
+            ("first slip", self.slip, "H_c"),
+            ("frames", self.frames as f64, "at least"),
+            ("settlement limit", self.settlement, "H_c"),
+            ("fall", self.fall, "H_c"),
+            ("drift limit", self.drift, "H_c"),
+            ("first increment", self.first_increment as f64 / GRID, grid),
+            ("largest", self.largest as f64 / GRID, grid),
+            ("tolerance", self.tolerance, grid),
+            ("stated error", self.stated_error, grid),
+            ("budget", self.budget as f64, "time steps"),
+        ]
+    }
+
     /// The same with half the substep.
     pub fn halved(self) -> Self {
         Self {
