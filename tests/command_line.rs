@@ -253,3 +253,34 @@ fn a_recording_is_in_the_json_on_request() {
     let last = frames.last().unwrap()[0].as_array().unwrap();
     assert!(last[0].as_f64().unwrap() > 1e-3 && last[2].as_f64().unwrap().abs() < 1e-3);
 }
+
+#[test]
+fn a_program_runs_whichever_of_our_own_methods_run_beside_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let arguments = [
+        "run",
+        "sliding-block",
+        "--method",
+        "associative",
+        "--external",
+        "silent=true",
+        "--format",
+        "csv",
+    ];
+    let output = trilith(folder.path(), &arguments);
+    // It says nothing, which is a row and no answer.
+    assert_eq!(output.status.code(), Some(1), "{}", text(&output.stderr));
+    let out = text(&output.stdout);
+    let rows: Vec<&str> = out.lines().skip(1).collect();
+    assert!(rows[0].starts_with("sliding-block,associative,verified"));
+    assert!(rows[1].starts_with("sliding-block,silent,failed"), "{out}");
+}
+
+#[test]
+fn a_drawing_is_not_written_into_a_file_of_another_kind() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = trilith(folder.path(), &["draw", "sliding-block", "-o", "wall.png"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(text(&output.stderr).contains("does not end in `.svg`"));
+    assert!(!folder.path().join("wall.png").exists());
+}

@@ -21,6 +21,13 @@ const ONE: [&str; 1] = ["interval"];
 const SIDE_BY_SIDE: [&str; 3] = [MACRO_BLOCK, "interval", "pushover"];
 
 pub(super) fn draw(arguments: &DrawArguments) -> Result<u8, Stop> {
+    if arguments.output.extension().is_none_or(|end| end != "svg") {
+        let path = arguments.output.display();
+        let text = format!(
+            "error: a drawing is SVG, and {path} does not end in `.svg`\nhelp: write `-o FILE.svg`"
+        );
+        return Err(Stop::bad_input(text));
+    }
     let (mut cases, mut plan) = arguments
         .plan
         .read(std::slice::from_ref(&arguments.case), case::paper)?;

@@ -177,8 +177,8 @@ pub(super) fn collect(arguments: &[String]) -> Result<Vec<Case>, Stop> {
     })
 }
 
-/// The methods of these names in the list's own order, then the external ones, each once; without a
-/// name the default ones and the external ones. What names no method but a case, as in
+/// The methods of these names in the list's own order, or the default ones without a name, each
+/// once; then the external ones. What names no method but a case, as in
 /// `--method associative paper-1`, is handed back.
 fn methods(
     names: &[String],
@@ -198,7 +198,9 @@ fn methods(
         return Ok(([method::defaults(), externals].concat(), others));
     }
     let wanted = |method: &&dyn Method| names.iter().any(|name| name == method.name());
-    Ok((all.into_iter().filter(wanted).collect(), others))
+    // Whoever names a program wants it to run, whichever of our own methods run beside it.
+    let own = METHODS.into_iter().filter(wanted);
+    Ok((own.chain(externals.iter().copied()).collect(), others))
 }
 
 #[cfg(test)]
