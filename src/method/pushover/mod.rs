@@ -60,7 +60,7 @@ impl Method for Pushover {
         };
         let outcome = match settings.collapse {
             Collapse::FirstSlip if outcome.bracket.is_some() => first_slip(outcome),
-            _ if coarser(settings) && outcome.bracket.is_some() => without_calibration(outcome),
+            _ if coarser(settings) => without_calibration(outcome),
             _ => outcome,
         };
         Outcome {
@@ -76,15 +76,22 @@ fn coarser(settings: &method::Settings) -> bool {
     settings.substep > 1.0 || settings.stiffness < 1.0
 }
 
-/// Says that nothing is known about the error, so that nobody takes the bracket for one.
+/// Says that nothing is known about the error, so that nobody takes a bracket for one, nor the fall
+/// of a wall that such contacts let down for the wall's own.
 fn without_calibration(outcome: Outcome) -> Outcome {
+    let status = match outcome.status {
+        Status::Bracketed => Status::Estimate,
+        Status::Falls => Status::Undecided,
+        // Without an answer there is nothing to qualify.
+        _ => return outcome,
+    };
     let why = "substeps longer or contacts softer than the stated error was measured with";
     let reason = match outcome.reason.as_str() {
         "" => why.into(),
         reason => format!("{why}; {reason}"),
     };
     Outcome {
-        status: Status::Estimate,
+        status,
         stated_error: None,
         reason,
         ..outcome

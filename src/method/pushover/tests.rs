@@ -175,6 +175,21 @@ fn an_overhanging_block_falls() {
     assert_eq!(outcome.status, Status::Falls, "{}", outcome.reason);
 }
 
+/// The large atlas found it: contacts so soft that the wall sinks through them.
+#[test]
+fn a_wall_let_down_by_soft_contacts_is_undecided() {
+    let scene = wall([4.0, 1.75], 0.65, &["h1h", "11"])
+        .scene(HeadJoints::Open)
+        .unwrap();
+    let soft = method::Settings {
+        substep: 64.0,
+        stiffness: 1.0 / 256.0,
+        ..method::Settings::default()
+    };
+    let outcome = Pushover.solve(&scene, &soft);
+    assert_eq!(outcome.status, Status::Undecided, "{}", outcome.reason);
+}
+
 #[test]
 fn verification_passes_on_a_column_and_fails_on_a_foreign_bracket() {
     let scene = wall([1.0, 0.5], 0.65, &["1"; 5])
