@@ -48,3 +48,26 @@ fn finished_cases_outlive_an_interruption() {
             .all(|line| line.starts_with("sliding-block"))
     );
 }
+
+#[test]
+fn finished_rows_of_a_chart_outlive_an_interruption() {
+    let folder = tempfile::tempdir().unwrap();
+    let child = Command::new(env!("CARGO_BIN_EXE_trilith"))
+        .current_dir(folder.path())
+        .args(["chart", "paper-1", "paper-3", "--out", "found"])
+        .stdout(Stdio::null())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("the program starts");
+    sleep(Duration::from_secs(4));
+    let process = child.id().to_string();
+    let sent = Command::new("kill").args(["-INT", &process]).status();
+    assert!(sent.expect("there is a kill").success());
+    let output = child.wait_with_output().unwrap();
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(130), "{said}");
+    assert!(said.contains("finished rows written to"), "{said}");
+    let csv = fs::read_to_string(folder.path().join("found/finished.csv")).unwrap();
+    assert!(csv.starts_with("case,method,status,lower,upper"), "{csv}");
+    assert!(!folder.path().join("found/chart.csv").exists());
+}

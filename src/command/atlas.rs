@@ -6,7 +6,7 @@ use clap::Args;
 use trilith::atlas::{self, Verdict};
 use trilith::method::METHODS;
 
-use super::chart::write;
+use super::chart::{keeping_rows, write};
 use super::plan::externals;
 use super::progress::Progress;
 use super::{REFUTED, Stop, print};
@@ -36,7 +36,9 @@ pub(super) fn atlas(arguments: &AtlasArguments) -> Result<u8, Stop> {
         methods * grid.cells.len()
     });
     let progress = Progress::new(runs.sum());
-    let cells = atlas::run(&grids, &methods, |point, _| progress.done(point.describe()));
+    let cells = keeping_rows(&arguments.out, &progress, |finished| {
+        atlas::run(&grids, &methods, finished)
+    });
     progress.clear();
     let broken = |e| Stop::bad_input(format!("error: cannot write CSV: {e}"));
     let mut files = vec![("atlas.csv".to_owned(), atlas::csv(&cells).map_err(broken)?)];

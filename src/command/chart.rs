@@ -1,16 +1,18 @@
 //! `trilith chart`.
 
 use std::path::{Path, PathBuf};
+use std::sync::Mutex;
 
 use clap::Args;
 
 use trilith::chart;
 use trilith::report::write_whole;
+use trilith::sweep::{Point, Row, sweep_csv, times_csv};
 
 use super::plan::HeadJointsArgument;
 use super::plan::{collect, externals};
 use super::progress::Progress;
-use super::{Stop, print};
+use super::{Stop, interrupt, print};
 
 #[derive(Args)]
 pub(super) struct ChartArguments {
@@ -49,8 +51,8 @@ pub(super) fn chart(arguments: &ChartArguments) -> Result<u8, Stop> {
     }
     let externals = externals(&arguments.external)?;
     let progress = Progress::new(0);
-    let entries = chart::run(&cases, head_joints, &externals, |point, _| {
-        progress.done(point.describe());
+    let entries = keeping_rows(&arguments.out, &progress, |finished| {
+        chart::run(&cases, head_joints, &externals, finished)
     });
     progress.clear();
     let entries = entries.map_err(|e| Stop::bad_input(format!("error: {e}")))?;
@@ -75,6 +77,45 @@ pub(super) fn chart(arguments: &ChartArguments) -> Result<u8, Stop> {
     write(&arguments.out, &files)?;
     print(&chart::summary_table(&summaries))?;
     Ok(0)
+}
+
+/// Runs points with progress. On Ctrl-C the rows that are finished go to `finished.csv` and their
+/// times to `finished-times.csv` in the folder, and standard error says so.
+pub(super) fn keeping_rows<T: Send>(
+    folder: &Path,
+    progress: &Progress,
+    work: impl FnOnce(&(dyn Fn(&Point, &Row) + Sync)) -> T + Send,
+) -> T {
+    let rows: Mutex<Vec<Row>> = Mutex::new(Vec::new());
+    let finished = |point: &Point, row: &Row| {
+        progress.done(point.describe());
+        rows.lock()
+            .expect("no other thread panicked")
+            .push(row.clone());
+    };
+    interrupt::or_leave(
+        || work(&finished),
+        || {
+            progress.clear();
+            let rows = rows.lock().expect("no other thread panicked").clone();
+            let texts = sweep_csv(&rows).and_then(|csv| Ok((csv, times_csv(&rows)?)));
+            let written = match texts {
+                Err(e) => Err(Stop::bad_input(format!("error: cannot write CSV: {e}"))),
+                Ok((csv, times)) => {
+                    let files = [("finished.csv", csv), ("finished-times.csv", times)];
+                    write(folder, &files.map(|(name, text)| (name.to_owned(), text)))
+                }
+            };
+            match written {
+                Ok(()) => eprintln!(
+                    "interrupted: {} finished rows written to {}",
+                    rows.len(),
+                    folder.join("finished.csv").display()
+                ),
+                Err(stop) => eprintln!("interrupted: {}", stop.text.trim_end()),
+            }
+        },
+    )
 }
 
 /// Writes files into a folder.
