@@ -14,16 +14,16 @@
 //! the weight of each block (and of the overburden) acting sideways, so λ is also the horizontal
 //! acceleration in units of g. Compression is positive; an opening joint has a positive rate.
 
-pub mod atlas;
+pub mod answer;
 pub mod case;
-pub mod chart;
-pub mod draw;
 pub mod external;
+pub mod files;
 pub mod judge;
-pub mod mechanism;
 pub mod method;
+pub mod number;
+pub mod picture;
 pub mod record;
 pub mod report;
 pub mod run;
 pub mod scene;
-pub mod sweep;
+pub mod study;

@@ -1,10 +1,11 @@
 //! The small atlas: no method is wrong anywhere on it, and it notices methods that are.
 
-use trilith::atlas::{self, Cell, Verdict, grids};
+use trilith::answer::{Bracket, Claim, Outcome, Status};
 use trilith::method::limit::{Ending, Program};
 use trilith::method::pushover::{self, solve_with};
-use trilith::method::{Bracket, Claim, METHODS, Method, Outcome, Settings, Status};
+use trilith::method::{METHODS, Method, Settings};
 use trilith::scene::Scene;
+use trilith::study::atlas::{self, Cell, Verdict, grids};
 
 fn of(cells: &[Cell], verdict: Verdict) -> Vec<&Cell> {
     cells

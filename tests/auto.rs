@@ -2,12 +2,13 @@
 
 mod scenes;
 
+use trilith::answer::{Outcome, Status};
 use trilith::case::library;
-use trilith::chart::reference;
+use trilith::method::Settings;
 use trilith::method::auto::Auto;
-use trilith::method::{Outcome, Settings, Status};
 use trilith::run::{Task, solve};
 use trilith::scene::{HeadJoints, Scene};
+use trilith::study::chart::reference;
 
 fn auto(sides: &[Scene], settings: Settings) -> Outcome {
     let method = &Auto;

@@ -2,8 +2,9 @@
 
 mod scenes;
 
+use trilith::answer::Status;
 use trilith::method::limit::Interval;
-use trilith::method::{Method, Settings, Status};
+use trilith::method::{Method, Settings};
 use trilith::scene::HeadJoints;
 
 /// With open head joints λ_A of this bond is 0.38095, and states without dilatancy reach down to

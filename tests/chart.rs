@@ -1,8 +1,8 @@
 //! The chart of one small case: complete, within its definitions, the same bytes twice.
 
+use trilith::answer::Status;
 use trilith::case::find;
-use trilith::chart::{self, Entry};
-use trilith::method::Status;
+use trilith::study::chart::{self, Entry};
 
 /// The stack has an exact answer, min(μ, b/H) = 0.4.
 #[test]

@@ -2,11 +2,12 @@
 
 mod scenes;
 
+use trilith::answer::{Outcome, Status};
 use trilith::case::find;
-use trilith::draw::{Options, View, figure, parts, threshold};
 use trilith::method::limit::{Associative, Interval};
 use trilith::method::macro_block::MacroBlock;
-use trilith::method::{Method, Outcome, Settings, Status};
+use trilith::method::{Method, Settings};
+use trilith::picture::{Options, View, figure, parts, threshold};
 use trilith::run::{Row, Task, solve};
 use trilith::scene::{HeadJoints, Push, Scene};
 

@@ -8,9 +8,10 @@ use std::process::Command;
 use std::time::{Duration, Instant};
 
 use serde_json::{Value, json};
+use trilith::answer::{JointForce, Outcome, Status};
 use trilith::external::{External, SceneFile, answer_schema, export, parse, scene_schema};
 use trilith::method::limit::{Associative, Interval};
-use trilith::method::{JointForce, Method, Outcome, Settings, Status};
+use trilith::method::{Method, Settings};
 use trilith::run::{Answer, Task, solve};
 use trilith::scene::{HeadJoints, Scene};
 

@@ -5,9 +5,10 @@ mod scenes;
 
 use proptest::prelude::*;
 use scenes::{laid, mirrored, small_walls};
+use trilith::answer::Status;
 use trilith::case::{Case, find};
 use trilith::method::limit::{Associative, Interval};
-use trilith::method::{Method, Settings, Status};
+use trilith::method::{Method, Settings};
 use trilith::run::{Task, solve};
 use trilith::scene::{Arch, Forces, HeadJoints, JointClass, Push, Scene};
 

@@ -3,9 +3,10 @@
 mod scenes;
 
 use scenes::arch;
+use trilith::answer::{Outcome, Status};
 use trilith::judge::judge;
 use trilith::method::limit::{Associative, Interval};
-use trilith::method::{Method, Outcome, Settings, Status};
+use trilith::method::{Method, Settings};
 use trilith::scene::Scene;
 
 /// Friction that keeps every joint from sliding.

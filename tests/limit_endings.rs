@@ -3,9 +3,10 @@
 mod scenes;
 
 use scenes::{arch, ground, homogeneous, mirrored, polygon, rectangle, scene};
-use trilith::judge::{StaticResidual, falling_violation, judge};
+use trilith::answer::{JointForce, Outcome, StaticResidual, Status, falling_violation};
+use trilith::judge::judge;
 use trilith::method::limit::{Associative, Interval, Sequential};
-use trilith::method::{JointForce, Method, Outcome, Settings, Status};
+use trilith::method::{Method, Settings};
 use trilith::scene::{Scene, Vector};
 
 const METHODS: [&dyn Method; 3] = [&Associative, &Sequential, &Interval];

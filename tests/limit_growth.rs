@@ -3,9 +3,10 @@
 mod scenes;
 
 use scenes::{laid, running_bond};
+use trilith::answer::Status;
 use trilith::judge::judge;
 use trilith::method::limit::{Associative, Interval};
-use trilith::method::{Method, Settings, Status};
+use trilith::method::{Method, Settings};
 use trilith::scene::{HeadJoints, Scene};
 
 /// CPU seconds and peak resident megabytes of one method on one scene.

@@ -4,9 +4,10 @@
 mod scenes;
 
 use scenes::{laid, mirrored, scaled, shifted, small_walls, with_heavy_top};
+use trilith::answer::{Bracket, Outcome, Status};
 use trilith::judge::judge;
 use trilith::method::limit::{Associative, Interval};
-use trilith::method::{Bracket, Method, Outcome, Settings, Status};
+use trilith::method::{Method, Settings};
 use trilith::scene::{HeadJoints, Scene, Vector, Wall};
 
 const BOTH: [HeadJoints; 2] = [HeadJoints::Contact, HeadJoints::Open];

@@ -4,10 +4,12 @@ mod scenes;
 
 use proptest::prelude::*;
 use scenes::{laid, mirrored, scaled, shifted};
-use trilith::judge::{CollapseResidual, StaticResidual, dead_power, judge};
-use trilith::mechanism::Mechanism;
+use trilith::answer::{
+    CollapseResidual, CollapseState, Mechanism, Outcome, StaticResidual, Status, dead_power,
+};
+use trilith::judge::judge;
 use trilith::method::limit::{Associative, Interval};
-use trilith::method::{CollapseState, Method, Outcome, Settings, Status};
+use trilith::method::{Method, Settings};
 use trilith::scene::{Course, HeadJoints, Piece, Scene, Vector, Wall};
 
 /// Running bond with units left out of any course but the first and the last, ends excepted; gaps

@@ -3,9 +3,10 @@
 mod scenes;
 
 use scenes::{laid, small_walls};
+use trilith::answer::Status;
 use trilith::judge::judge;
 use trilith::method::limit::Interval;
-use trilith::method::{Method, Settings, Status};
+use trilith::method::{Method, Settings};
 use trilith::scene::{HeadJoints, Scene};
 
 /// Endings that are no state, by name.

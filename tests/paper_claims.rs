@@ -1,7 +1,7 @@
 //! What the paper claims about the overburden and about its bounds, and where a claim fails.
 
-use trilith::method::Status;
-use trilith::sweep::{self, Row, Sweep};
+use trilith::answer::Status;
+use trilith::study::sweep::{self, Row, Sweep};
 
 /// The rows of an embedded sweep whose text is changed first.
 fn rows(name: &str, change: impl Fn(String) -> String) -> Vec<Row> {

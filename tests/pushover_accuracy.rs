@@ -1,8 +1,9 @@
 //! What `--accuracy` promises: the stated error, and a bracket no wider than that.
 
+use trilith::answer::Status;
 use trilith::case;
 use trilith::method::pushover::{Pushover, Settings as PushoverSettings, solve_with};
-use trilith::method::{Accuracy, Method, Settings, Status};
+use trilith::method::{Accuracy, Method, Settings};
 use trilith::scene::HeadJoints;
 
 /// Verified open values by linear programs that share no code with the pushover: HiGHS through

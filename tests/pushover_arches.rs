@@ -4,8 +4,9 @@
 mod scenes;
 
 use scenes::{arch, laid, wall};
+use trilith::answer::Status;
 use trilith::method::pushover::Pushover;
-use trilith::method::{Method, Settings, Status};
+use trilith::method::{Method, Settings};
 use trilith::scene::{HeadJoints, Scene};
 
 /// Asserts a bracket within `error` of `[low, high]`, or a refusal with a reason.

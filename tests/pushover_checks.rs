@@ -1,9 +1,9 @@
 //! What `--verify` compares, and head joints in contact as a range.
 
+use trilith::answer::{Mechanism, Outcome, Status};
 use trilith::case;
-use trilith::mechanism::Mechanism;
 use trilith::method::pushover::Pushover;
-use trilith::method::{Collapse, Method, Outcome, Settings, Status};
+use trilith::method::{Collapse, Method, Settings};
 use trilith::scene::{HeadJoints, Scene};
 
 fn scene(name: &str, head_joints: HeadJoints) -> Scene {

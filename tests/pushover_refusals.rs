@@ -1,7 +1,8 @@
 //! Undecided or a right answer, never a confident wrong one.
 
+use trilith::answer::Outcome;
+use trilith::method::Settings as User;
 use trilith::method::pushover::{Settings, solve_with};
-use trilith::method::{Outcome, Settings as User};
 use trilith::scene::{Course, HeadJoints, Load, Piece, Point, Polygon, Push, Scene, Vector, Wall};
 
 /// paper-1 and its verified open value (HiGHS through `oracle.py --start open`).

@@ -2,9 +2,9 @@
 
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
-use trilith::judge::{StaticResidual, kinematic_multiplier};
+use trilith::answer::{Outcome, StaticResidual, Status, kinematic_multiplier};
 use trilith::method::limit::{Associative, Sequential};
-use trilith::method::{Method, Outcome, Settings, Status};
+use trilith::method::{Method, Settings};
 use trilith::scene::{Course, HeadJoints, Piece, Push, Wall};
 
 /// A running-bond wall of 2-5 courses, 2-5 units wide, some full units of upper courses left out.

@@ -2,7 +2,7 @@
 
 macro_rules! embed {
     ($($path:literal,)*) => {
-        [$(($path, include_str!(concat!("../../", $path)))),*]
+        [$(($path, include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/", $path)))),*]
     };
 }
 

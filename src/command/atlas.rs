@@ -3,8 +3,8 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use trilith::atlas::{self, Verdict};
 use trilith::method::METHODS;
+use trilith::study::atlas::{self, Verdict};
 
 use super::chart::{keeping_rows, write};
 use super::plan::externals;

@@ -4,10 +4,10 @@ use std::fmt::Write;
 use std::path::Path;
 
 use trilith::case::{self, Case, Geometry, Template};
+use trilith::files::write_whole;
 use trilith::method::{METHODS, Settings, pushover};
-use trilith::report::write_whole;
 use trilith::scene::{Forces, Friction, Push};
-use trilith::sweep::{self, Sweep};
+use trilith::study::sweep::{self, Sweep};
 
 use super::{Stop, print};
 

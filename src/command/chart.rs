@@ -5,9 +5,9 @@ use std::sync::Mutex;
 
 use clap::Args;
 
-use trilith::chart;
-use trilith::report::write_whole;
-use trilith::sweep::{Point, Row, sweep_csv, times_csv};
+use trilith::files::write_whole;
+use trilith::study::chart;
+use trilith::study::sweep::{Point, Row, sweep_csv, times_csv};
 
 use super::plan::HeadJointsArgument;
 use super::plan::{collect, externals};

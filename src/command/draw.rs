@@ -1,9 +1,9 @@
 //! `trilith draw`.
 
 use trilith::case;
-use trilith::draw::{Options, View, figure};
+use trilith::files::write_whole;
 use trilith::method::{METHODS, Method};
-use trilith::report::write_whole;
+use trilith::picture::{Options, View, figure};
 use trilith::run::CaseResult;
 use trilith::scene::HeadJoints;
 

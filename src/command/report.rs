@@ -3,9 +3,9 @@
 use std::path::Path;
 
 use trilith::case;
+use trilith::files::write_whole;
 use trilith::method::Settings;
 use trilith::report::html::{Attached, Report, SweepTable, attached, page};
-use trilith::report::write_whole;
 use trilith::run::CaseResult;
 
 use super::run::{refuted, write};

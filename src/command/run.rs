@@ -2,11 +2,12 @@
 
 use std::path::Path;
 
+use trilith::answer::Status;
 use trilith::case;
+use trilith::files::write_whole;
 use trilith::judge::Verdict;
-use trilith::method::Status;
-use trilith::record::record;
-use trilith::report::{self, Comparison};
+use trilith::record::{Comparison, compare as compare_record, record};
+use trilith::report;
 use trilith::run::CaseResult;
 
 use super::solve::solve;
@@ -71,7 +72,7 @@ pub(super) fn write(folder: &Path, results: &[CaseResult]) -> Result<(), Stop> {
     );
     for (name, text) in files {
         let path = folder.join(name);
-        report::write_whole(&path, &text)
+        write_whole(&path, &text)
             .map_err(|e| Stop::bad_input(format!("error: cannot write {}: {e}", path.display())))?;
     }
     Ok(())
@@ -81,7 +82,7 @@ pub(super) fn write(folder: &Path, results: &[CaseResult]) -> Result<(), Stop> {
 fn compare(folder: &Path, results: &[CaseResult]) -> Result<bool, Stop> {
     let mut changed = false;
     for result in results {
-        let compared = report::compare(folder, &result.case.name, &record(result));
+        let compared = compare_record(folder, &result.case.name, &record(result));
         match compared.map_err(|e| Stop::bad_input(format!("error: {e}")))? {
             Comparison::Same => {}
             Comparison::Changed(path) => {

@@ -5,11 +5,11 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use clap::Args;
+use trilith::answer::Status;
 use trilith::case::Complaint;
-use trilith::method::Status;
-use trilith::record::number;
-use trilith::report::write_whole;
-use trilith::sweep::{self, Journal, MOST_SHARDS, Point, Row, Shard, Sweep};
+use trilith::files::write_whole;
+use trilith::number::number;
+use trilith::study::sweep::{self, Journal, MOST_SHARDS, Point, Row, Shard, Sweep};
 
 use super::progress::Progress;
 use super::{REFUTED, Stop, interrupt, print, slurm};

@@ -3,9 +3,10 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
-use crate::judge::kinematic_multiplier;
-use crate::mechanism::{Mechanism, Motion, VELOCITY_THRESHOLDS, crack_slope};
-use crate::method::{Bracket, Claim, JointForce, Outcome, Status};
+use crate::answer::{
+    Bracket, Claim, JointForce, Mechanism, Motion, Outcome, Status, VELOCITY_THRESHOLDS,
+    crack_slope, kinematic_multiplier,
+};
 use crate::scene::{Scene, Vector};
 
 /// The answer to one scene, in its units: one JSON object. Forces and velocities come in the order

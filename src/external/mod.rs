@@ -13,7 +13,8 @@ mod scene;
 use std::path::PathBuf;
 use std::time::Duration;
 
-use crate::method::{Method, Outcome, Settings, Status};
+use crate::answer::{Outcome, Status};
+use crate::method::{Method, Settings};
 use crate::scene::Scene;
 
 pub use answer::{AnswerFile, Kind};

@@ -1,7 +1,7 @@
 //! What must hold between the methods of one scene.
 
 use super::check::{Check, Verdict};
-use crate::method::{Bracket, Outcome};
+use crate::answer::{Bracket, Outcome};
 use crate::scene::HeadJoints;
 
 /// Convergence tolerance of the sequential method: what it may exceed λ_A by through c0.
@@ -101,7 +101,7 @@ fn pushover_check(answers: &Answers) -> Option<(String, Verdict)> {
     let text = format!(
         "pushover {} [{low:.4}, {high:.4}], lowest known to associative widened by {} %",
         if meets { "meets" } else { "misses" },
-        crate::record::short(100.0 * error, 2)
+        crate::number::short(100.0 * error, 2)
     );
     Some((text, Verdict::of(meets)))
 }

@@ -4,30 +4,17 @@
 mod check;
 mod cross_check;
 mod references;
-mod residual;
 
 pub use check::{Check, Verdict};
 pub use cross_check::{cross_check, open_never_raises};
 pub use references::{Comparison, comparisons, computed, reference_checks};
-pub use residual::{
-    CollapseResidual, StaticResidual, associative_violation, dead_power, falling_violation,
-    kinematic_multiplier, live_unit,
+
+use crate::answer::{
+    Bracket, Claim, CollapseResidual, Mechanism, Outcome, StaticResidual, Status,
+    VERIFIED_RESIDUAL, associative_violation, falling_violation, is_one_number,
+    kinematic_multiplier,
 };
-
-use crate::mechanism::Mechanism;
-use crate::method::{Bracket, Claim, Outcome, Status};
 use crate::scene::Scene;
-
-/// Largest residual of a verified result, with total weight, height and live power scaled to 1.
-pub const VERIFIED_RESIDUAL: f64 = 1e-8;
-
-/// Relative width up to which two proved ends count as one number.
-pub const VERIFIED_WIDTH: f64 = 1e-6;
-
-/// Whether two ends are one number: NaN is none, nor are ends that cross by more than rounding.
-pub fn is_one_number(bracket: &Bracket) -> bool {
-    (-1e-9..=VERIFIED_WIDTH).contains(&bracket.relative_width())
-}
 
 /// Recomputes the residual of an outcome and sets its status to what that proves of its claim.
 ///
@@ -84,7 +71,7 @@ pub fn judge(scene: &Scene, outcome: &mut Outcome) -> Option<f64> {
 /// friction: its violation of the flow rule, infinite where its own multiplier is above that or
 /// below `bracket.lower`; and that in words.
 fn ceiling(scene: &Scene, mechanism: &Mechanism, bracket: Bracket) -> (f64, String) {
-    let slack = residual::associative_violation(scene, mechanism);
+    let slack = associative_violation(scene, mechanism);
     let upper = kinematic_multiplier(scene, mechanism);
     let text = format!("flow rule violated by {slack:.1e}, mechanism's own multiplier {upper:.6}");
     // Written so that a NaN refutes.

@@ -2,13 +2,13 @@
 
 use super::check::{Check, Verdict};
 use super::cross_check::Answers;
+use crate::answer::{Bracket, Outcome, Status};
 use crate::case::{Case, Quantity, Reference};
-use crate::method::{Bracket, Outcome, Status};
 use crate::scene::HeadJoints;
 
 /// The computed value that a reference is about, as a bracket.
 pub fn computed(outcome: &Outcome, quantity: Quantity) -> Option<Bracket> {
-    let crack = |value: fn(&crate::mechanism::Crack) -> Option<f64>| {
+    let crack = |value: fn(&crate::answer::Crack) -> Option<f64>| {
         outcome.crack.as_ref().and_then(value).map(Bracket::point)
     };
     match quantity {
@@ -115,14 +115,14 @@ fn in_words(comparison: &Comparison, status: Status) -> String {
         reference.method,
         reference.quantity.name(),
         reference.kind.name(),
-        crate::record::short(reference.value, 6)
+        crate::number::short(reference.value, 6)
     );
     let Some(error) = comparison.error else {
         return format!("{label}: no value, {}", status.name());
     };
     let text = format!(
         "{label}: error {} % ({})",
-        crate::record::number(100.0 * error, 2),
+        crate::number::number(100.0 * error, 2),
         reference.source
     );
     match (&reference.deviation, comparison.verdict) {

@@ -20,8 +20,9 @@
 use super::limit::{self, Associative};
 use super::macro_block::MacroBlock;
 use super::pushover::Pushover;
-use super::{Bracket, Claim, Method, Outcome, Settings, Status, Work};
-use crate::record::short;
+use super::{Method, Settings};
+use crate::answer::{Bracket, Claim, Outcome, Status, Work};
+use crate::number::short;
 use crate::scene::Scene;
 
 /// The method that picks among the others.

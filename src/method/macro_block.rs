@@ -1,7 +1,7 @@
 //! The macro-block model: one crack, two macro-blocks, closed form (paper, section 2).
 
-use super::{Bracket, Method, Outcome, Settings, Status};
-use crate::mechanism::Crack;
+use super::{Method, Settings};
+use crate::answer::{Bracket, Crack, Outcome, Status};
 use crate::scene::{RegularWall, Scene};
 
 /// The closed-form method. `lower` and `upper` are λ_low and λ_upp of Eq. (5): a range that

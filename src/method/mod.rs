@@ -3,15 +3,14 @@
 pub mod auto;
 pub mod limit;
 pub mod macro_block;
-mod outcome;
 pub mod pushover;
 mod settings;
 
-pub use outcome::{Bracket, Claim, CollapseState, JointForce, Outcome, Status, Work};
 pub use settings::{Accuracy, Collapse, Settings};
 
 use std::time::Duration;
 
+use crate::answer::Outcome;
 use crate::scene::Scene;
 
 /// A way to find the collapse multiplier of a scene. It sees neither another method's answer nor

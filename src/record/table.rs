@@ -1,9 +1,9 @@
 //! The table: one line a method and head-joint setting, computed beside published.
 
-use super::{number, short};
+use crate::answer::{Bracket, Outcome, Status, VERIFIED_RESIDUAL};
 use crate::case::{Case, Kind, Quantity, Reference};
-use crate::judge::{Check, VERIFIED_RESIDUAL, computed};
-use crate::method::{Bracket, Outcome, Status};
+use crate::judge::{Check, computed};
+use crate::number::{number, short};
 use crate::run::{CaseResult, Row};
 
 /// Column names, above the lines of [`lines`].

@@ -5,9 +5,9 @@
 
 use std::fmt::Write;
 
+use crate::answer::{Bracket, Outcome, Status};
 use crate::judge::{Check, Comparison, Verdict, comparisons};
-use crate::method::{Bracket, Outcome, Status};
-use crate::record::{number, short};
+use crate::number::{number, short};
 use crate::run::{CaseResult, Row};
 
 /// Limits of error that answers are counted within, relative to the reference.

@@ -2,9 +2,10 @@
 
 use serde::Serialize;
 
+use crate::answer::Mechanism;
 use crate::judge::Verdict;
-use crate::mechanism::Mechanism;
-use crate::record::{self, HEADING, LEGEND, nine_digits};
+use crate::number::nine_digits;
+use crate::record::{self, HEADING, LEGEND};
 use crate::run::{CaseResult, Row};
 use crate::scene::HeadJoints;
 

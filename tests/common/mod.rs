@@ -2,9 +2,10 @@
 
 use std::path::Path;
 
+use trilith::answer::Status;
 use trilith::case::{self, Case};
 use trilith::judge::Verdict;
-use trilith::method::{Settings, Status, defaults};
+use trilith::method::{Settings, defaults};
 use trilith::record::record;
 use trilith::run::{CaseResult, Plan};
 

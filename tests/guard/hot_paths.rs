@@ -1,11 +1,11 @@
 //! The hot paths one by one, for `tests/guard/run`: does the work of the path that its argument
 //! names and prints the work counters; without an argument, lists the paths.
 
-use trilith::atlas::{Columns, running_bond};
-use trilith::judge::{CollapseResidual, StaticResidual};
+use trilith::answer::{CollapseResidual, Outcome, StaticResidual, Work};
 use trilith::method::limit::{Associative, Interval, Program, Sequential};
 use trilith::method::pushover::Pushover;
-use trilith::method::{Method, Outcome, Settings, Work};
+use trilith::method::{Method, Settings};
+use trilith::study::atlas::{Columns, running_bond};
 
 /// A path's name and its work.
 type Path = (&'static str, fn() -> Work);

@@ -4,9 +4,12 @@
 use super::program::{Ending, Margins, Program, TOLERANCE};
 use super::reduction;
 use super::standing::{own_weight, without_optimum};
-use crate::judge::{self, StaticResidual, VERIFIED_RESIDUAL, associative_violation, is_one_number};
-use crate::mechanism::{Mechanism, VELOCITY_THRESHOLDS, crack_slope};
-use crate::method::{Bracket, Claim, JointForce, Method, Outcome, Settings, Status, Work};
+use crate::answer::{
+    Bracket, Claim, JointForce, Mechanism, Outcome, StaticResidual, Status, VELOCITY_THRESHOLDS,
+    VERIFIED_RESIDUAL, Work, associative_violation, crack_slope, is_one_number,
+    kinematic_multiplier,
+};
+use crate::method::{Method, Settings};
 use crate::scene::{HeadJoints, Scene};
 
 /// `lower` is the multiplier of a force state, `upper` that of an admissible mechanism; the status
@@ -86,7 +89,7 @@ fn solved(
     match program.solve_counted(work) {
         Ending::Solved(solution) => {
             let mechanism = program.scale().mechanism(&solution.velocity);
-            let upper = judge::kinematic_multiplier(scene, &mechanism);
+            let upper = kinematic_multiplier(scene, &mechanism);
             let lower = match margins {
                 Some(_) => solution.lambda,
                 // Without margins the ends may cross by what the solver leaves.

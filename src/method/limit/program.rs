@@ -20,7 +20,8 @@ use clarabel::solver::{
 
 use super::columns::{Entries, equilibrium_column};
 use super::scale::Scale;
-use crate::method::{self, JointForce, Work};
+use crate::answer::{JointForce, Work};
+use crate::method;
 use crate::scene::Scene;
 
 /// Friction law of one joint: |t| ≤ slope · (n1 + n2) + intercept, the intercept in units of the

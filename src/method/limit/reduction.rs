@@ -7,8 +7,7 @@
 
 use super::program::{Ending, Margins, Program};
 use super::scale::Scale;
-use crate::mechanism::{Mechanism, Motion};
-use crate::method::{JointForce, Work};
+use crate::answer::{JointForce, Mechanism, Motion, Work};
 use crate::scene::{Joint, Load, Push, Scene, Side};
 
 /// A part of a scene; all other blocks are supports in it.

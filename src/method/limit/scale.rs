@@ -1,7 +1,6 @@
 //! Units of the dimensionless program, and the way back to the case's own.
 
-use crate::mechanism::{Mechanism, Motion};
-use crate::method::JointForce;
+use crate::answer::{JointForce, Mechanism, Motion};
 use crate::scene::{Scene, Vector};
 
 /// Units of the dimensionless program. Without them Clarabel reports "solved" far from the

@@ -3,8 +3,8 @@
 
 use super::program::{Ending, Friction, Program, Solution};
 use super::standing::{own_weight, without_optimum};
-use crate::mechanism::{VELOCITY_THRESHOLDS, crack_slope};
-use crate::method::{Bracket, Method, Outcome, Settings, Status, Work};
+use crate::answer::{Bracket, Outcome, Status, VELOCITY_THRESHOLDS, Work, crack_slope};
+use crate::method::{Method, Settings};
 use crate::scene::Scene;
 
 /// `lower` and `upper` are both the last λ. It depends on the start and carries the bias of c0, so

@@ -5,9 +5,10 @@
 use super::program::{Ending, Margins, Program};
 use super::scale::Scale;
 use super::vertical;
-use crate::judge::{StaticResidual, VERIFIED_RESIDUAL, falling_violation, live_unit};
-use crate::mechanism::Mechanism;
-use crate::method::{JointForce, Outcome, Status, Work};
+use crate::answer::{
+    JointForce, Mechanism, Outcome, StaticResidual, Status, VERIFIED_RESIDUAL, Work,
+    falling_violation, live_unit,
+};
 use crate::scene::Scene;
 
 /// Forces of every joint at λ = 0, or the outcome `falls` with a mechanism that moves under the

@@ -1,7 +1,7 @@
 //! Equilibrium under the own weight by vertical forces alone, from the top block down: a proof that
 //! costs no program, for walls of level beds.
 
-use crate::method::JointForce;
+use crate::answer::JointForce;
 use crate::scene::{Joint, Scene, Side};
 
 /// Largest sideways part of a level joint's normal; the judge decides what it may be.
@@ -95,7 +95,7 @@ fn distribute(rests: &[Rest], weight: f64, x: f64) -> Option<Vec<(Rest, f64)>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::judge::StaticResidual;
+    use crate::answer::StaticResidual;
     use crate::scene::{HeadJoints, Piece, Push, Wall};
 
     fn wall(courses: Vec<Vec<Piece>>) -> Scene {

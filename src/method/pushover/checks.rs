@@ -1,6 +1,6 @@
 //! Self-checks that can fail: pure functions of figures, run on every bracket.
 
-use crate::method::Bracket;
+use crate::answer::Bracket;
 use crate::scene::{Joint, Side};
 
 use super::engine::Contact;

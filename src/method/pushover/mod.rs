@@ -26,8 +26,8 @@ pub use checks::Check;
 pub use settings::Settings;
 pub use verify::{mirrored, verify};
 
-use crate::mechanism::{Mechanism, Motion, crack_slope_by_gap};
-use crate::method::{self, Bracket, Claim, Collapse, Method, Outcome, Status, Work};
+use crate::answer::{Bracket, Claim, Mechanism, Motion, Outcome, Status, Work, crack_slope_by_gap};
+use crate::method::{self, Collapse, Method};
 use crate::scene::{HeadJoints, Joint, JointClass, Scene, Side, Vector};
 use engine::{Contact, Engine, State};
 use freeze::Freeze;

@@ -6,7 +6,8 @@
 use super::settings::Settings;
 use super::solve_with;
 use super::verify::mirrored;
-use crate::method::{self, Bracket, Outcome, Status};
+use crate::answer::{Bracket, Outcome, Status};
+use crate::method;
 use crate::scene::Scene;
 
 /// Blocks beyond which the variations are run only on request.

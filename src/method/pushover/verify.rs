@@ -3,7 +3,8 @@
 use super::checks::{Check, agree};
 use super::settings::Settings;
 use super::solve_with;
-use crate::method::{self, Outcome, Status};
+use crate::answer::{Outcome, Status};
+use crate::method;
 use crate::scene::{Point, Polygon, PolygonError, Push, Scene, Vector};
 
 /// An outcome after [`verify`]: the figures join its checks, and without agreement it loses its

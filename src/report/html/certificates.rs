@@ -3,13 +3,11 @@
 use maud::{Markup, html};
 
 use super::table::{Cell, sortable};
-use crate::judge::{
-    CollapseResidual, StaticResidual, VERIFIED_RESIDUAL, associative_violation,
-    kinematic_multiplier,
+use crate::answer::{
+    Claim, CollapseResidual, JointForce, Mechanism, Outcome, StaticResidual, VERIFIED_RESIDUAL,
+    associative_violation, kinematic_multiplier,
 };
-use crate::mechanism::Mechanism;
-use crate::method::{Claim, JointForce, Outcome};
-use crate::record::number;
+use crate::number::number;
 use crate::run::{CaseResult, Row};
 use crate::scene::Scene;
 

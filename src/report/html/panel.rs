@@ -3,7 +3,7 @@
 use maud::{Markup, PreEscaped, html};
 
 use super::{certificates, replay};
-use crate::draw::{Options, View, common_scale, figure};
+use crate::picture::{Options, View, common_scale, figure};
 use crate::record::record;
 use crate::run::{CaseResult, Row};
 use crate::scene::HeadJoints;

@@ -3,8 +3,8 @@
 use kuva::render::layout::Layout;
 use kuva::render::plots::Plot;
 
-use crate::draw::escape;
 use crate::method::METHODS;
+use crate::picture::escape;
 
 /// Colours in the order of the methods (Okabe and Ito, for all eyes), as in the chart; the last one
 /// is for others.

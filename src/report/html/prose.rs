@@ -2,8 +2,8 @@
 
 use maud::{Markup, PreEscaped, html};
 
-use crate::draw::legend;
 use crate::method::Settings;
+use crate::picture::legend;
 
 /// What the words and marks mean.
 pub fn reading() -> Markup {

@@ -7,7 +7,7 @@ use kuva::render::plots::Plot;
 use maud::{Markup, PreEscaped, html};
 
 use super::plot;
-use crate::method::Bracket;
+use crate::answer::Bracket;
 use crate::run::{CaseResult, Row};
 
 /// Pixels for each method.

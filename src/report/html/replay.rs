@@ -3,8 +3,8 @@
 use maud::{Markup, PreEscaped, html};
 use serde::Serialize;
 
-use crate::draw::{Displaced, Frame, Path, Px, Shown, escape, px};
-use crate::mechanism::Mechanism;
+use crate::answer::Mechanism;
+use crate::picture::{Displaced, Frame, Path, Px, Shown, escape, px};
 use crate::run::{CaseResult, Row};
 use crate::scene::{Point, Scene};
 
@@ -57,9 +57,9 @@ pub fn replay(result: &CaseResult, row: &Row) -> Markup {
         .unwrap_or_default()
         .replace("</", "<\\/");
     let id = format!("replay-{}-{}", result.case.name, row.head_joints.name());
-    let factor = crate::record::short(displaced.factor(), 0);
+    let factor = crate::number::short(displaced.factor(), 0);
     let upper = row.outcome.bracket.map_or(0.0, |bracket| bracket.upper);
-    let lambda = crate::record::number(upper, 5);
+    let lambda = crate::number::number(upper, 5);
     html! {
         h3 id=(id) { "The collapse, replayed" }
         figure.replay aria-labelledby=(id) {

@@ -3,8 +3,8 @@
 use maud::{Markup, html};
 
 use super::table::{Cell, sortable};
+use crate::answer::Status;
 use crate::judge::Verdict;
-use crate::method::Status;
 use crate::run::CaseResult;
 
 /// Counts of verdicts and statuses, then the checks that need a word.

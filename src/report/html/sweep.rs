@@ -9,7 +9,7 @@ use maud::{Markup, PreEscaped, html};
 
 use super::plot;
 use super::table::{Cell, sortable};
-use crate::record::short;
+use crate::number::short;
 
 /// A sweep's CSV, read.
 pub struct SweepTable {

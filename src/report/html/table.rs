@@ -2,7 +2,7 @@
 
 use maud::{Markup, PreEscaped, html};
 
-use crate::draw::escape;
+use crate::picture::escape;
 use crate::record::{LEGEND, cells};
 use crate::run::CaseResult;
 
@@ -123,7 +123,7 @@ pub fn multipliers(results: &[CaseResult]) -> Markup {
                     _ => Cell::number(text),
                 });
             }
-            let seconds = Cell::number(crate::record::number(row.seconds, 2));
+            let seconds = Cell::number(crate::number::number(row.seconds, 2));
             line.insert(line.len() - 1, seconds);
             rows.push(line);
         }

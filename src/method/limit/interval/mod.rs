@@ -14,8 +14,10 @@ use super::program::Ending;
 use super::reduction::{self, Part};
 use super::scale::Scale;
 use super::standing::{own_weight, without_optimum};
-use crate::mechanism::{VELOCITY_THRESHOLDS, crack_slope};
-use crate::method::{Bracket, CollapseState, JointForce, Method, Outcome, Settings, Status, Work};
+use crate::answer::{
+    Bracket, CollapseState, JointForce, Outcome, Status, VELOCITY_THRESHOLDS, Work, crack_slope,
+};
+use crate::method::{Method, Settings};
 use crate::scene::Scene;
 use search::{Failure, Search, State};
 use starts::Start;

@@ -1,9 +1,7 @@
 //! The rigorous outer bound from below, so that nobody takes the lowest state found for one.
 
-use crate::judge::{StaticResidual, VERIFIED_RESIDUAL};
-use crate::mechanism::{Mechanism, Motion};
+use crate::answer::{JointForce, Mechanism, Motion, StaticResidual, VERIFIED_RESIDUAL, Work};
 use crate::method::limit::program::{Ending, Program};
-use crate::method::{JointForce, Work};
 use crate::scene::{Scene, Vector};
 
 /// λ of forces without friction, which no collapse multiplier undercuts; `None` where the scene needs

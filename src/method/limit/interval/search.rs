@@ -9,9 +9,8 @@
 //! is the whole violation of complementarity in units of λ, and (q, λ, u) is a collapse state where
 //! it vanishes. It holds no mode that could be guessed wrong: every opening counts with its size.
 
-use crate::judge::dead_power;
+use crate::answer::{JointForce, Work, dead_power};
 use crate::method::limit::program::{Ending, Friction, Program, Solution};
-use crate::method::{JointForce, Work};
 use crate::scene::{JointClass, Scene};
 
 /// Largest gap of a collapse state. The judge allows 1e-8; a state must keep away from that.

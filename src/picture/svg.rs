@@ -9,7 +9,7 @@ pub type Px = [f64; 2];
 
 /// Pixels with two decimals, without trailing zeros and never a negative zero.
 pub fn px(value: f64) -> String {
-    crate::record::short(value, 2)
+    crate::number::short(value, 2)
 }
 
 /// Text as it may stand between tags and in attributes.

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use insta::Snapshot;
 
-use super::write_whole;
+use crate::files::write_whole;
 
 /// How a record compares with the accepted one.
 #[derive(Clone, Debug, PartialEq, Eq)]

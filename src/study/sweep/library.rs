@@ -7,7 +7,7 @@ use crate::case::{Complaint, listed, nearest};
 
 macro_rules! embed {
     ($($path:literal,)*) => {
-        [$(($path, include_str!(concat!("../../", $path)))),*]
+        [$(($path, include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/", $path)))),*]
     };
 }
 

@@ -2,7 +2,7 @@
 
 use std::ops::Add;
 
-use crate::mechanism::{Crack, Mechanism};
+use super::{Crack, Mechanism};
 
 /// What a result may be used for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

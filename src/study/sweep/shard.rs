@@ -7,7 +7,7 @@ use std::str::FromStr;
 
 use super::{Point, Row};
 use crate::case::Complaint;
-use crate::report::write_whole;
+use crate::files::write_whole;
 
 /// The `index`-th of `count` shards, from 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -217,7 +217,7 @@ fn incomplete(points: &[Point], missing: &[usize], there: &[Shard], folder: &Pat
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::sweep::Sweep;
+    use crate::study::sweep::Sweep;
 
     #[test]
     fn shards_are_written_as_k_of_n() {

@@ -6,7 +6,8 @@ use super::palette::FAINT;
 use super::svg::{Px, Svg};
 use super::wall::{self, Shown};
 use super::{Contents, View};
-use crate::record::{self, number, short};
+use crate::number::{number, short};
+use crate::record;
 use crate::scene::{HeadJoints, Point, Push, Vector};
 
 /// Pixels for the heading above a picture.

@@ -7,9 +7,10 @@ use std::sync::{Mutex, OnceLock};
 use cpu_time::ThreadTime;
 use rayon::prelude::*;
 
+use crate::answer::{Bracket, Outcome, Status};
 use crate::case::Case;
 use crate::judge::{Check, cross_check, judge, open_never_raises, reference_checks};
-use crate::method::{Bracket, Method, Outcome, Settings, Status};
+use crate::method::{Method, Settings};
 use crate::scene::{HeadJoints, Push, Scene};
 
 /// One method on one wall.

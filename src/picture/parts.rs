@@ -1,6 +1,6 @@
 //! Parts of a mechanism that move as one rigid body.
 
-use crate::mechanism::{Mechanism, Motion};
+use crate::answer::{Mechanism, Motion};
 use crate::scene::{Scene, Side};
 
 /// Relative motion, as a fraction of the scene's largest corner velocity, below which two blocks
@@ -113,11 +113,11 @@ pub fn in_words(scene: &Scene, mechanism: &Mechanism, part: &Part) -> String {
     let turns = rotation.abs() * far > velocity.norm();
     if !turns {
         let degrees = velocity.y.atan2(velocity.x).to_degrees();
-        let degrees = crate::record::number(degrees, 0);
+        let degrees = crate::number::number(degrees, 0);
         return format!("{count}: slides without turning, towards {degrees}°");
     }
-    let x = crate::record::short(centroid.x - velocity.y / rotation, 2);
-    let y = crate::record::short(centroid.y + velocity.x / rotation, 2);
+    let x = crate::number::short(centroid.x - velocity.y / rotation, 2);
+    let y = crate::number::short(centroid.y + velocity.x / rotation, 2);
     let way = match rotation > 0.0 {
         true => "counter-clockwise",
         false => "clockwise",

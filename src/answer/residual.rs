@@ -2,8 +2,7 @@
 
 use std::fmt;
 
-use crate::mechanism::Mechanism;
-use crate::method::JointForce;
+use crate::answer::{JointForce, Mechanism};
 use crate::scene::{Block, Point, Scene, Side, Vector, Wrench};
 
 /// Violations of static admissibility, as fractions of the total weight.

@@ -6,7 +6,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Mutex, OnceLock};
 
 use super::{Journal, Point, Row};
-use crate::method::{Outcome, Status};
+use crate::answer::{Outcome, Status};
 use crate::run::{Answer, Task, in_turn, solve};
 
 /// Runs every point that the journal does not know, long ones first, and returns the rows in the
@@ -91,7 +91,7 @@ mod tests {
     use crate::case;
     use crate::method::{Method, Settings};
     use crate::scene::{HeadJoints, Scene};
-    use crate::sweep::{Subject, sweep_csv};
+    use crate::study::sweep::{Subject, sweep_csv};
 
     /// Counts its calls; panics on the third point.
     struct Counting<'a>(&'a AtomicUsize, usize);

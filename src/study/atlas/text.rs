@@ -2,7 +2,7 @@
 
 use super::cell::{Cell, Verdict};
 use super::grid::Grid;
-use crate::record::nine_digits;
+use crate::number::nine_digits;
 
 /// Cells as CSV, one line each.
 ///

@@ -15,7 +15,7 @@ use kuva::render::plots::Plot;
 use super::table::Entry;
 use super::{front, labels};
 use crate::method::METHODS;
-use crate::record::short;
+use crate::number::short;
 
 /// Errors below this are drawn at it: the references have six digits.
 pub const FLOOR: f64 = 1e-6;

@@ -107,7 +107,7 @@ pub fn csv(summaries: &[Summary]) -> Result<String, csv::Error> {
     ])?;
     for s in summaries {
         let [a, b, c] = s.within;
-        let numbers = [s.seconds, a, b, c, s.answered].map(crate::record::nine_digits);
+        let numbers = [s.seconds, a, b, c, s.answered].map(crate::number::nine_digits);
         let words = [s.method.clone(), s.setting.clone(), s.scenes.to_string()];
         writer.write_record(words.into_iter().chain(numbers))?;
     }

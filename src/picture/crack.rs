@@ -4,8 +4,8 @@
 use super::frame::Frame;
 use super::palette::{CRACK, FAINT, LARGEST, MACRO_CRACK};
 use super::svg::{INK, Path, Px, Svg};
-use crate::mechanism::Crack;
-use crate::record::short;
+use crate::answer::Crack;
+use crate::number::short;
 use crate::scene::{Point, Push, Scene, Vector};
 
 /// Pixels between two dimension lines above the wall.
@@ -76,7 +76,7 @@ pub fn macro_crack(svg: &mut Svg, frame: &Frame, scene: &Scene, tan_beta: f64) {
         "class=\"macro-crack\" fill=\"none\" stroke=\"{MACRO_CRACK}\" stroke-width=\"1.5\" \
          stroke-dasharray=\"7 4\""
     );
-    let tan_beta = crate::record::number(tan_beta, 4);
+    let tan_beta = crate::number::number(tan_beta, 4);
     svg.path(
         &path,
         attributes,

@@ -4,11 +4,12 @@ use std::io;
 
 use super::ladder::{Rung, ladder};
 use super::reference;
+use crate::answer::{Bracket, Status};
 use crate::case::{Case, Reference};
-use crate::method::{Bracket, Method, Status};
-use crate::record::nine_digits;
+use crate::method::Method;
+use crate::number::nine_digits;
 use crate::scene::HeadJoints;
-use crate::sweep::{self, Point, Row, Subject};
+use crate::study::sweep::{self, Point, Row, Subject};
 
 /// One point of the chart.
 #[derive(Clone, Debug, PartialEq)]

@@ -7,7 +7,7 @@ use toml::{Spanned, Value};
 
 use super::file::{Range, Scalar, Values};
 use crate::case::{Complaint, Document};
-use crate::record::nine_digits;
+use crate::number::nine_digits;
 
 /// Most values of one key.
 const MOST_VALUES: usize = 100_000;

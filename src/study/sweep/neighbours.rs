@@ -5,8 +5,9 @@
 //! itself alone: shards and resumed sweeps give the same rows as one run.
 
 use super::variants::Variant;
+use crate::answer::{Outcome, Work};
 use crate::method::limit::Interval;
-use crate::method::{Method, Outcome, Settings, Work};
+use crate::method::{Method, Settings};
 use crate::scene::{HeadJoints, Scene};
 
 /// The interval on one wall, with the walls beside it on an axis.

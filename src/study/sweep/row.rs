@@ -3,8 +3,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::Point;
-use crate::method::{Status, Work};
-use crate::record::nine_digits;
+use crate::answer::{Status, Work};
+use crate::number::nine_digits;
 use crate::run::Answer;
 
 /// The answer of one point, its numbers rounded to the nine digits that files show: what is read
@@ -104,7 +104,7 @@ fn rounded(value: f64) -> Option<f64> {
 mod status_word {
     use serde::{Deserialize, Deserializer, Serializer, de::Error};
 
-    use crate::method::Status;
+    use crate::answer::Status;
 
     pub(super) fn serialize<S: Serializer>(
         status: &Status,

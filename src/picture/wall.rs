@@ -6,8 +6,7 @@ use super::palette::{
 };
 use super::parts::{Part, in_words, parts, threshold, tints};
 use super::svg::{Path, Px, Svg};
-use crate::mechanism::Mechanism;
-use crate::method::JointForce;
+use crate::answer::{JointForce, Mechanism};
 use crate::scene::{Point, Scene, Side, Vector};
 
 /// Width of the thin outlines, which grows with the size that blocks are seen in.
@@ -235,7 +234,7 @@ pub fn forces(svg: &mut Svg, frame: &Frame, scene: &Scene, forces: &[JointForce]
     );
     let words = format!(
         "contact forces, the largest {}",
-        crate::record::short(largest, 4)
+        crate::number::short(largest, 4)
     );
     svg.path(&path, attributes, &words);
 }

@@ -1,8 +1,9 @@
 //! What a method's answer at one place is worth.
 
 use super::grid::{Grid, Place, grids};
-use crate::method::{Bracket, Method, Status};
-use crate::sweep::{self, Point, Row, Subject};
+use crate::answer::{Bracket, Status};
+use crate::method::Method;
+use crate::study::sweep::{self, Point, Row, Subject};
 
 /// What an answer turned out to be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
