@@ -27,7 +27,7 @@ fn holds_on_the_library(blocks: std::ops::Range<usize>) {
     for case in library() {
         for &head_joints in &case.head_joints {
             let sides = case.sides(head_joints);
-            if !blocks.contains(&sides[0].blocks.len()) {
+            if !blocks.contains(&sides[0].blocks().len()) {
                 continue;
             }
             let outcome = auto(&sides, settings);

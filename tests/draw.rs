@@ -18,7 +18,7 @@ fn row(scene: &Scene, method: &dyn Method) -> Row {
         settings: Settings::default(),
     });
     Row {
-        head_joints: scene.head_joints,
+        head_joints: scene.head_joints(),
         method: method.name().to_owned(),
         side: 0,
         outcome: answer.outcome,
@@ -214,7 +214,7 @@ fn an_arch_collapses_with_four_hinges() {
 fn a_push_to_the_left_is_the_mirror_image() {
     let right = paper_1();
     let left = scenes::mirrored(&right);
-    assert_eq!(left.push, Push::Left);
+    assert_eq!(left.push(), Push::Left);
     let count = |scene: &Scene| {
         let svg = drawn(scene, &row(scene, &Associative), Some(0.6597));
         ["part", "opening", "sliding", "crack", "dimension"].map(|class| all(&svg, class).len())

@@ -77,9 +77,9 @@ proptest! {
             let from_crown = (-block.centre.x).atan2(block.centre.y);
             prop_assert!((from_crown - angle).abs() < 1e-9);
         }
-        let scene = assembly.scene(HeadJoints::Contact, Push::Right);
-        prop_assert_eq!(scene.joints.len(), voussoirs as usize + 1);
-        for joint in &scene.joints {
+        let scene = assembly.scene(HeadJoints::Contact, Push::Right).expect("the numbers are proper");
+        prop_assert_eq!(scene.joints().len(), voussoirs as usize + 1);
+        for joint in scene.joints() {
             prop_assert!(joint.class != JointClass::Head);
             prop_assert!((joint.length() / thickness - 1.0).abs() < 1e-6);
             let radial = joint.ends[0].coords.normalize();
@@ -94,7 +94,8 @@ fn an_explicit_copy_of_a_wall_gives_the_walls_multiplier() {
     let (wall, blocks) = (case("paper-1"), case("paper-1-blocks"));
     for head_joints in BOTH {
         let (wall, blocks) = (wall.scene(head_joints), blocks.scene(head_joints));
-        let count = |scene: &Scene, class| scene.joints.iter().filter(|j| j.class == class).count();
+        let count =
+            |scene: &Scene, class| scene.joints().iter().filter(|j| j.class == class).count();
         for class in [JointClass::Base, JointClass::Bed, JointClass::Head] {
             assert_eq!(count(&wall, class), count(&blocks, class), "{class:?}");
         }
@@ -115,11 +116,11 @@ fn walls_written_block_by_block_are_read_as_the_same_scene() {
             corners.collect::<Vec<_>>().join(", ")
         };
         let mut text = "friction = 0.65\n".to_owned();
-        for support in &scene.supports {
+        for support in scene.supports() {
             let corners = shape(support.corners());
             text += &format!("[[support]]\nname = \"ground\"\ncorners = [{corners}]\n");
         }
-        for (k, block) in scene.blocks.iter().enumerate() {
+        for (k, block) in scene.blocks().iter().enumerate() {
             let corners = shape(block.shape.corners());
             let weight = -block.loads[0].dead.y;
             text +=
@@ -128,8 +129,8 @@ fn walls_written_block_by_block_are_read_as_the_same_scene() {
         let read = Case::read("copy.toml", text.as_bytes());
         let read = read.unwrap_or_else(|complaint| panic!("{name}: {complaint}"));
         let copy = read.scene(HeadJoints::Contact);
-        assert_eq!(copy.blocks, scene.blocks, "{name}");
-        assert_eq!(copy.joints, scene.joints, "{name}");
+        assert_eq!(copy.blocks(), scene.blocks(), "{name}");
+        assert_eq!(copy.joints(), scene.joints(), "{name}");
     }
 }
 
@@ -170,7 +171,10 @@ fn the_weaker_of_both_sides_is_the_answer() {
         for method in [&Associative as &dyn Method, &Interval] {
             for &head_joints in &case.head_joints {
                 let sides = case.sides(head_joints);
-                assert_eq!([sides[0].push, sides[1].push], [Push::Right, Push::Left]);
+                assert_eq!(
+                    [sides[0].push(), sides[1].push()],
+                    [Push::Right, Push::Left]
+                );
                 let solved = |sides: &[Scene]| {
                     solve(&Task {
                         sides,

@@ -30,7 +30,7 @@ fn measure(method: &dyn Method, scene: &Scene) -> (f64, f64) {
         method.name(),
         bracket.lower,
         outcome.work.modelled,
-        scene.blocks.len(),
+        scene.blocks().len(),
         outcome.work.programs,
         outcome.work.iterations,
     );
@@ -77,10 +77,7 @@ fn time_and_memory_grow_as_promised() {
         let wall = running_bond(courses, courses / 2, 0.75);
         let open = laid(&wall, HeadJoints::Open);
         // Without the coursing there is no stagger line to cut along.
-        let whole = Scene {
-            coursed: None,
-            ..open.clone()
-        };
+        let whole = open.clone().without_wall();
         let runs: [(&dyn Method, &Scene); 4] = [
             (&Associative, &laid(&wall, HeadJoints::Contact)),
             (&Associative, &whole),
@@ -91,7 +88,7 @@ fn time_and_memory_grow_as_promised() {
         let count = if courses < 96 { 4 } else { 3 };
         for (k, (method, scene)) in runs.into_iter().enumerate().take(count) {
             let (seconds, megabytes) = measure(method, scene);
-            points[k].push((scene.blocks.len() as f64, seconds));
+            points[k].push((scene.blocks().len() as f64, seconds));
             let limit = [20.0, 20.0, 10.0, f64::INFINITY][k];
             assert!(seconds < limit, "{}: {seconds} s", names[k]);
             assert!(megabytes.is_nan() || megabytes < 1536.0, "{megabytes} MB");

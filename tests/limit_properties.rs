@@ -70,7 +70,7 @@ fn close(a: f64, b: f64) -> bool {
 
 /// Live power (λ = 1) of a mechanism, summed here and not by the crate.
 fn live_power(scene: &Scene, mechanism: &Mechanism) -> f64 {
-    let blocks = scene.blocks.iter().zip(&mechanism.motions);
+    let blocks = scene.blocks().iter().zip(&mechanism.motions);
     let powers = blocks.flat_map(|(block, motion)| {
         let centroid = block.shape.centroid();
         block
@@ -87,7 +87,7 @@ fn gap_sides(scene: &Scene, state: &CollapseState) -> (f64, f64) {
     let unit = live_power(scene, &state.mechanism);
     let rates = state.mechanism.joint_rates(scene);
     let (mut capacity, mut violation) = (0.0, 0.0);
-    for ((joint, force), rate) in scene.joints.iter().zip(&state.forces).zip(&rates) {
+    for ((joint, force), rate) in scene.joints().iter().zip(&state.forces).zip(&rates) {
         let [n1, n2] = force.normal;
         let friction = joint.friction * (n1 + n2) * rate.slip.abs();
         capacity += friction;
@@ -165,15 +165,15 @@ proptest! {
     #[test]
     fn reduction_gives_the_answer_of_the_whole(wall in walls(10..13, 22..28, 12)) {
         let scene = laid(&wall, HeadJoints::Open);
-        prop_assert!(scene.blocks.len() >= 200);
+        prop_assert!(scene.blocks().len() >= 200);
         // Without the coursing there is no stagger line to cut along.
-        let whole = Scene { coursed: None, ..scene.clone() };
+        let whole = scene.clone().without_wall();
         let (a, b) = (judged(&Associative, &scene), judged(&Associative, &whole));
         prop_assert_eq!(a.status, b.status);
         if let (Some(a), Some(b)) = (a.bracket, b.bracket) {
             prop_assert!(close(a.upper, b.upper), "{a:?} {b:?}");
         }
-        prop_assert_eq!(b.status == Status::Falls || b.work.modelled == whole.blocks.len(), true);
+        prop_assert_eq!(b.status == Status::Falls || b.work.modelled == whole.blocks().len(), true);
         let outcome = judged(&Interval, &scene);
         prop_assert!(outcome.status == a.status || outcome.status == Status::Undecided, "{}", outcome.reason);
     }

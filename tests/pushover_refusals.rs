@@ -3,7 +3,7 @@
 use trilith::answer::Outcome;
 use trilith::method::Settings as User;
 use trilith::method::pushover::{Settings, solve_with};
-use trilith::scene::{Course, HeadJoints, Load, Piece, Point, Polygon, Push, Scene, Vector, Wall};
+use trilith::scene::{Course, HeadJoints, Piece, Point, Push, Scene, Side, Vector, Wall};
 
 /// paper-1 and its verified open value (HiGHS through `oracle.py --start open`).
 const PAPER_1: f64 = 0.639969;
@@ -124,24 +124,11 @@ fn other_units_and_a_far_origin() {
 
 /// Every corner and load through `to`, which gets the block too (`None`: a support).
 fn moved(scene: &Scene, to: impl Fn(Option<usize>, Point) -> Point) -> Scene {
-    let mut scene = scene.clone();
-    let shape = |id, shape: &Polygon| {
-        let corners = shape.corners().iter().map(|&p| to(id, p)).collect();
-        Polygon::new(corners).expect("as valid as before")
-    };
-    for (id, block) in scene.blocks.iter_mut().enumerate() {
-        block.shape = shape(Some(id), &block.shape);
-        for load in &mut block.loads {
-            load.point = to(Some(id), load.point);
-        }
-    }
-    for support in &mut scene.supports {
-        *support = shape(None, support);
-    }
-    for joint in &mut scene.joints {
-        joint.ends = joint.ends.map(|p| to(Some(joint.to), p));
-    }
-    scene
+    let moved = scene.moved(|body, point| match body {
+        Side::Block(block) => to(Some(block), point),
+        Side::Support(_) => to(None, point),
+    });
+    moved.expect("as valid as before")
 }
 
 /// Every course 1 % of a unit's length too low, so that it overlaps the one below.
@@ -197,18 +184,14 @@ fn little_and_much_friction() {
 #[test]
 fn a_heavy_top_course() {
     for factor in [100.0, 1000.0] {
-        let mut scene = open(&paper_1());
+        let scene = open(&paper_1());
         let top = scene.bounds().1.y;
-        for block in &mut scene.blocks {
-            if (block.shape.bounds().1.y - top).abs() < 1e-9 {
-                let heavier = |load: &Load| Load {
-                    dead: load.dead * factor,
-                    live: load.live * factor,
-                    ..*load
-                };
-                block.loads = block.loads.iter().map(heavier).collect();
+        let scene = scene.with_loads(|load, shape| {
+            if (shape.bounds().1.y - top).abs() < 1e-9 {
+                load.dead *= factor;
+                load.live *= factor;
             }
-        }
+        });
         let associative = trilith::method::METHODS
             .iter()
             .find(|m| m.name() == "associative");
@@ -249,16 +232,10 @@ fn slender_blocks_and_columns() {
 fn a_turned_scene() {
     let (sin, cos) = 0.2f64.sin_cos();
     let turn = |v: Vector| Vector::new(cos * v.x - sin * v.y, sin * v.x + cos * v.y);
-    let mut turned = moved(&open(&paper_1()), |_, p| Point::from(turn(p.coords)));
-    for block in &mut turned.blocks {
-        for load in &mut block.loads {
-            (load.dead, load.live) = (turn(load.dead), turn(load.live));
-        }
-    }
-    for joint in &mut turned.joints {
-        joint.normal = turn(joint.normal);
-    }
-    turned.coursed = None;
+    let turned = moved(&open(&paper_1()), |_, p| Point::from(turn(p.coords)));
+    let turned = turned
+        .with_loads(|load, _| (load.dead, load.live) = (turn(load.dead), turn(load.live)))
+        .without_wall();
     assert_answered("turned", &pushed(&turned), PAPER_1, 2e-3);
 }
 
@@ -267,12 +244,7 @@ fn a_turned_scene() {
 #[test]
 fn tilted_gravity() {
     for (lambda, stands) in [(PAPER_1 * 0.5, true), (PAPER_1 * 1.01, false)] {
-        let mut tilted = open(&paper_1());
-        for block in &mut tilted.blocks {
-            for load in &mut block.loads {
-                load.dead += load.live * lambda;
-            }
-        }
+        let tilted = open(&paper_1()).with_loads(|load, _| load.dead += load.live * lambda);
         let outcome = pushed(&tilted);
         match outcome.bracket {
             // λ counts on from the tilt.

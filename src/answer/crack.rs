@@ -20,12 +20,12 @@ pub struct Crack {
 fn top_blocks(scene: &Scene) -> Vec<(usize, f64)> {
     let (low, high) = scene.bounds();
     let tolerance = 1e-6 * (high.y - low.y);
-    let edge = match scene.push {
+    let edge = match scene.push() {
         Push::Right => high.x,
         Push::Left => low.x,
     };
     let mut top: Vec<(f64, f64, usize)> = Vec::new();
-    for (i, block) in scene.blocks.iter().enumerate() {
+    for (i, block) in scene.blocks().iter().enumerate() {
         let (l, h) = block.shape.bounds();
         if (h.y - high.y).abs() < tolerance {
             let span = [(l.x - edge).abs(), (h.x - edge).abs()];
@@ -55,7 +55,7 @@ fn widths(scene: &Scene, mechanism: &Mechanism, beyond: [f64; 2]) -> Option<(f64
 /// Crack slope at two thresholds (fractions of the largest corner velocity), the finer one
 /// reported; `None` where the scene is no wall of units and halves, or nothing moves at its top edge.
 pub fn crack_slope(scene: &Scene, mechanism: &Mechanism, thresholds: [f64; 2]) -> Option<Crack> {
-    let wall = scene.coursed.filter(|wall| wall.halves)?;
+    let wall = scene.coursing().filter(|wall| wall.halves)?;
     let at = |threshold| widths(scene, mechanism, [threshold * mechanism.fastest(scene); 2]);
     let (c, e) = at(thresholds[0])?;
     let again = at(thresholds[1]);
@@ -76,7 +76,7 @@ pub fn crack_slope(scene: &Scene, mechanism: &Mechanism, thresholds: [f64; 2]) -
 /// ratios, and no threshold. Not sharp where that gap is narrower than a factor of 10, or not twice
 /// as wide as the next one, or where what moves is not in one piece.
 pub fn crack_slope_by_gap(scene: &Scene, mechanism: &Mechanism) -> Option<Crack> {
-    let wall = scene.coursed.filter(|wall| wall.halves)?;
+    let wall = scene.coursing().filter(|wall| wall.halves)?;
     let fastest = mechanism.fastest(scene);
     let top = top_blocks(scene);
     let first = top.first()?.0;

@@ -37,10 +37,10 @@ pub struct JointRate {
 impl Mechanism {
     /// Opening and slip rates of every joint.
     pub fn joint_rates(&self, scene: &Scene) -> Vec<JointRate> {
-        let rates = scene.joints.iter().map(|joint| {
+        let rates = scene.joints().iter().map(|joint| {
             let moves = |point: Point| {
                 let of = |block: usize| {
-                    let arm = point - scene.blocks[block].shape.centroid();
+                    let arm = point - scene.blocks()[block].shape.centroid();
                     self.motions[block].at(arm)
                 };
                 of(joint.to)
@@ -60,11 +60,11 @@ impl Mechanism {
 
     /// Largest corner velocity of a block; with a `reference`, relative to that block's motion.
     pub fn speed(&self, scene: &Scene, block: usize, reference: Option<usize>) -> f64 {
-        let shape = &scene.blocks[block].shape;
+        let shape = &scene.blocks()[block].shape;
         let own = self.motions[block];
         let speed = |corner: &Point| {
             let other = reference.map_or(Vector::zeros(), |r| {
-                self.motions[r].at(corner - scene.blocks[r].shape.centroid())
+                self.motions[r].at(corner - scene.blocks()[r].shape.centroid())
             });
             (own.at(corner - shape.centroid()) - other).norm()
         };

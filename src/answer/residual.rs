@@ -19,7 +19,7 @@ pub struct StaticResidual {
 impl StaticResidual {
     /// Violations of a force state at the multiplier `lambda`.
     pub fn of(scene: &Scene, forces: &[JointForce], lambda: f64) -> Self {
-        let loads = scene.blocks.iter().map(|block| {
+        let loads = scene.blocks().iter().map(|block| {
             let (dead, live) = (block.dead(), block.live());
             std::array::from_fn(|k| dead[k] + lambda * live[k])
         });
@@ -29,7 +29,7 @@ impl StaticResidual {
     /// Violations of a ray: forces that balance the live load for λ = 1 and nothing else, as
     /// fractions of the total live load, or of the weight where there is none.
     pub fn of_ray(scene: &Scene, ray: &[JointForce]) -> Self {
-        let loads = scene.blocks.iter().map(Block::live);
+        let loads = scene.blocks().iter().map(Block::live);
         Self::under(scene, ray, loads.collect(), live_unit(scene))
     }
 
@@ -41,7 +41,7 @@ impl StaticResidual {
                 out.equilibrium = larger(out.equilibrium, value.abs() / unit);
             }
         }
-        for (joint, force) in scene.joints.iter().zip(forces) {
+        for (joint, force) in scene.joints().iter().zip(forces) {
             let [n1, n2] = force.normal;
             out.tension = larger(out.tension, -n1 / unit);
             out.tension = larger(out.tension, -n2 / unit);
@@ -70,7 +70,7 @@ impl fmt::Display for StaticResidual {
 /// Unbalanced wrench of every block, from those of its loads.
 fn balances(scene: &Scene, forces: &[JointForce], loads: Vec<Wrench>) -> Vec<Wrench> {
     let mut sums = loads;
-    for (joint, force) in scene.joints.iter().zip(forces) {
+    for (joint, force) in scene.joints().iter().zip(forces) {
         let tangential = joint.tangent() * force.shear;
         let parts: [(Point, Vector); 3] = [
             (joint.ends[0], joint.normal * force.normal[0]),
@@ -88,7 +88,7 @@ fn balances(scene: &Scene, forces: &[JointForce], loads: Vec<Wrench>) -> Vec<Wre
 }
 
 fn add(scene: &Scene, sums: &mut [Wrench], block: usize, point: Point, force: Vector) {
-    let arm = point - scene.blocks[block].shape.centroid();
+    let arm = point - scene.blocks()[block].shape.centroid();
     let sum = &mut sums[block];
     sum[0] += force.x;
     sum[1] += force.y;
@@ -108,7 +108,7 @@ pub fn live_unit(scene: &Scene) -> f64 {
 /// Power of the live load (λ = 1) and of the dead load on a mechanism.
 fn powers(scene: &Scene, mechanism: &Mechanism) -> (f64, f64) {
     let mut sums = (0.0, 0.0);
-    for (block, motion) in scene.blocks.iter().zip(&mechanism.motions) {
+    for (block, motion) in scene.blocks().iter().zip(&mechanism.motions) {
         for load in &block.loads {
             let velocity = motion.at(load.point - block.shape.centroid());
             sums.0 += load.live.dot(&velocity);
@@ -169,7 +169,7 @@ pub fn falling_violation(scene: &Scene, mechanism: &Mechanism) -> f64 {
 
 fn flow_violation(scene: &Scene, mechanism: &Mechanism, unit: f64) -> f64 {
     let rates = mechanism.joint_rates(scene);
-    let violations = scene.joints.iter().zip(&rates).flat_map(|(joint, rate)| {
+    let violations = scene.joints().iter().zip(&rates).flat_map(|(joint, rate)| {
         let opening = rate.opening;
         opening.map(|opening| (joint.friction * rate.slip.abs() - opening) * unit)
     });
@@ -197,7 +197,7 @@ impl CollapseResidual {
         let weight = scene.total_weight();
         let mut out = Self::default();
         let rates = mechanism.joint_rates(scene);
-        for ((joint, force), rate) in scene.joints.iter().zip(forces).zip(&rates) {
+        for ((joint, force), rate) in scene.joints().iter().zip(forces).zip(&rates) {
             for corner in 0..2 {
                 let opening = rate.opening[corner] * unit;
                 let normal = force.normal[corner] / weight;

@@ -29,11 +29,15 @@ impl Geometry {
                 let scene = wall.scene(head_joints);
                 scene.expect("the wall was laid when the case was read")
             }
-            Geometry::Blocks(assembly) => assembly.scene(head_joints, push),
+            Geometry::Blocks(assembly) => {
+                let scene = assembly.scene(head_joints, push);
+                scene.expect("the numbers were checked when the case was read")
+            }
             Geometry::Arch(arch) => {
                 let assembly = arch.assembly();
                 let assembly = assembly.expect("the arch was built when the case was read");
-                assembly.scene(head_joints, push)
+                let scene = assembly.scene(head_joints, push);
+                scene.expect("the numbers were checked when the case was read")
             }
         }
     }

@@ -334,13 +334,13 @@ mod tests {
         let sizes: Vec<(usize, usize)> = cases
             .iter()
             .map(|case| case.scene(crate::scene::HeadJoints::Contact))
-            .map(|scene| (scene.blocks.len(), scene.joints.len()))
+            .map(|scene| (scene.blocks().len(), scene.joints().len()))
             .collect();
         assert_eq!(sizes, [(33, 83), (55, 141), (1176, 3409)]);
         assert!(
             cases
                 .iter()
-                .all(|case| case.scene(case.head_joints[1]).regular.is_ok())
+                .all(|case| case.scene(case.head_joints[1]).regular().is_ok())
         );
     }
 
@@ -348,7 +348,10 @@ mod tests {
     fn openings_have_the_published_numbers_of_blocks_and_joints() {
         for (name, blocks, joints) in [("openings-3", 46, 102), ("openings-4", 55, 116)] {
             let scene = find(name).unwrap()[0].scene(crate::scene::HeadJoints::Contact);
-            assert_eq!((scene.blocks.len(), scene.joints.len()), (blocks, joints));
+            assert_eq!(
+                (scene.blocks().len(), scene.joints().len()),
+                (blocks, joints)
+            );
         }
     }
 

@@ -158,8 +158,8 @@ kind = \"independent\"
         assert_eq!((wall.thickness, wall.overburden), (1.0, 0.0));
         assert_eq!(wall.courses.len(), 4);
         assert_eq!(case.head_joints, [HeadJoints::Contact, HeadJoints::Open]);
-        let contact = case.scene(HeadJoints::Contact).joints.len();
-        assert!(case.scene(HeadJoints::Open).joints.len() < contact);
+        let contact = case.scene(HeadJoints::Contact).joints().len();
+        assert!(case.scene(HeadJoints::Open).joints().len() < contact);
     }
 
     #[test]

@@ -47,8 +47,8 @@ mod tests {
         assert_eq!(case.title, "garden");
         assert_eq!(case.head_joints, [HeadJoints::Contact]);
         assert_eq!(case.pushes, [Push::Right]);
-        assert_eq!(case.scene(HeadJoints::Contact).blocks.len(), 14);
-        assert!(case.scene(HeadJoints::Contact).regular.is_ok());
+        assert_eq!(case.scene(HeadJoints::Contact).blocks().len(), 14);
+        assert!(case.scene(HeadJoints::Contact).regular().is_ok());
     }
 
     #[test]
@@ -79,7 +79,7 @@ mod tests {
     fn every_form_runs_as_it_stands() {
         for template in Template::ALL {
             let case = read(&template.text("garden"));
-            assert!(!case.scene(HeadJoints::Contact).joints.is_empty());
+            assert!(!case.scene(HeadJoints::Contact).joints().is_empty());
         }
     }
 
@@ -91,8 +91,8 @@ mod tests {
         let load = load.replace("\n# ", "\n");
         let case = read(&format!("{head}[[load]]\n{}", &load[2..]));
         let scene = case.scene(HeadJoints::Contact);
-        let loads: usize = scene.blocks.iter().map(|block| block.loads.len()).sum();
-        assert_eq!(loads, scene.blocks.len() + 1);
+        let loads: usize = scene.blocks().iter().map(|block| block.loads.len()).sum();
+        assert_eq!(loads, scene.blocks().len() + 1);
         let text = Template::Blocks.text("garden");
         let along = "along = [[0.0, 4.0], [4.0, 4.0]]";
         let line = text.replace("at = [2.0, 4.0] ", &format!("{along} #"));

@@ -103,12 +103,13 @@ fn not_laid(laid: &Laid, error: &WallError) -> (Option<Range<usize>>, String, &'
             "fill a gap beside or below it with `1`, or make it a gap `g`",
         ),
         WallError::Shape(_) => (None, "check length and height of the unit"),
+        WallError::Scene(_) => (None, "check weight, friction and overburden"),
     };
     let label = match error {
         WallError::EmptyCourse { course }
         | WallError::Unsupported { course }
         | WallError::Floating { course, .. } => laid.label(*course),
-        WallError::NoCourses | WallError::Shape(_) => "here".into(),
+        WallError::NoCourses | WallError::Shape(_) | WallError::Scene(_) => "here".into(),
     };
     (place, label, help)
 }

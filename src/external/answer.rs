@@ -158,7 +158,7 @@ fn counted<T>(list: &[T], count: usize, what: &str, of: &str) -> Result<(), Stri
 }
 
 fn forces(scene: &Scene, list: &[[f64; 3]], what: &str) -> Result<Vec<JointForce>, String> {
-    counted(list, scene.joints.len(), what, "joints")?;
+    counted(list, scene.joints().len(), what, "joints")?;
     let force = |&[n1, n2, shear]: &[f64; 3]| JointForce {
         normal: [n1, n2],
         shear,
@@ -171,7 +171,7 @@ fn forces_of_ray(scene: &Scene, list: &[[f64; 3]]) -> Result<Vec<JointForce>, St
 }
 
 fn mechanism(scene: &Scene, list: &[[f64; 3]]) -> Result<Mechanism, String> {
-    counted(list, scene.blocks.len(), "velocities", "blocks")?;
+    counted(list, scene.blocks().len(), "velocities", "blocks")?;
     let motion = |&[x, y, rotation]: &[f64; 3]| Motion {
         velocity: Vector::new(x, y),
         rotation,

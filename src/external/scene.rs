@@ -130,11 +130,11 @@ impl From<&Scene> for SceneFile {
         };
         Self {
             format: 1,
-            head_joints: scene.head_joints.name().to_owned(),
-            push: scene.push.name().to_owned(),
-            blocks: scene.blocks.iter().map(block).collect(),
-            supports: scene.supports.iter().map(shape).collect(),
-            joints: scene.joints.iter().map(joint).collect(),
+            head_joints: scene.head_joints().name().to_owned(),
+            push: scene.push().name().to_owned(),
+            blocks: scene.blocks().iter().map(block).collect(),
+            supports: scene.supports().iter().map(shape).collect(),
+            joints: scene.joints().iter().map(joint).collect(),
         }
     }
 }

@@ -198,7 +198,7 @@ impl Climb<'_> {
 
     /// What was not needed, in words.
     fn saved(&self, unique: bool) -> String {
-        let blocks = self.scene.blocks.len();
+        let blocks = self.scene.blocks().len();
         let part = match self.work.modelled {
             modelled if (1..blocks).contains(&modelled) => {
                 format!("{} of {blocks} blocks, ", blocks - modelled)

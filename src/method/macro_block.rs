@@ -15,7 +15,7 @@ impl Method for MacroBlock {
 
     fn solve(&self, scene: &Scene, _settings: &Settings) -> Outcome {
         let decline = |reason: String| Outcome::without_number(Status::NotApplicable, reason);
-        let wall = match &scene.regular {
+        let wall = match scene.regular() {
             Ok(wall) => wall,
             Err(irregularity) => return decline(irregularity.to_string()),
         };

@@ -17,7 +17,7 @@ pub const DIMENSIONS: f64 = 2.0 * DIMENSION;
 /// The toe that a push turns a wall about.
 fn toe(scene: &Scene) -> Point {
     let (low, high) = scene.bounds();
-    match scene.push {
+    match scene.push() {
         Push::Right => Point::new(high.x, low.y),
         Push::Left => low,
     }
@@ -25,13 +25,13 @@ fn toe(scene: &Scene) -> Point {
 
 /// Into the wall from its toe.
 fn inwards(scene: &Scene) -> f64 {
-    -scene.push.sign()
+    -scene.push().sign()
 }
 
 /// The macro-block of the closed form as corners in order: a strip of width s beside the edge and a
 /// triangle of slope tan β on it (Eqs. 2 and 3). `None` where the scene is no coursed wall.
 pub fn macro_block(scene: &Scene, tan_beta: f64) -> Option<[Point; 4]> {
-    let wall = scene.coursed?;
+    let wall = scene.coursing()?;
     let (toe, into) = (toe(scene), inwards(scene));
     let top = wall.overlap + wall.height * tan_beta;
     let at = |x: f64, y: f64| toe + Vector::new(into * x, y);
@@ -48,7 +48,7 @@ pub fn turned_macro_block(svg: &mut Svg, frame: &Frame, scene: &Scene, tan_beta:
     let Some(corners) = macro_block(scene, tan_beta) else {
         return;
     };
-    let angle = -scene.push.sign() * TURN;
+    let angle = -scene.push().sign() * TURN;
     let turned = corners.map(|corner| {
         let arm = corner - corners[0];
         frame.at(corner + Vector::new(-arm.y, arm.x) * angle)
@@ -89,7 +89,7 @@ pub fn crack(svg: &mut Svg, frame: &Frame, scene: &Scene, crack: &Crack, above: 
     let (Some(c), Some(e)) = (crack.c, crack.e) else {
         return;
     };
-    let Some(wall) = scene.coursed else {
+    let Some(wall) = scene.coursing() else {
         return;
     };
     let (toe, into) = (toe(scene), inwards(scene));
@@ -130,8 +130,8 @@ pub const PUSH: f64 = 46.0;
 /// The live load: an arrow towards the scene at two thirds of its height.
 pub fn push(svg: &mut Svg, frame: &Frame, scene: &Scene) {
     let (low, high) = scene.bounds();
-    let sign = scene.push.sign();
-    let x = match scene.push {
+    let sign = scene.push().sign();
+    let x = match scene.push() {
         Push::Right => low.x,
         Push::Left => high.x,
     };

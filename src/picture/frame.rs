@@ -65,7 +65,7 @@ impl<'a> Displaced<'a> {
         let Some(mechanism) = self.mechanism else {
             return Vector::zeros();
         };
-        let arm = point - self.scene.blocks[block].shape.centroid();
+        let arm = point - self.scene.blocks()[block].shape.centroid();
         mechanism.motions[block].at(arm) * self.factor
     }
 
@@ -79,13 +79,13 @@ impl<'a> Displaced<'a> {
 
     /// Displaced corners of a block.
     pub fn corners(&self, block: usize) -> impl Iterator<Item = Point> + '_ {
-        let corners = self.scene.blocks[block].shape.corners().iter();
+        let corners = self.scene.blocks()[block].shape.corners().iter();
         corners.map(move |&corner| corner + self.by(block, corner))
     }
 
     /// Lower-left and upper-right corner of all blocks, in their place and displaced.
     pub fn bounds(&self) -> (Point, Point) {
-        let blocks = 0..self.scene.blocks.len();
+        let blocks = 0..self.scene.blocks().len();
         let corners = blocks.flat_map(|block| self.corners(block));
         corners.fold(self.scene.bounds(), |(low, high), corner| {
             (low.inf(&corner), high.sup(&corner))

@@ -41,7 +41,7 @@ impl<'a> Panel<'a> {
         if view.is_macro_block() {
             let reach = crack::TURN * scene.height();
             high.y += reach;
-            match scene.push {
+            match scene.push() {
                 Push::Right => high.x += reach,
                 Push::Left => low.x -= reach,
             }
@@ -74,7 +74,7 @@ impl<'a> Panel<'a> {
     pub fn draw(&self, svg: &mut Svg, corner: Px, size: Px, scale: f64) {
         let (scene, outcome) = (self.view.scene, &self.view.row.outcome);
         let (low, high) = self.bounds;
-        let [left, right] = match scene.push {
+        let [left, right] = match scene.push() {
             Push::Right => [PUSH, 0.0],
             Push::Left => [0.0, PUSH],
         };
@@ -124,7 +124,7 @@ impl<'a> Panel<'a> {
             Contents::Forces => format!("{}, contact forces", row.method),
         };
         // Joints of an arch are neither bed joints nor perpends.
-        let told = self.view.scene.coursed.is_some() || row.head_joints == HeadJoints::Open;
+        let told = self.view.scene.coursing().is_some() || row.head_joints == HeadJoints::Open;
         let joints = match told {
             true => format!("{} head joints", row.head_joints.name()),
             false => String::new(),

@@ -29,7 +29,7 @@ pub struct Part {
 pub fn parts(scene: &Scene, mechanism: &Mechanism, threshold: f64) -> Vec<Part> {
     let limit = threshold * mechanism.fastest(scene);
     let mut parts: Vec<Part> = Vec::new();
-    for (index, block) in scene.blocks.iter().enumerate() {
+    for (index, block) in scene.blocks().iter().enumerate() {
         let moves = mechanism.speed(scene, index, None) > limit;
         let area = block.shape.area();
         let alike = |part: &&mut Part| match part.moves {
@@ -57,14 +57,14 @@ pub fn parts(scene: &Scene, mechanism: &Mechanism, threshold: f64) -> Vec<Part> 
 /// different ones as long as there are enough. `None` for what stands still and `Some(0)` for the
 /// largest part that moves, which no other part shares.
 pub fn tints(scene: &Scene, parts: &[Part], tints: usize) -> Vec<Option<usize>> {
-    let mut part_of = vec![0; scene.blocks.len()];
+    let mut part_of = vec![0; scene.blocks().len()];
     for (index, part) in parts.iter().enumerate() {
         for &block in &part.blocks {
             part_of[block] = index;
         }
     }
     let mut beside: Vec<Vec<usize>> = vec![Vec::new(); parts.len()];
-    for joint in &scene.joints {
+    for joint in scene.joints() {
         let Side::Block(from) = joint.from else {
             continue;
         };
@@ -109,7 +109,7 @@ pub fn in_words(scene: &Scene, mechanism: &Mechanism, part: &Part) -> String {
     let Motion { velocity, rotation } = mechanism.motions[first];
     let (low, high) = scene.bounds();
     let far = 20.0 * (high - low).norm();
-    let centroid = scene.blocks[first].shape.centroid();
+    let centroid = scene.blocks()[first].shape.centroid();
     let turns = rotation.abs() * far > velocity.norm();
     if !turns {
         let degrees = velocity.y.atan2(velocity.x).to_degrees();

@@ -12,11 +12,11 @@ use crate::scene::{Point, Scene, Side, Vector};
 /// Width of the thin outlines, which grows with the size that blocks are seen in.
 fn line_width(scene: &Scene, frame: &Frame) -> f64 {
     let mean = scene
-        .blocks
+        .blocks()
         .iter()
         .map(|block| block.shape.area())
         .sum::<f64>()
-        / scene.blocks.len() as f64;
+        / scene.blocks().len() as f64;
     (frame.scale * mean.sqrt() / 40.0).clamp(0.25, 0.9)
 }
 
@@ -24,7 +24,7 @@ fn line_width(scene: &Scene, frame: &Frame) -> f64 {
 pub fn supports(svg: &mut Svg, scene: &Scene, frame: &Frame, [low, high]: [Point; 2]) {
     let mut shapes = Path::default();
     let mut edges = Path::default();
-    for support in &scene.supports {
+    for support in scene.supports() {
         let seen = clipped(support, low, high);
         let points: Vec<Px> = seen.iter().map(|&corner| frame.at(corner)).collect();
         shapes.add(&points, true);
@@ -47,7 +47,7 @@ pub fn supports(svg: &mut Svg, scene: &Scene, frame: &Frame, [low, high]: [Point
 /// Outlines of all blocks in their place.
 pub fn outlines(svg: &mut Svg, scene: &Scene, frame: &Frame) {
     let mut path = Path::default();
-    for block in &scene.blocks {
+    for block in scene.blocks() {
         let corners: Vec<Px> = block.shape.corners().iter().map(|&p| frame.at(p)).collect();
         path.add(&corners, true);
     }
@@ -116,7 +116,7 @@ impl<'a> Shown<'a> {
     /// The mechanism that a method found, or the wall at rest.
     pub fn new(scene: &'a Scene, mechanism: Option<&'a Mechanism>, method: &str) -> Self {
         let still = Mechanism {
-            motions: vec![Default::default(); scene.blocks.len()],
+            motions: vec![Default::default(); scene.blocks().len()],
         };
         let threshold = threshold(method);
         let parts = parts(scene, mechanism.unwrap_or(&still), threshold);
@@ -150,7 +150,7 @@ pub fn marks(svg: &mut Svg, frame: &Frame, scene: &Scene, shown: &Shown) {
     };
     let (mut open, mut slide) = (Path::default(), Path::default());
     let mut counts = [0; 2];
-    for (joint, rate) in scene.joints.iter().zip(mechanism.joint_rates(scene)) {
+    for (joint, rate) in scene.joints().iter().zip(mechanism.joint_rates(scene)) {
         let on = |side: Side| {
             joint
                 .ends
@@ -206,7 +206,7 @@ fn resultant(joint: &crate::scene::Joint, force: &JointForce) -> Option<(Point, 
 
 /// Magnitude of the largest contact force; 0 without forces.
 pub fn largest_force(scene: &Scene, forces: Option<&[JointForce]>) -> f64 {
-    let joints = scene.joints.iter().zip(forces.unwrap_or_default());
+    let joints = scene.joints().iter().zip(forces.unwrap_or_default());
     let found = joints.filter_map(|(joint, force)| resultant(joint, force));
     found.map(|(_, force)| force.norm()).fold(0.0, f64::max)
 }
@@ -220,7 +220,7 @@ pub fn forces(svg: &mut Svg, frame: &Frame, scene: &Scene, forces: &[JointForce]
     }
     let longest = LONGEST_FORCE * scene.height();
     let mut path = Path::default();
-    let joints = scene.joints.iter().zip(forces);
+    let joints = scene.joints().iter().zip(forces);
     for (at, force) in joints.filter_map(|(joint, force)| resultant(joint, force)) {
         let half = force * (0.5 * longest / largest);
         if half.norm() * frame.scale > 0.15 {

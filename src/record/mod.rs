@@ -46,15 +46,15 @@ pub fn fingerprint(head_joints: HeadJoints, scene: &Scene) -> String {
     let (low, high) = scene.bounds();
     let classes = [JointClass::Base, JointClass::Bed, JointClass::Head];
     let parts = classes.map(|class| {
-        let of_class = scene.joints.iter().filter(|joint| joint.class == class);
+        let of_class = scene.joints().iter().filter(|joint| joint.class == class);
         let (count, length) = of_class.fold((0, 0.0), |(n, sum), j| (n + 1, sum + j.length()));
         format!("{count} {} {}", class.name(), short(length, 3))
     });
     format!(
         "{:<8} {} blocks, {} joints ({}), {} x {}, weight {}",
         head_joints.name(),
-        scene.blocks.len(),
-        scene.joints.len(),
+        scene.blocks().len(),
+        scene.joints().len(),
         parts.join(", "),
         short(high.x - low.x, 3),
         short(high.y - low.y, 3),

@@ -114,7 +114,7 @@ fn weaker(sides: &[Scene], mut answers: Vec<Answer>) -> Answer {
     let mut answer = answers.swap_remove(first);
     let alike = answers.iter().all(|other| !weaker(&answer, other));
     if let [_, _, ..] = sides {
-        let side = match sides[answer.side].push {
+        let side = match sides[answer.side].push() {
             Push::Right => "pushed right",
             Push::Left => "pushed left",
         };
@@ -333,7 +333,7 @@ mod tests {
         }
 
         fn solve(&self, scene: &Scene, _settings: &Settings) -> Outcome {
-            self.0[usize::from(scene.push == Push::Left)]()
+            self.0[usize::from(scene.push() == Push::Left)]()
         }
     }
 

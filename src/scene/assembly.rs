@@ -1,9 +1,10 @@
 //! Named blocks of any convex shape on named supports: explicit scenes, and what generators make.
 
 use super::friction::Friction;
-use super::joints::{JointClass, Side, find_joints_within};
+use super::joints::Side;
+use super::parts::{SceneError, SceneParts};
 use super::polygon::{Point, Polygon, Vector};
-use super::{Block, HeadJoints, Irregularity, Load, Push, Scene};
+use super::{Block, HeadJoints, Load, Push, Scene};
 
 /// A block of an assembly.
 #[derive(Clone, Debug, PartialEq)]
@@ -78,28 +79,18 @@ pub struct Assembly {
 
 impl Assembly {
     /// Blocks, joints and forces for one setting and one direction of the push.
-    pub fn scene(&self, head_joints: HeadJoints, push: Push) -> Scene {
-        let shapes: Vec<&Polygon> = self.blocks.iter().map(|block| &block.shape).collect();
-        let supports: Vec<Polygon> = self.supports.iter().map(|s| s.shape.clone()).collect();
-        let mut joints = find_joints_within(self.tolerance, &shapes, &supports, |_| 0.0);
-        for joint in &mut joints {
-            if self.radial && joint.class == JointClass::Head {
-                joint.class = JointClass::Bed;
-            }
-            joint.friction = self.friction.of(joint.class);
-        }
-        if head_joints == HeadJoints::Open {
-            joints.retain(|joint| joint.class != JointClass::Head);
-        }
-        Scene {
-            blocks: self.loaded(push),
-            supports,
-            joints,
-            head_joints,
+    ///
+    /// # Errors
+    /// [`SceneError`], where a number in the assembly means nothing.
+    pub fn scene(&self, head_joints: HeadJoints, push: Push) -> Result<Scene, SceneError> {
+        let supports = self.supports.iter().map(|support| support.shape.clone());
+        let scene = Scene::new(SceneParts {
+            tolerance: self.tolerance,
+            radial: self.radial,
             push,
-            coursed: None,
-            regular: Err(Irregularity::NotCoursed),
-        }
+            ..SceneParts::new(self.loaded(push), supports.collect(), self.friction)
+        })?;
+        Ok(scene.with_head_joints(head_joints))
     }
 
     /// The name of a body.

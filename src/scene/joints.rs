@@ -23,6 +23,9 @@ pub enum JointClass {
 }
 
 impl JointClass {
+    /// Every class.
+    pub const ALL: [JointClass; 3] = [JointClass::Base, JointClass::Bed, JointClass::Head];
+
     /// The word in records.
     pub fn name(self) -> &'static str {
         match self {
@@ -66,23 +69,9 @@ impl Joint {
 /// otherwise.
 pub const TOUCHING: f64 = 1e-6;
 
-/// Finds every joint among blocks and supports, ordered by (`from`, `to`), supports first.
-/// `friction` gives each joint its coefficient by class.
-pub fn find_joints(
-    shapes: &[&Polygon],
-    supports: &[Polygon],
-    friction: impl Fn(JointClass) -> f64,
-) -> Vec<Joint> {
-    find_joints_within(TOUCHING, shapes, supports, friction)
-}
-
-/// [`find_joints`] where edges touch within `tolerance` times the smaller body's extent.
-pub fn find_joints_within(
-    tolerance: f64,
-    shapes: &[&Polygon],
-    supports: &[Polygon],
-    friction: impl Fn(JointClass) -> f64,
-) -> Vec<Joint> {
+/// Finds every joint among blocks and supports, ordered by (`from`, `to`), supports first: where
+/// edges touch within `tolerance` times the smaller body's extent. Friction is left at 0.
+pub(super) fn find_joints(tolerance: f64, shapes: &[&Polygon], supports: &[Polygon]) -> Vec<Joint> {
     let mut joints = Vec::new();
     for (one, other) in close_pairs(tolerance, shapes, supports) {
         let to = shapes[other];
@@ -101,7 +90,7 @@ pub fn find_joints_within(
                 to: other,
                 ends,
                 normal,
-                friction: friction(class),
+                friction: 0.0,
                 class,
             });
         }
@@ -199,14 +188,14 @@ mod tests {
     #[test]
     fn corners_alone_are_no_joint() {
         let (a, b) = (square(0.0, 0.0), square(1.0, 1.0));
-        assert!(find_joints(&[&a, &b], &[], |_| 0.5).is_empty());
+        assert!(find_joints(1e-6, &[&a, &b], &[]).is_empty());
     }
 
     #[test]
     fn normals_point_from_the_first_body_into_the_block() {
         let ground = Polygon::rectangle(-5.0, 5.0, -1.0, 0.0).unwrap();
         let (a, b, c) = (square(0.0, 0.0), square(1.0, 0.0), square(0.25, 1.0));
-        let joints = find_joints(&[&a, &b, &c], &[ground], |_| 0.5);
+        let joints = find_joints(1e-6, &[&a, &b, &c], &[ground]);
         let classes: Vec<_> = joints.iter().map(|j| (j.from, j.to, j.class)).collect();
         use {JointClass::*, Side::*};
         assert_eq!(
@@ -231,6 +220,6 @@ mod tests {
         let small: Vec<Polygon> = (0..50).map(|i| square(2.0 * f64::from(i), 0.5)).collect();
         let mut shapes: Vec<&Polygon> = small.iter().collect();
         shapes.push(&long);
-        assert_eq!(find_joints(&shapes, &[], |_| 0.5).len(), 50);
+        assert_eq!(find_joints(1e-6, &shapes, &[]).len(), 50);
     }
 }

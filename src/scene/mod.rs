@@ -3,8 +3,10 @@
 mod arch;
 mod assembly;
 mod bond;
+mod derived;
 mod friction;
 mod joints;
+mod parts;
 mod polygon;
 mod soundness;
 mod wall;
@@ -13,7 +15,8 @@ pub use arch::Arch;
 pub use assembly::{Assembly, Force, Forces, NamedBlock, Support};
 pub use bond::{Bond, BondError};
 pub use friction::Friction;
-pub use joints::{Joint, JointClass, Side, TOUCHING, find_joints, find_joints_within};
+pub use joints::{Joint, JointClass, Side, TOUCHING};
+pub use parts::{SceneError, SceneParts};
 pub use polygon::{Point, Polygon, PolygonError, Vector};
 pub use soundness::Unsound;
 pub use wall::{Course, Irregularity, Piece, RegularWall, Wall, WallError};
@@ -121,26 +124,78 @@ impl Block {
     }
 }
 
-/// The scene that all methods share. Forces, not masses; no g, no velocities.
+/// What only a coursed wall has: what its crack slope is measured with, and the closed form's wall.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Scene {
-    /// Blocks that may move.
-    pub blocks: Vec<Block>,
-    /// Shapes that never move: the ground, springers.
-    pub supports: Vec<Polygon>,
-    /// Every joint that can carry a force. With open head joints, those are not here.
-    pub joints: Vec<Joint>,
-    /// What the head joints carry.
-    pub head_joints: HeadJoints,
-    /// Direction of the live load.
-    pub push: Push,
-    /// Height and overlap of a staggered wall, which the crack slope is measured with.
-    pub coursed: Option<Coursing>,
-    /// The wall's closed-form description, or why it has none. Only the macro-block needs it.
+pub struct WallFacts {
+    /// Height and overlap; `None` where no course is staggered against the next.
+    pub coursing: Option<Coursing>,
+    /// The regular wall of the closed form, or why this is none.
     pub regular: Result<RegularWall, Irregularity>,
 }
 
+/// The scene that all methods share. Forces, not masses; no g, no velocities. Made by
+/// [`Scene::new`] alone, or from another scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    /// Blocks that may move.
+    blocks: Vec<Block>,
+    /// Shapes that never move: the ground, springers.
+    supports: Vec<Polygon>,
+    /// Every joint that can carry a force. With open head joints, those are not here.
+    joints: Vec<Joint>,
+    /// What the head joints carry.
+    head_joints: HeadJoints,
+    /// Direction of the live load.
+    push: Push,
+    /// What only a coursed wall has.
+    wall: Option<WallFacts>,
+}
+
 impl Scene {
+    /// Blocks that may move.
+    pub fn blocks(&self) -> &[Block] {
+        &self.blocks
+    }
+
+    /// Shapes that never move: the ground, springers.
+    pub fn supports(&self) -> &[Polygon] {
+        &self.supports
+    }
+
+    /// Every joint that can carry a force. With open head joints, those are not here.
+    pub fn joints(&self) -> &[Joint] {
+        &self.joints
+    }
+
+    /// What the head joints carry.
+    pub fn head_joints(&self) -> HeadJoints {
+        self.head_joints
+    }
+
+    /// What only a coursed wall has.
+    pub fn wall(&self) -> Option<&WallFacts> {
+        self.wall.as_ref()
+    }
+
+    /// Direction of the live load.
+    pub fn push(&self) -> Push {
+        self.push
+    }
+
+    /// Height and overlap of a staggered wall, which the crack slope is measured with.
+    pub fn coursing(&self) -> Option<Coursing> {
+        self.wall.as_ref()?.coursing
+    }
+
+    /// The wall's closed-form description, or why it has none. Only the macro-block needs it.
+    ///
+    /// # Errors
+    /// [`Irregularity`], the first that was met.
+    pub fn regular(&self) -> Result<&RegularWall, Irregularity> {
+        let wall = self.wall.as_ref().ok_or(Irregularity::NotCoursed)?;
+        wall.regular.as_ref().map_err(Clone::clone)
+    }
+
     /// Sum of the magnitudes of all dead forces: the force unit of residuals.
     pub fn total_weight(&self) -> f64 {
         let loads = self.blocks.iter().flat_map(|block| &block.loads);

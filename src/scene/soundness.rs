@@ -1,7 +1,7 @@
 //! What makes an assembly one: no block inside another, no joint missed by a hair, none in the air.
 
 use super::assembly::Assembly;
-use super::joints::{Side, close_pairs, extent, find_joints_within, shared_edges};
+use super::joints::{Side, close_pairs, extent, find_joints, shared_edges};
 use super::polygon::Polygon;
 
 /// Edges nearer than this fraction of the smaller block's extent that are no joint: nobody builds
@@ -86,7 +86,7 @@ impl Assembly {
         let mut held = vec![false; shapes.len()];
         let mut beside = vec![Vec::new(); shapes.len()];
         let mut reached = Vec::new();
-        for joint in find_joints_within(self.tolerance, &shapes, &supports, |_| 0.0) {
+        for joint in find_joints(self.tolerance, &shapes, &supports) {
             match joint.from {
                 Side::Support(_) => reached.push(joint.to),
                 Side::Block(from) => {

@@ -1,9 +1,10 @@
 //! Coursed walls: laying courses into blocks, the overburden, the closed-form description.
 
 use super::friction::Friction;
-use super::joints::{JointClass, find_joints};
+use super::joints::Side;
+use super::parts::{SceneError, SceneParts};
 use super::polygon::{Point, Polygon, PolygonError, Vector};
-use super::{Block, Coursing, HeadJoints, Load, Push, Scene};
+use super::{Block, Coursing, HeadJoints, Load, Push, Scene, WallFacts};
 
 /// One piece of a course.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -124,6 +125,9 @@ pub enum WallError {
     /// The dimensions give no usable block.
     #[error("a block of this size cannot be laid: {0}")]
     Shape(#[from] PolygonError),
+    /// A number of the wall means nothing.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
 }
 
 /// A laid block and where it came from.
@@ -158,34 +162,28 @@ impl Wall {
     /// [`WallError`] where the courses do not make a wall.
     pub fn scene(&self, head_joints: HeadJoints) -> Result<Scene, WallError> {
         let laid = self.lay()?;
-        let ground = self.ground()?;
-        let shapes: Vec<&Polygon> = laid.iter().map(|block| &block.shape).collect();
-        let mut joints = find_joints(&shapes, std::slice::from_ref(&ground), |class| {
-            self.friction.of(class)
-        });
-        let mut touched = vec![false; laid.len()];
-        for joint in &joints {
+        let places: Vec<(usize, usize)> = laid.iter().map(|b| (b.course, b.piece)).collect();
+        let blocks = laid.into_iter().map(|block| self.load(block)).collect();
+        let scene = Scene::new(SceneParts {
+            push: self.push,
+            wall: Some(WallFacts {
+                coursing: self.coursing(),
+                regular: self.regular(),
+            }),
+            ..SceneParts::new(blocks, vec![self.ground()?], self.friction)
+        })?;
+        let mut touched = vec![false; places.len()];
+        for joint in scene.joints() {
             touched[joint.to] = true;
-            if let super::Side::Block(from) = joint.from {
+            if let Side::Block(from) = joint.from {
                 touched[from] = true;
             }
         }
-        if let Some(i) = touched.iter().position(|t| !t) {
-            let (course, piece) = (laid[i].course + 1, laid[i].piece + 1);
+        if let Some(i) = touched.iter().position(|touched| !touched) {
+            let (course, piece) = (places[i].0 + 1, places[i].1 + 1);
             return Err(WallError::Floating { course, piece });
         }
-        if head_joints == HeadJoints::Open {
-            joints.retain(|joint| joint.class != JointClass::Head);
-        }
-        Ok(Scene {
-            blocks: laid.into_iter().map(|block| self.load(block)).collect(),
-            supports: vec![ground],
-            joints,
-            head_joints,
-            push: self.push,
-            coursed: self.coursing(),
-            regular: self.regular(),
-        })
+        Ok(scene.with_head_joints(head_joints))
     }
 
     fn lay(&self) -> Result<Vec<Laid>, WallError> {

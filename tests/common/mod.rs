@@ -23,7 +23,7 @@ pub fn read(path: &Path) -> Case {
 
 /// Whether the case's pushover belongs to the long records.
 pub fn is_long(case: &Case) -> bool {
-    let blocks = |head| case.scene(head).blocks.len();
+    let blocks = |head| case.scene(head).blocks().len();
     case.head_joints
         .iter()
         .any(|&head| blocks(head) > QUICK_PUSHOVER)

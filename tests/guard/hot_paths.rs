@@ -50,7 +50,7 @@ fn work(method: &dyn Method, courses: usize) -> Work {
 /// Laying a wall and finding its joints; the counter is the joints.
 fn joints() -> Work {
     Work {
-        modelled: running_bond(200).joints.len(),
+        modelled: running_bond(200).joints().len(),
         ..Work::default()
     }
 }

@@ -4,23 +4,13 @@
 #![allow(dead_code, reason = "every test binary uses its own part")]
 
 use trilith::scene::{
-    Arch, Block, Course, Forces, HeadJoints, Irregularity, JointClass, Load, Piece, Point, Polygon,
-    Push, Scene, Vector, Wall, find_joints,
+    Arch, Block, Course, Forces, HeadJoints, Load, Piece, Point, Polygon, Push, Scene, SceneParts,
+    Vector, Wall, WallFacts,
 };
 
 /// A scene of blocks and supports with one coefficient of friction, pushed to the right.
 pub fn scene(blocks: Vec<Block>, supports: Vec<Polygon>, friction: f64) -> Scene {
-    let shapes: Vec<&Polygon> = blocks.iter().map(|block| &block.shape).collect();
-    let joints = find_joints(&shapes, &supports, |_| friction);
-    Scene {
-        blocks,
-        supports,
-        joints,
-        head_joints: HeadJoints::Contact,
-        push: Push::Right,
-        coursed: None,
-        regular: Err(Irregularity::NotCoursed),
-    }
+    Scene::new(SceneParts::new(blocks, supports, friction)).expect("the numbers are proper")
 }
 
 /// A block whose weight acts at `centre`, downwards and, live, to the right.
@@ -71,7 +61,9 @@ pub fn arch(ratio: f64, embrace: f64, voussoirs: u32, friction: f64) -> Scene {
         forces: Forces::default(),
     };
     let assembly = arch.assembly().expect("a proper arch");
-    assembly.scene(HeadJoints::Contact, Push::Right)
+    assembly
+        .scene(HeadJoints::Contact, Push::Right)
+        .expect("the numbers are proper")
 }
 
 /// The four walls of Ferris & Tin-Loi (Int. J. Mech. Sci. 43 (2001) 209-224), the first two being
@@ -139,18 +131,18 @@ pub fn laid(wall: &Wall, head_joints: HeadJoints) -> Scene {
     wall.scene(head_joints).expect("the wall can be laid")
 }
 
-/// The scene with every point and every force changed, its joints searched afresh. One coefficient
-/// of friction for all joints is taken over.
+/// The parts of the scene with every point and every force changed. One coefficient of friction for
+/// all joints is taken over.
 fn changed(
     scene: &Scene,
     place: impl Fn(Point) -> Point,
     force: impl Fn(Vector) -> Vector,
-) -> Scene {
+) -> SceneParts {
     let moved = |shape: &Polygon| {
         let corners = shape.corners().iter().map(|&corner| place(corner));
         Polygon::new(corners.collect()).expect("the shape stays proper")
     };
-    let blocks: Vec<Block> = (scene.blocks.iter())
+    let blocks = (scene.blocks().iter())
         .map(|block| Block {
             shape: moved(&block.shape),
             loads: (block.loads.iter())
@@ -162,24 +154,23 @@ fn changed(
                 .collect(),
         })
         .collect();
-    let supports: Vec<Polygon> = scene.supports.iter().map(moved).collect();
-    let shapes: Vec<&Polygon> = blocks.iter().map(|block| &block.shape).collect();
-    let friction = scene.joints[0].friction;
-    let mut joints = find_joints(&shapes, &supports, |_| friction);
-    if scene.head_joints == HeadJoints::Open {
-        joints.retain(|joint| joint.class != JointClass::Head);
+    let supports = scene.supports().iter().map(moved).collect();
+    SceneParts {
+        push: scene.push(),
+        wall: scene.wall().cloned(),
+        ..SceneParts::new(blocks, supports, scene.joints()[0].friction)
     }
-    Scene {
-        blocks,
-        supports,
-        joints,
-        ..scene.clone()
-    }
+}
+
+/// A scene of these parts, its joints searched afresh, with the head joints of another.
+fn again(scene: &Scene, parts: SceneParts) -> Scene {
+    let again = Scene::new(parts).expect("the numbers stay proper");
+    again.with_head_joints(scene.head_joints())
 }
 
 /// The scene somewhere else.
 pub fn shifted(scene: &Scene, by: Vector) -> Scene {
-    changed(scene, |point| point + by, |force| force)
+    again(scene, changed(scene, |point| point + by, |force| force))
 }
 
 /// Lengths and forces in other units.
@@ -189,11 +180,15 @@ pub fn scaled(scene: &Scene, length: f64, weight: f64) -> Scene {
         |point| Point::from(point.coords * length),
         |force| force * weight,
     );
-    if let Some(coursing) = &mut scaled.coursed {
+    if let Some(WallFacts {
+        coursing: Some(coursing),
+        ..
+    }) = &mut scaled.wall
+    {
         coursing.height *= length;
         coursing.overlap *= length;
     }
-    scaled
+    again(scene, scaled)
 }
 
 /// Left and right exchanged.
@@ -203,24 +198,20 @@ pub fn mirrored(scene: &Scene) -> Scene {
         |point| Point::new(-point.x, point.y),
         |force| Vector::new(-force.x, force.y),
     );
-    mirrored.push = match scene.push {
+    mirrored.push = match scene.push() {
         Push::Right => Push::Left,
         Push::Left => Push::Right,
     };
-    mirrored
+    again(scene, mirrored)
 }
 
 /// Every load of blocks whose top is the scene's, times `factor`.
 pub fn with_heavy_top(scene: &Scene, factor: f64) -> Scene {
-    let top = scene.bounds().1.y;
-    let mut heavy = scene.clone();
-    for block in &mut heavy.blocks {
-        if block.shape.bounds().1.y > top - 1e-6 * scene.height() {
-            for load in &mut block.loads {
-                load.dead *= factor;
-                load.live *= factor;
-            }
+    let top = scene.bounds().1.y - 1e-6 * scene.height();
+    scene.clone().with_loads(|load, shape| {
+        if shape.bounds().1.y > top {
+            load.dead *= factor;
+            load.live *= factor;
         }
-    }
-    heavy
+    })
 }

@@ -29,7 +29,7 @@ impl Method for Associative {
         };
         // Dilatancy pushes head joints that are in contact far beyond the stagger line: on paper-3
         // even 920 of 1176 blocks give 3e-8 too much, and no smaller part saves time.
-        let reduce = scene.head_joints == HeadJoints::Open && settings.reduction;
+        let reduce = scene.head_joints() == HeadJoints::Open && settings.reduction;
         for part in reduction::parts(scene).into_iter().filter(|_| reduce) {
             if let Ok(mut answer) = optimum(&part.scene, settings, &mut work)
                 && let Some(forces) =
@@ -37,11 +37,11 @@ impl Method for Associative {
             {
                 answer.mechanism = part.lift(scene, &answer.mechanism);
                 answer.forces = forces;
-                work.modelled = part.scene.blocks.len();
+                work.modelled = part.scene.blocks().len();
                 return outcome(scene, answer, settings, work);
             }
         }
-        work.modelled = scene.blocks.len();
+        work.modelled = scene.blocks().len();
         match optimum(scene, settings, &mut work) {
             Ok(answer) => outcome(scene, answer, settings, work),
             Err(ending) => without_optimum(scene, &ending, standing, &mut work),

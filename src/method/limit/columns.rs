@@ -11,7 +11,7 @@ pub(super) fn equilibrium_column(
     kind: usize,
     out: &mut Entries,
 ) {
-    let joint = &scene.joints[j];
+    let joint = &scene.joints()[j];
     let (point, direction) = match kind {
         2 => (joint.ends[0], joint.tangent()),
         corner => (joint.ends[corner], joint.normal),
@@ -24,7 +24,7 @@ pub(super) fn equilibrium_column(
     bodies.sort_by_key(|body| body.0);
     for (block, sign) in bodies {
         let Some(block) = block else { continue };
-        let arm = (point - scene.blocks[block].shape.centroid()) / scale.length;
+        let arm = (point - scene.blocks()[block].shape.centroid()) / scale.length;
         let wrench = [direction.x, direction.y, arm.perp(&direction)];
         for (k, value) in wrench.into_iter().enumerate() {
             if value != 0.0 {

@@ -147,8 +147,8 @@ impl Program {
     }
 
     fn assemble_to(scene: &Scene, scale: Scale, goal: Goal, tolerance: f64) -> Self {
-        let rows_of_blocks = 3 * scene.blocks.len();
-        let joints = scene.joints.len();
+        let rows_of_blocks = 3 * scene.blocks().len();
+        let joints = scene.joints().len();
         let has_slack = matches!(goal, Goal::Slack(_));
         let fixed = match goal {
             Goal::Multiplier => None,
@@ -159,7 +159,7 @@ impl Program {
         let columns = 3 * joints + usize::from(!matches!(goal, Goal::Forces(_)));
         let mut entries = Entries::default();
         let mut friction_at = Vec::with_capacity(joints);
-        for (j, joint) in scene.joints.iter().enumerate() {
+        for (j, joint) in scene.joints().iter().enumerate() {
             let first = rows_of_blocks + 4 * j;
             let mut at = [0; 4];
             for corner in 0..2 {
@@ -176,7 +176,7 @@ impl Program {
             friction_at.push(at);
         }
         let mut right = vec![0.0; rows];
-        for (i, block) in scene.blocks.iter().enumerate() {
+        for (i, block) in scene.blocks().iter().enumerate() {
             let units = [scale.force, scale.force, scale.force * scale.length];
             let (dead, live) = (block.dead(), block.live());
             for k in 0..3 {
@@ -190,7 +190,7 @@ impl Program {
             for row in rows_of_blocks..rows {
                 entries.push(row, 1.0);
             }
-            right[rows - 1] = ENOUGH / scene.blocks.len() as f64;
+            right[rows - 1] = ENOUGH / scene.blocks().len() as f64;
         }
         if columns > 3 * joints {
             entries.close_column();

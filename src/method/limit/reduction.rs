@@ -31,7 +31,10 @@ const MARGINS: [f64; 2] = [1.0, 4.0];
 /// A crack that starts at the toe is not flatter than the stagger (paper, section 2.1.1), so the
 /// parts follow the stagger line from the toe upwards.
 pub(super) fn parts(scene: &Scene) -> Vec<Part> {
-    let Some(coursing) = scene.coursed.filter(|_| scene.blocks.len() >= WORTHWHILE) else {
+    let Some(coursing) = scene
+        .coursing()
+        .filter(|_| scene.blocks().len() >= WORTHWHILE)
+    else {
         return Vec::new();
     };
     let (low, high) = scene.bounds();
@@ -39,11 +42,11 @@ pub(super) fn parts(scene: &Scene) -> Vec<Part> {
     let mut parts: Vec<Part> = Vec::new();
     for margin in MARGINS {
         let kept: Vec<bool> = scene
-            .blocks
+            .blocks()
             .iter()
             .map(|block| {
                 let (l, h) = block.shape.bounds();
-                let distance = match scene.push {
+                let distance = match scene.push() {
                     Push::Right => high.x - h.x,
                     Push::Left => l.x - low.x,
                 };
@@ -52,7 +55,7 @@ pub(super) fn parts(scene: &Scene) -> Vec<Part> {
             })
             .collect();
         let count = kept.iter().filter(|&&kept| kept).count();
-        if count * 5 < scene.blocks.len() * 4 {
+        if count * 5 < scene.blocks().len() * 4 {
             parts.push(Part::new(scene, &kept));
         }
     }
@@ -61,10 +64,10 @@ pub(super) fn parts(scene: &Scene) -> Vec<Part> {
 
 impl Part {
     fn new(scene: &Scene, kept: &[bool]) -> Self {
-        let mut place = vec![Side::Block(0); scene.blocks.len()];
-        let mut supports = scene.supports.clone();
+        let mut place = vec![Side::Block(0); scene.blocks().len()];
+        let mut supports = scene.supports().to_vec();
         let mut blocks = Vec::new();
-        for (i, block) in scene.blocks.iter().enumerate() {
+        for (i, block) in scene.blocks().iter().enumerate() {
             if kept[i] {
                 place[i] = Side::Block(blocks.len());
                 blocks.push(i);
@@ -74,18 +77,14 @@ impl Part {
             }
         }
         let (mut joints, mut of_joint) = (Vec::new(), Vec::new());
-        for (j, joint) in scene.joints.iter().enumerate() {
+        for (j, joint) in scene.joints().iter().enumerate() {
             if let Some(joint) = placed(joint, &place) {
                 joints.push(joint);
                 of_joint.push(j);
             }
         }
-        let scene = Scene {
-            blocks: blocks.iter().map(|&i| scene.blocks[i].clone()).collect(),
-            supports,
-            joints,
-            ..scene.clone()
-        };
+        let kept = blocks.iter().map(|&i| scene.blocks()[i].clone());
+        let scene = scene.with_bodies(kept.collect(), supports, joints);
         Self {
             scene,
             blocks,
@@ -95,7 +94,7 @@ impl Part {
 
     /// The mechanism of the part, everything else at rest.
     pub(super) fn lift(&self, whole: &Scene, mechanism: &Mechanism) -> Mechanism {
-        let mut motions = vec![Motion::default(); whole.blocks.len()];
+        let mut motions = vec![Motion::default(); whole.blocks().len()];
         for (&i, motion) in self.blocks.iter().zip(&mechanism.motions) {
             motions[i] = *motion;
         }
@@ -111,13 +110,13 @@ impl Part {
         forces: &[JointForce],
         work: &mut Work,
     ) -> Option<Vec<JointForce>> {
-        let mut kept = vec![false; whole.blocks.len()];
+        let mut kept = vec![false; whole.blocks().len()];
         for &i in &self.blocks {
             kept[i] = true;
         }
         let others: Vec<bool> = kept.iter().map(|kept| !kept).collect();
         let mut rest = Part::new(whole, &others);
-        let mut all = vec![JointForce::default(); whole.joints.len()];
+        let mut all = vec![JointForce::default(); whole.joints().len()];
         for (&j, force) in self.joints.iter().zip(forces) {
             all[j] = *force;
         }
@@ -146,8 +145,9 @@ impl Part {
             from || fixed[joint.to]
         };
         let (mut joints, mut of_joint) = (Vec::new(), Vec::new());
-        for (joint, &j) in self.scene.joints.iter().zip(&self.joints) {
-            if !known(&whole.joints[j]) {
+        let mut blocks = self.scene.blocks().to_vec();
+        for (joint, &j) in self.scene.joints().iter().zip(&self.joints) {
+            if !known(&whole.joints()[j]) {
                 joints.push(joint.clone());
                 of_joint.push(j);
                 continue;
@@ -165,9 +165,10 @@ impl Part {
                 dead,
                 live: dead * 0.0,
             });
-            self.scene.blocks[joint.to].loads.extend(loads);
+            blocks[joint.to].loads.extend(loads);
         }
-        self.scene.joints = joints;
+        let supports = self.scene.supports().to_vec();
+        self.scene = self.scene.with_bodies(blocks, supports, joints);
         self.joints = of_joint;
     }
 }

@@ -171,10 +171,14 @@ fn normal_forces(solution: &Solution) -> Vec<f64> {
 /// |t| ≤ c0 + (1+α) μ n̄ − α μ n, a slightly contractant law through (n̄, μ n̄).
 fn substitute_law(scene: &Scene, frozen: &[f64], alpha: f64, cohesion: f64) -> Vec<Friction> {
     let c0 = cohesion * frozen.iter().copied().fold(0.0, f64::max);
-    let laws = scene.joints.iter().zip(frozen).map(|(joint, n)| Friction {
-        slope: -alpha * joint.friction,
-        intercept: c0 + (1.0 + alpha) * joint.friction * n,
-    });
+    let laws = scene
+        .joints()
+        .iter()
+        .zip(frozen)
+        .map(|(joint, n)| Friction {
+            slope: -alpha * joint.friction,
+            intercept: c0 + (1.0 + alpha) * joint.friction * n,
+        });
     laws.collect()
 }
 

@@ -26,7 +26,7 @@ pub(super) fn own_weight(scene: &Scene, work: &mut Work) -> Result<Vec<JointForc
     let mut word = String::new();
     for opening in OPENINGS {
         let mut program = Program::with_slack(scene, 0.0);
-        program.set_cost(1.0, &vec![-opening; scene.joints.len()]);
+        program.set_cost(1.0, &vec![-opening; scene.joints().len()]);
         let velocity = match program.solve_counted(work) {
             Ending::Solved(solution) => {
                 let forces = program.scale().forces(&solution.forces);
@@ -99,10 +99,7 @@ const INSIDE: Margins = Margins {
 /// Forces that balance the live load for λ = 1 and nothing else, within friction: they can be added
 /// to any state without limit.
 fn ray(scene: &Scene, work: &mut Work) -> Option<Vec<JointForce>> {
-    let mut pushed = scene.clone();
-    for load in pushed.blocks.iter_mut().flat_map(|block| &mut block.loads) {
-        load.dead = load.live;
-    }
+    let pushed = scene.clone().with_loads(|load, _| load.dead = load.live);
     let scale = Scale {
         force: live_unit(scene),
         length: scene.height(),

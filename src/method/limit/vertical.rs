@@ -18,8 +18,8 @@ struct Rest {
 /// Vertical forces in level joints that hold every block, or `None` where a block's resultant falls
 /// outside what carries it. That proves nothing: another distribution, or friction, may hold it.
 pub(super) fn forces(scene: &Scene) -> Option<Vec<JointForce>> {
-    let mut rests: Vec<Vec<Rest>> = vec![Vec::new(); scene.blocks.len()];
-    for (j, joint) in scene.joints.iter().enumerate() {
+    let mut rests: Vec<Vec<Rest>> = vec![Vec::new(); scene.blocks().len()];
+    for (j, joint) in scene.joints().iter().enumerate() {
         if let Some(above) = block_above(joint) {
             rests[above].extend((0..2).map(|end| Rest {
                 joint: j,
@@ -29,24 +29,24 @@ pub(super) fn forces(scene: &Scene) -> Option<Vec<JointForce>> {
         }
     }
     // A block's centroid lies above its level joints downwards.
-    let height = |block: &usize| scene.blocks[*block].shape.centroid().y;
-    let mut order: Vec<usize> = (0..scene.blocks.len()).collect();
+    let height = |block: &usize| scene.blocks()[*block].shape.centroid().y;
+    let mut order: Vec<usize> = (0..scene.blocks().len()).collect();
     order.sort_by(|a, b| height(b).total_cmp(&height(a)));
     // Weight and its moment about the block's own centroid, growing with what comes from above.
-    let mut carried: Vec<(f64, f64)> = (scene.blocks.iter())
+    let mut carried: Vec<(f64, f64)> = (scene.blocks().iter())
         .map(|block| {
             let [_, down, moment] = block.dead();
             (-down, -moment)
         })
         .collect();
-    let mut forces = vec![JointForce::default(); scene.joints.len()];
+    let mut forces = vec![JointForce::default(); scene.joints().len()];
     for block in order {
-        let centre = scene.blocks[block].shape.centroid().x;
+        let centre = scene.blocks()[block].shape.centroid().x;
         let (weight, moment) = carried[block];
         for (rest, n) in distribute(&rests[block], weight, centre + moment / weight)? {
             forces[rest.joint].normal[rest.end] = n;
-            if let Some(below) = block_below(&scene.joints[rest.joint]) {
-                let arm = rest.x - scene.blocks[below].shape.centroid().x;
+            if let Some(below) = block_below(&scene.joints()[rest.joint]) {
+                let arm = rest.x - scene.blocks()[below].shape.centroid().x;
                 carried[below].0 += n;
                 carried[below].1 += n * arm;
             }

@@ -46,14 +46,16 @@ impl Freeze {
 /// each overlap. `None` where there is nothing to gain, and for irregular walls: a part with
 /// openings may fail far from that line, where nothing would tell.
 pub fn beyond_stagger(scene: &Scene) -> Option<Freeze> {
-    scene.regular.as_ref().ok()?;
-    let wall = scene.coursed.filter(|wall| wall.courses as f64 >= TALL)?;
+    scene.regular().as_ref().ok()?;
+    let wall = scene
+        .coursing()
+        .filter(|wall| wall.courses as f64 >= TALL)?;
     let (low, high) = scene.bounds();
     let unit_height = wall.height / wall.courses as f64;
     // Overlaps between the stagger line and the block's near side.
-    let beyond = scene.blocks.iter().map(|block| {
+    let beyond = scene.blocks().iter().map(|block| {
         let (l, h) = block.shape.bounds();
-        let near = match scene.push {
+        let near = match scene.push() {
             Push::Right => high.x - h.x,
             Push::Left => l.x - low.x,
         };

@@ -51,7 +51,7 @@ pub struct Surfaces {
 /// # Errors
 /// A sentence where collision groups cannot tell the joints from other neighbours.
 pub fn surfaces(scene: &Scene, reach: f64) -> Result<Surfaces, String> {
-    let on_supports = coefficients(scene.joints.iter().filter(|joint| rests(joint)));
+    let on_supports = coefficients(scene.joints().iter().filter(|joint| rests(joint)));
     if on_supports.len() > SUPPORT_COEFFICIENTS as usize {
         return Err(format!(
             "joints with supports have {} coefficients of friction, and the engine tells no more \
@@ -59,15 +59,15 @@ pub fn surfaces(scene: &Scene, reach: f64) -> Result<Surfaces, String> {
             on_supports.len()
         ));
     }
-    let mut joints_of: Vec<Vec<&Joint>> = vec![Vec::new(); scene.blocks.len()];
-    for joint in &scene.joints {
+    let mut joints_of: Vec<Vec<&Joint>> = vec![Vec::new(); scene.blocks().len()];
+    for joint in scene.joints() {
         joints_of[joint.to].push(joint);
         if let Side::Block(from) = joint.from {
             joints_of[from].push(joint);
         }
     }
     // All surfaces of blocks in one list: the block and the coefficient.
-    let mut of_block: Vec<Vec<usize>> = vec![Vec::new(); scene.blocks.len()];
+    let mut of_block: Vec<Vec<usize>> = vec![Vec::new(); scene.blocks().len()];
     let mut list: Vec<f64> = Vec::new();
     for (own, joints) in of_block.iter_mut().zip(&joints_of) {
         let joints = joints.iter().copied();
@@ -89,7 +89,7 @@ pub fn surfaces(scene: &Scene, reach: f64) -> Result<Surfaces, String> {
     };
     let mut joined = vec![Vec::new(); list.len()];
     let mut meets = vec![0u32; list.len()];
-    for joint in &scene.joints {
+    for joint in scene.joints() {
         let Some(to) = surface(joint.to, joint.friction) else {
             continue;
         };
@@ -129,9 +129,9 @@ pub fn surfaces(scene: &Scene, reach: f64) -> Result<Surfaces, String> {
         };
         own.iter().map(surface).collect()
     });
-    let of_support = (0..scene.supports.len()).map(|support| {
+    let of_support = (0..scene.supports().len()).map(|support| {
         let from = |joint: &&Joint| joint.from == Side::Support(support);
-        let own = coefficients(scene.joints.iter().filter(from));
+        let own = coefficients(scene.joints().iter().filter(from));
         let surface = |&friction: &f64| Surface {
             friction,
             groups: Groups {
@@ -169,7 +169,7 @@ fn support_group(coefficients: &[f64], friction: f64) -> u32 {
 
 /// For every block the blocks whose bounding boxes are nearer than `reach`.
 fn neighbours(scene: &Scene, reach: f64) -> Vec<Vec<usize>> {
-    let boxes: Vec<(Point, Point)> = scene.blocks.iter().map(|b| b.shape.bounds()).collect();
+    let boxes: Vec<(Point, Point)> = scene.blocks().iter().map(|b| b.shape.bounds()).collect();
     let mut order: Vec<usize> = (0..boxes.len()).collect();
     order.sort_by(|&a, &b| boxes[a].0.y.total_cmp(&boxes[b].0.y));
     let mut near = vec![Vec::new(); boxes.len()];
@@ -245,23 +245,23 @@ mod tests {
             push: Push::Right,
         };
         let scene = wall.scene(HeadJoints::Open).unwrap();
-        let mut uneven = scene.clone();
-        for (i, joint) in uneven.joints.iter_mut().enumerate() {
-            joint.friction = [0.5, 0.7][(i / 3) % 2];
-        }
+        let uneven = scene.clone().with_friction(|i, _| [0.5, 0.7][(i / 3) % 2]);
         for scene in [scene, uneven] {
             let surfaces = surfaces(&scene, 0.2).unwrap();
             for (a, near) in neighbours(&scene, 0.2).iter().enumerate() {
                 for &b in near {
                     let ends = [(Side::Block(a), b), (Side::Block(b), a)];
-                    let joint = scene.joints.iter().find(|j| ends.contains(&(j.from, j.to)));
+                    let joint = scene
+                        .joints()
+                        .iter()
+                        .find(|j| ends.contains(&(j.from, j.to)));
                     let met = meeting(&surfaces.blocks[a], &surfaces.blocks[b]);
                     assert_eq!(
                         met,
                         joint.map(|j| j.friction).into_iter().collect::<Vec<_>>()
                     );
                 }
-                let joint = scene.joints.iter();
+                let joint = scene.joints().iter();
                 let joint = joint.filter(|j| (j.from, j.to) == (Side::Support(0), a));
                 let met = meeting(&surfaces.supports[0], &surfaces.blocks[a]);
                 assert_eq!(met, joint.map(|j| j.friction).collect::<Vec<_>>());

@@ -24,7 +24,7 @@ mod verify;
 
 pub use checks::Check;
 pub use settings::Settings;
-pub use verify::{mirrored, verify};
+pub use verify::verify;
 
 use crate::answer::{Bracket, Claim, Mechanism, Motion, Outcome, Status, Work, crack_slope_by_gap};
 use crate::method::{self, Collapse, Method};
@@ -119,7 +119,7 @@ fn first_slip(outcome: Outcome) -> Outcome {
 /// has none, as its radial joints carry the thrust.
 fn has_perpends(scene: &Scene) -> bool {
     let head = |joint: &Joint| joint.class == JointClass::Head;
-    scene.head_joints == HeadJoints::Contact && scene.joints.iter().any(head)
+    scene.head_joints() == HeadJoints::Contact && scene.joints().iter().any(head)
 }
 
 /// Every parameter with its unit, one a line, as the pushover of this scene begins with them.
@@ -182,7 +182,7 @@ fn run(scene: &Scene, settings: &impl Fn(&Model) -> Settings, freeze: &Freeze) -
     let laid = engine.states();
     engine.step();
     let fixed = |side| freeze.holds(side);
-    let sees = checks::sees_joints(&scene.joints, &engine.contacts(), fixed);
+    let sees = checks::sees_joints(scene.joints(), &engine.contacts(), fixed);
     if !sees.passed {
         return (undecided(sees.text), false);
     }
@@ -304,7 +304,7 @@ fn reaction(contacts: &[Contact], fixed: impl Fn(Side) -> bool) -> [f64; 2] {
 /// Sum of normal forces between bodies that share no joint of the scene.
 fn off_joints(scene: &Scene, contacts: &[Contact]) -> f64 {
     let ordered = |[a, b]: [Side; 2]| if a < b { [a, b] } else { [b, a] };
-    let joints = scene.joints.iter();
+    let joints = scene.joints().iter();
     let mut joined: Vec<[Side; 2]> = joints
         .map(|joint| ordered([joint.from, Side::Block(joint.to)]))
         .collect();
@@ -318,7 +318,7 @@ fn off_joints(scene: &Scene, contacts: &[Contact]) -> f64 {
 
 /// Displacements from one state to another, in the scene's length unit.
 fn mechanism(scene: &Scene, model: &Model, from: &[State], to: &[State]) -> Mechanism {
-    let mut motions = vec![Motion::default(); scene.blocks.len()];
+    let mut motions = vec![Motion::default(); scene.blocks().len()];
     for ((a, b), block) in from.iter().zip(to).zip(&model.blocks) {
         let moved = Vector::new(b.position[0] - a.position[0], b.position[1] - a.position[1]);
         motions[block.index] = Motion {

@@ -81,21 +81,21 @@ impl Model {
     /// # Errors
     /// A sentence on what this method cannot honour in the scene.
     pub fn new(scene: &Scene, frozen: &[bool]) -> Result<Self, String> {
-        if scene.blocks.is_empty() {
+        if scene.blocks().is_empty() {
             return Err("the scene has no blocks".into());
         }
         let (low, high) = scene.bounds();
         let length = course_height(scene);
-        let force = scene.total_weight() / scene.blocks.len() as f64;
+        let force = scene.total_weight() / scene.blocks().len() as f64;
         if force <= 0.0 {
             return Err("no block has a weight".into());
         }
-        let areas: f64 = scene.blocks.iter().map(|block| block.shape.area()).sum();
-        let area = areas / scene.blocks.len() as f64;
+        let areas: f64 = scene.blocks().iter().map(|block| block.shape.area()).sum();
+        let area = areas / scene.blocks().len() as f64;
         let point = |p: Point| -> [f64; 2] { ((p - low) / length).into() };
         let vector = |v: Vector| -> [f64; 2] { (v / force).into() };
         let surfaces = surfaces(scene, NEAR * length)?;
-        let supports = scene.supports.iter().zip(surfaces.supports).enumerate();
+        let supports = scene.supports().iter().zip(surfaces.supports).enumerate();
         let mut supports: Vec<Support> = supports
             .map(|(index, (shape, surfaces))| Support {
                 side: Side::Support(index),
@@ -104,8 +104,8 @@ impl Model {
                 surfaces,
             })
             .collect();
-        let mut blocks = Vec::with_capacity(scene.blocks.len());
-        for (index, (block, surfaces)) in scene.blocks.iter().zip(surfaces.blocks).enumerate() {
+        let mut blocks = Vec::with_capacity(scene.blocks().len());
+        for (index, (block, surfaces)) in scene.blocks().iter().zip(surfaces.blocks).enumerate() {
             let shape = &block.shape;
             let centroid = shape.centroid();
             let outline = outline(shape, length);
@@ -161,7 +161,7 @@ fn course_height(scene: &Scene) -> f64 {
         let (low, high) = block.shape.bounds();
         high.y - low.y
     };
-    let mut heights: Vec<f64> = scene.blocks.iter().map(height).collect();
+    let mut heights: Vec<f64> = scene.blocks().iter().map(height).collect();
     heights.sort_by(f64::total_cmp);
     heights[heights.len() / 2]
 }

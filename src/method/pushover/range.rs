@@ -5,7 +5,6 @@
 
 use super::settings::Settings;
 use super::solve_with;
-use super::verify::mirrored;
 use crate::answer::{Bracket, Outcome, Status};
 use crate::method;
 use crate::scene::Scene;
@@ -18,7 +17,7 @@ const STIFFNESSES: [f64; 3] = [1.0, 0.5, 0.25];
 
 /// The lowest lower and the highest upper value over both directions and several stiffnesses.
 pub fn over_variations(scene: &Scene, user: &method::Settings) -> Outcome {
-    let blocks = scene.blocks.len();
+    let blocks = scene.blocks().len();
     if blocks > BLOCKS && !user.long_ranges {
         let reason = format!(
             "not run: with head joints in contact the answer is a range over {} pushovers, which \
@@ -27,7 +26,7 @@ pub fn over_variations(scene: &Scene, user: &method::Settings) -> Outcome {
         );
         return Outcome::without_number(Status::Undecided, reason);
     }
-    let Ok(mirror) = mirrored(scene) else {
+    let Ok(mirror) = scene.mirrored() else {
         let reason = "the scene cannot be mirrored";
         return Outcome::without_number(Status::Undecided, reason);
     };

@@ -1,7 +1,7 @@
 //! Small scenes with known multipliers (sources with each test). All figures are dimensionless.
 
 use super::*;
-use crate::scene::{Course, Piece, Point, Polygon, Push, Wall};
+use crate::scene::{Course, Piece, Polygon, Push, SceneParts, Wall};
 
 fn wall(unit: [f64; 2], friction: f64, courses: &[&str]) -> Wall {
     let course = |text: &&str| -> Course {
@@ -94,17 +94,9 @@ fn scale_origin_and_direction_do_not_matter() {
         push: Push::Left,
         ..paper_1()
     };
-    let mut scene = small.scene(HeadJoints::Open).unwrap();
+    let scene = small.scene(HeadJoints::Open).unwrap();
     let away = Vector::new(1750.0, -1750.0);
-    let shift = |shape: &Polygon| {
-        let corners: Vec<Point> = shape.corners().iter().map(|p| p + away).collect();
-        Polygon::new(corners).unwrap()
-    };
-    for block in &mut scene.blocks {
-        block.shape = shift(&block.shape);
-        block.loads.iter_mut().for_each(|load| load.point += away);
-    }
-    scene.supports = scene.supports.iter().map(shift).collect();
+    let scene = scene.moved(|_, point| point + away).unwrap();
     let outcome = pushover(&scene);
     assert!(
         bracket(&outcome).error(0.639969) < 1e-3,
@@ -141,10 +133,10 @@ fn without_friction_nothing_can_be_pushed() {
 #[test]
 fn what_cannot_be_answered_is_undecided() {
     // Nothing pushes: it stands at every λ, and no number is made of that.
-    let mut unpushed = wall([4.0, 1.75], 0.65, &["1"])
+    let unpushed = wall([4.0, 1.75], 0.65, &["1"])
         .scene(HeadJoints::Open)
-        .unwrap();
-    unpushed.blocks[0].loads[0].live = Vector::zeros();
+        .unwrap()
+        .with_loads(|load, _| load.live = Vector::zeros());
     let outcome = pushover(&unpushed);
     assert!(outcome.status == Status::Undecided && outcome.bracket.is_none());
 }
@@ -154,23 +146,23 @@ fn what_cannot_be_answered_is_undecided() {
 #[test]
 fn every_joint_has_its_own_friction() {
     let rough = wall([1.0, 0.5], 0.65, &["1"; 5]);
-    let mut scene = rough.scene(HeadJoints::Open).unwrap();
-    for (joint, friction) in scene.joints.iter_mut().zip([0.9, 0.5, 0.6, 0.1, 0.7]) {
-        joint.friction = friction;
+    let scene = rough.scene(HeadJoints::Open).unwrap();
+    for (fourth, lambda) in [(0.1, 0.1), (0.8, 0.4)] {
+        let coefficients = [0.9, 0.5, 0.6, fourth, 0.7];
+        let scene = scene.clone().with_friction(|joint, _| coefficients[joint]);
+        assert!(bracket(&pushover(&scene)).error(lambda) < 1e-3);
     }
-    assert!(bracket(&pushover(&scene)).error(0.1) < 1e-3);
-    scene.joints[3].friction = 0.8;
-    assert!(bracket(&pushover(&scene)).error(0.4) < 1e-3);
 }
 
 /// A block whose centre of mass lies beyond the edge of its support.
 #[test]
 fn an_overhanging_block_falls() {
-    let mut scene = wall([4.0, 1.75], 0.65, &["1"])
+    let whole = wall([4.0, 1.75], 0.65, &["1"])
         .scene(HeadJoints::Open)
         .unwrap();
-    scene.supports[0] = Polygon::rectangle(-10.0, 1.5, -1.75, 0.0).unwrap();
-    scene.joints[0].ends[1].x = 1.5;
+    let ground = Polygon::rectangle(-10.0, 1.5, -1.75, 0.0).unwrap();
+    let parts = SceneParts::new(whole.blocks().to_vec(), vec![ground], 0.65);
+    let scene = Scene::new(parts).unwrap();
     let outcome = pushover(&scene);
     assert_eq!(outcome.status, Status::Falls, "{}", outcome.reason);
 }

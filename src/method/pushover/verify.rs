@@ -5,7 +5,7 @@ use super::settings::Settings;
 use super::solve_with;
 use crate::answer::{Outcome, Status};
 use crate::method;
-use crate::scene::{Point, Polygon, PolygonError, Push, Scene, Vector};
+use crate::scene::{PolygonError, Scene};
 
 /// An outcome after [`verify`]: the figures join its checks, and without agreement it loses its
 /// number. A range over variations is compared with nothing, it is a comparison already.
@@ -50,7 +50,7 @@ pub fn verify(scene: &Scene, user: &method::Settings, outcome: &Outcome) -> Vec<
         ),
         (
             "mirrored",
-            mirrored(scene).map(|m| solve_with(&m, user, |s| s)),
+            scene.mirrored().map(|m| solve_with(&m, user, |s| s)),
         ),
         ("undamped", Ok(solve_with(scene, user, undamped))),
     ];
@@ -69,37 +69,4 @@ fn failed(what: &str, reason: &str) -> Check {
         passed: false,
         text: format!("{what}: {reason}"),
     }
-}
-
-/// The scene seen from behind: everything mirrored about the middle of the blocks, the push too.
-///
-/// # Errors
-/// Never on a valid scene; a mirrored outline is as good as the outline.
-pub fn mirrored(scene: &Scene) -> Result<Scene, PolygonError> {
-    let (low, high) = scene.bounds();
-    let about = low.x + high.x;
-    let point = |p: Point| Point::new(about - p.x, p.y);
-    let vector = |v: Vector| Vector::new(-v.x, v.y);
-    let shape = |s: &Polygon| Polygon::new(s.corners().iter().map(|&p| point(p)).collect());
-    let mut scene = scene.clone();
-    for block in &mut scene.blocks {
-        block.shape = shape(&block.shape)?;
-        for load in &mut block.loads {
-            load.point = point(load.point);
-            load.dead = vector(load.dead);
-            load.live = vector(load.live);
-        }
-    }
-    for support in &mut scene.supports {
-        *support = shape(support)?;
-    }
-    for joint in &mut scene.joints {
-        joint.ends = joint.ends.map(point);
-        joint.normal = vector(joint.normal);
-    }
-    scene.push = match scene.push {
-        Push::Right => Push::Left,
-        Push::Left => Push::Right,
-    };
-    Ok(scene)
 }

@@ -102,12 +102,12 @@ fn poses(scene: &Scene, frames: &[&Mechanism], displaced: &Displaced, frame: &Fr
             .iter()
             .any(|f| steps(f, block).iter().any(|&v| v != 0))
     };
-    let blocks: Vec<usize> = (0..scene.blocks.len()).filter(moves).collect();
+    let blocks: Vec<usize> = (0..scene.blocks().len()).filter(moves).collect();
     let tenth = |v: f64| (v * 10.0).round() / 10.0;
     Poses {
         centres: blocks
             .iter()
-            .map(|&block| frame.at(scene.blocks[block].shape.centroid()).map(tenth))
+            .map(|&block| frame.at(scene.blocks()[block].shape.centroid()).map(tenth))
             .collect(),
         step: (length * frame.scale * 1e6).round() / 1e6,
         turn: (turn * 1e9).round() / 1e9,
@@ -128,12 +128,12 @@ fn poses(scene: &Scene, frames: &[&Mechanism], displaced: &Displaced, frame: &Fr
 fn stage(scene: &Scene, frame: &Frame, size: Px, name: &str, fills: &[&str]) -> String {
     let outline = |block: usize| {
         let mut path = Path::default();
-        let corners = scene.blocks[block].shape.corners().iter();
+        let corners = scene.blocks()[block].shape.corners().iter();
         let corners: Vec<Px> = corners.map(|&corner| frame.at(corner)).collect();
         path.add(&corners, true);
         path.d().to_owned()
     };
-    let outlines: Vec<String> = (0..scene.blocks.len()).map(outline).collect();
+    let outlines: Vec<String> = (0..scene.blocks().len()).map(outline).collect();
     let [width, height] = size.map(px);
     let (low, high) = scene.bounds();
     let mut ground = Path::default();
@@ -148,7 +148,7 @@ fn stage(scene: &Scene, frame: &Frame, size: Px, name: &str, fills: &[&str]) -> 
         escape(name),
         outlines.concat()
     );
-    if !scene.supports.is_empty() && scene.coursed.is_some() {
+    if !scene.supports().is_empty() && scene.coursing().is_some() {
         svg.push_str(&format!("<path class=\"ground\" d=\"{}\"/>", ground.d()));
     }
     svg.push_str("<g class=\"bodies\">");

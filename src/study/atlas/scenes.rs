@@ -1,8 +1,8 @@
 //! The scenes of the atlas: columns, whose multiplier is exact, and walls with a stored one.
 
 use crate::scene::{
-    Block, Course, Friction, HeadJoints, Irregularity, JointClass, Load, Piece, Point, Polygon,
-    Push, Scene, Vector, Wall, find_joints,
+    Block, Course, Friction, HeadJoints, Load, Piece, Point, Polygon, Push, Scene, SceneParts,
+    Vector, Wall,
 };
 
 /// Columns of equal blocks side by side, in one unit of length and one of force.
@@ -108,17 +108,8 @@ fn rectangle([left, right]: [f64; 2], [bottom, top]: [f64; 2]) -> Polygon {
 }
 
 fn assembled(blocks: Vec<Block>, supports: Vec<Polygon>, friction: f64) -> Scene {
-    let shapes: Vec<&Polygon> = blocks.iter().map(|block| &block.shape).collect();
-    let joints = find_joints(&shapes, &supports, |_| friction);
-    Scene {
-        blocks,
-        supports,
-        joints,
-        head_joints: HeadJoints::Contact,
-        push: Push::Right,
-        coursed: None,
-        regular: Err(Irregularity::NotCoursed),
-    }
+    let scene = Scene::new(SceneParts::new(blocks, supports, friction));
+    scene.expect("the atlas has proper numbers")
 }
 
 /// Running bond of 4 × 1.75 units, μ = 0.65, five units long, with open head joints: paper-1 has 6
@@ -156,28 +147,20 @@ pub fn moved(scene: &Scene, by: f64) -> Scene {
         let corners = shape.corners().iter().map(|corner| corner + by);
         Polygon::new(corners.collect()).expect("the atlas stays where blocks have digits left")
     };
-    let supports = scene.supports.iter().map(shape).collect();
-    let mut blocks = scene.blocks.clone();
+    let supports = scene.supports().iter().map(shape).collect();
+    let mut blocks = scene.blocks().to_vec();
     for block in &mut blocks {
         block.shape = shape(&block.shape);
         for load in &mut block.loads {
             load.point += by;
         }
     }
-    let friction = scene.joints.first().map_or(0.0, |joint| joint.friction);
-    let Scene {
-        blocks,
-        supports,
-        mut joints,
-        ..
-    } = assembled(blocks, supports, friction);
-    if scene.head_joints == HeadJoints::Open {
-        joints.retain(|joint| joint.class != JointClass::Head);
-    }
-    Scene {
-        blocks,
-        supports,
-        joints,
-        ..scene.clone()
-    }
+    let friction = scene.joints().first().map_or(0.0, |joint| joint.friction);
+    let moved = Scene::new(SceneParts {
+        push: scene.push(),
+        wall: scene.wall().cloned(),
+        ..SceneParts::new(blocks, supports, friction)
+    });
+    let moved = moved.expect("the atlas has proper numbers");
+    moved.with_head_joints(scene.head_joints())
 }

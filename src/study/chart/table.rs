@@ -84,7 +84,7 @@ pub fn run(
             {
                 continue;
             }
-            let blocks = case.scene(of_case).blocks.len();
+            let blocks = case.scene(of_case).blocks().len();
             for rung in ladder(blocks, externals) {
                 first.push(Planned {
                     case,

@@ -69,7 +69,7 @@ fn row(point: &Point) -> Row {
         seconds: 0.0,
     });
     let scene = &sides[answer.side];
-    Row::new(point, [scene.blocks.len(), scene.joints.len()], &answer)
+    Row::new(point, [scene.blocks().len(), scene.joints().len()], &answer)
 }
 
 fn said(panic: &(dyn Any + Send)) -> String {

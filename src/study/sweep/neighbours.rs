@@ -25,13 +25,16 @@ impl Method for FromNeighbours<'_> {
         let mut work = Work::default();
         let mut starts = Vec::new();
         for neighbour in &self.neighbours {
-            let other = neighbour.case.geometry.scene(self.head_joints, scene.push);
+            let other = neighbour
+                .case
+                .geometry
+                .scene(self.head_joints, scene.push());
             let outcome = Interval.solve(&other, settings);
             work = work + outcome.work;
             let weight = other.total_weight();
             let normals = outcome
                 .forces
-                .filter(|forces| forces.len() == scene.joints.len());
+                .filter(|forces| forces.len() == scene.joints().len());
             starts.extend(normals.map(|forces| -> Vec<f64> {
                 let total = |normal: [f64; 2]| (normal[0] + normal[1]).max(0.0) / weight;
                 forces.iter().map(|force| total(force.normal)).collect()

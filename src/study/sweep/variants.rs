@@ -207,7 +207,7 @@ impl<'a> Replaced<'a> {
         let written = toml::to_string(&table).map_err(|e| Complaint::new(e.to_string()))?;
         let (case, determined_by) = base.with(written);
         let case = case.map_err(|inner| self.blame(document, base, &determined_by[0], &inner))?;
-        let blocks = case.scene(case.head_joints[0]).blocks.len();
+        let blocks = case.scene(case.head_joints[0]).blocks().len();
         let parameters = self.values.iter();
         Ok(Variant {
             case: Arc::new(case),

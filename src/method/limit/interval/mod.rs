@@ -155,7 +155,7 @@ fn search(
     }
     work.programs += search.work.programs;
     work.iterations += search.work.iterations;
-    work.modelled = searched.blocks.len();
+    work.modelled = searched.blocks().len();
     Ok(ends)
 }
 

@@ -13,10 +13,7 @@ pub(super) fn frictionless(scene: &Scene, standing: &[JointForce], work: &mut Wo
     if standing.iter().all(|force| force.shear == 0.0) && slides_freely(scene) {
         return Some(0.0);
     }
-    let mut smooth = scene.clone();
-    for joint in &mut smooth.joints {
-        joint.friction = 0.0;
-    }
+    let smooth = scene.clone().with_friction(|_, _| 0.0);
     let mut program = Program::new(&smooth);
     let Ending::Solved(solution) = program.solve_counted(work) else {
         return None;
@@ -30,17 +27,17 @@ pub(super) fn frictionless(scene: &Scene, standing: &[JointForce], work: &mut Wo
 /// Whether all blocks can move sideways together, with the push and against nothing but friction.
 fn slides_freely(scene: &Scene) -> bool {
     let sideways = Motion {
-        velocity: Vector::new(scene.push.sign(), 0.0),
+        velocity: Vector::new(scene.push().sign(), 0.0),
         rotation: 0.0,
     };
     let mechanism = Mechanism {
-        motions: vec![sideways; scene.blocks.len()],
+        motions: vec![sideways; scene.blocks().len()],
     };
     let rates = mechanism.joint_rates(scene);
     let level = rates
         .iter()
         .all(|rate| rate.opening.iter().all(|&opening| opening == 0.0));
-    let dead = scene.blocks.iter().map(|block| block.dead()[0]);
+    let dead = scene.blocks().iter().map(|block| block.dead()[0]);
     level && dead.sum::<f64>() == 0.0
 }
 

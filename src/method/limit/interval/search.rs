@@ -128,7 +128,7 @@ pub(super) fn totals(forces: &[JointForce]) -> Vec<f64> {
 
 impl<'a> Search<'a> {
     pub(super) fn new(scene: &'a Scene) -> Self {
-        let coulomb = scene.joints.iter().map(|joint| Friction {
+        let coulomb = scene.joints().iter().map(|joint| Friction {
             slope: joint.friction,
             intercept: 0.0,
         });
@@ -136,7 +136,7 @@ impl<'a> Search<'a> {
             scene,
             program: Program::new(scene),
             coulomb: coulomb.collect(),
-            free: vec![0.0; scene.joints.len()],
+            free: vec![0.0; scene.joints().len()],
             safe: None,
             work: Work::default(),
         }
@@ -194,7 +194,7 @@ impl<'a> Search<'a> {
     fn prices(&self, velocity: &[f64]) -> Prices {
         let mechanism = self.program.scale().mechanism(velocity);
         let rates = mechanism.joint_rates(self.scene);
-        let joints = self.scene.joints.iter().zip(&rates);
+        let joints = self.scene.joints().iter().zip(&rates);
         Prices {
             friction: joints
                 .map(|(j, rate)| j.friction * rate.slip.abs())
@@ -271,9 +271,9 @@ impl<'a> Search<'a> {
     /// lands in its middle, where most joints move and the fewest states remain.
     pub(super) fn neighbour(&mut self, state: &State, step: usize) -> Option<State> {
         let rise = RISES[step % RISES.len()];
-        let unit = 1.0 / self.scene.blocks.len() as f64;
+        let unit = 1.0 / self.scene.blocks().len() as f64;
         let mut noise = Noise::new(step);
-        let raised: Vec<f64> = (self.scene.joints.iter().zip(totals(&state.forces)))
+        let raised: Vec<f64> = (self.scene.joints().iter().zip(totals(&state.forces)))
             .map(|(joint, n)| {
                 let share = match rise {
                     Rise::HeadJoints(share) if joint.class == JointClass::Head => share,

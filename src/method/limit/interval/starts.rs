@@ -27,7 +27,7 @@ pub(super) fn starts(
     count: usize,
 ) -> Result<Vec<Start>, Ending> {
     let mut starts = Vec::new();
-    if scene.head_joints == HeadJoints::Contact
+    if scene.head_joints() == HeadJoints::Contact
         && let Some(normal) = open_state(scene, search)
     {
         starts.push(Start {
@@ -77,12 +77,10 @@ fn frozen_state(search: &mut Search, mut normal: Vec<f64>) -> Option<Vec<f64>> {
 /// `None` where the scene has no head joints or no such state is found.
 fn open_state(scene: &Scene, search: &mut Search) -> Option<Vec<f64>> {
     let is_head = |class| class == JointClass::Head;
-    if !scene.joints.iter().any(|joint| is_head(joint.class)) {
+    if !scene.joints().iter().any(|joint| is_head(joint.class)) {
         return None;
     }
-    let mut open = scene.clone();
-    open.joints.retain(|joint| !is_head(joint.class));
-    open.head_joints = HeadJoints::Open;
+    let open = scene.clone().with_head_joints(HeadJoints::Open);
     let mut inner = Search::new(&open);
     let state = inner.associative().ok().and_then(|normal| {
         let first = inner.close(normal).ok()?;
@@ -91,7 +89,7 @@ fn open_state(scene: &Scene, search: &mut Search) -> Option<Vec<f64>> {
     search.work.programs += inner.work.programs;
     search.work.iterations += inner.work.iterations;
     let mut beds = totals(&state?.forces).into_iter();
-    let all = scene.joints.iter().map(|joint| match joint.class {
+    let all = scene.joints().iter().map(|joint| match joint.class {
         JointClass::Head => Some(0.0),
         JointClass::Base | JointClass::Bed => beds.next(),
     });

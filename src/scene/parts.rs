@@ -1,0 +1,158 @@
+//! The one way to make a scene: bodies, friction and push in, joints found and everything checked.
+
+use super::friction::Friction;
+use super::joints::{JointClass, TOUCHING, find_joints};
+use super::polygon::Polygon;
+use super::{Block, HeadJoints, Push, Scene, WallFacts};
+
+/// What a scene is made of, before its joints are found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SceneParts {
+    /// Blocks that may move, with their forces for this push.
+    pub blocks: Vec<Block>,
+    /// Shapes that never move.
+    pub supports: Vec<Polygon>,
+    /// Coefficients of friction.
+    pub friction: Friction,
+    /// Edges touch within this fraction of the smaller body's extent.
+    pub tolerance: f64,
+    /// Whether joints between blocks are bed joints whichever way they run, as in an arch.
+    pub radial: bool,
+    /// Direction of the live load.
+    pub push: Push,
+    /// What only a coursed wall has.
+    pub wall: Option<WallFacts>,
+}
+
+impl SceneParts {
+    /// Bodies that touch within [`TOUCHING`], pushed to the right.
+    pub fn new(blocks: Vec<Block>, supports: Vec<Polygon>, friction: impl Into<Friction>) -> Self {
+        Self {
+            blocks,
+            supports,
+            friction: friction.into(),
+            tolerance: TOUCHING,
+            radial: false,
+            push: Push::Right,
+            wall: None,
+        }
+    }
+}
+
+/// Why parts make no scene. Blocks and loads are named by their place, from 0.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum SceneError {
+    /// A load that is NaN or infinite.
+    #[error("load {load} of block {block} is not finite")]
+    Load {
+        /// The block.
+        block: usize,
+        /// The load on it.
+        load: usize,
+    },
+    /// A coefficient of friction that is negative, NaN or infinite.
+    #[error("{} joints have the friction {value}; it must be finite and not negative", class.name())]
+    Friction {
+        /// Class of joint.
+        class: JointClass,
+        /// The coefficient.
+        value: f64,
+    },
+    /// A tolerance that is no small positive fraction.
+    #[error("edges cannot touch within {0} of a body's extent")]
+    Tolerance(f64),
+}
+
+impl Scene {
+    /// Checks the parts and finds their joints. Head joints are in contact; for open ones see
+    /// [`Scene::with_head_joints`].
+    ///
+    /// # Errors
+    /// [`SceneError`], where a number in the parts means nothing.
+    pub fn new(parts: SceneParts) -> Result<Self, SceneError> {
+        let friction = parts.friction;
+        for class in JointClass::ALL {
+            let value = friction.of(class);
+            if !(value.is_finite() && value >= 0.0) {
+                return Err(SceneError::Friction { class, value });
+            }
+        }
+        if !(parts.tolerance > 0.0 && parts.tolerance < 1.0) {
+            return Err(SceneError::Tolerance(parts.tolerance));
+        }
+        for (block, of_block) in parts.blocks.iter().enumerate() {
+            let finite = |load: &super::Load| {
+                let numbers = [load.point.coords, load.dead, load.live];
+                numbers.iter().all(|v| v.x.is_finite() && v.y.is_finite())
+            };
+            if let Some(load) = of_block.loads.iter().position(|load| !finite(load)) {
+                return Err(SceneError::Load { block, load });
+            }
+        }
+        let shapes: Vec<&Polygon> = parts.blocks.iter().map(|block| &block.shape).collect();
+        let mut joints = find_joints(parts.tolerance, &shapes, &parts.supports);
+        for joint in &mut joints {
+            if parts.radial && joint.class == JointClass::Head {
+                joint.class = JointClass::Bed;
+            }
+            joint.friction = friction.of(joint.class);
+        }
+        Ok(Self {
+            blocks: parts.blocks,
+            supports: parts.supports,
+            joints,
+            head_joints: HeadJoints::Contact,
+            push: parts.push,
+            wall: parts.wall,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{Load, Point, Vector};
+
+    fn parts() -> SceneParts {
+        let shape = |bottom, top| Polygon::rectangle(0.0, 1.0, bottom, top).unwrap();
+        let load = Load {
+            point: Point::new(0.5, 0.5),
+            dead: Vector::new(0.0, -1.0),
+            live: Vector::new(1.0, 0.0),
+        };
+        let block = Block {
+            shape: shape(0.0, 1.0),
+            loads: vec![load],
+        };
+        SceneParts::new(vec![block], vec![shape(-1.0, 0.0)], 0.5)
+    }
+
+    #[test]
+    fn numbers_that_mean_nothing_make_no_scene() {
+        assert_eq!(Scene::new(parts()).unwrap().joints().len(), 1);
+        let mut broken = parts();
+        broken.blocks[0].loads[0].live.x = f64::NAN;
+        let refused = SceneError::Load { block: 0, load: 0 };
+        assert_eq!(Scene::new(broken), Err(refused));
+        for value in [-0.1, f64::INFINITY] {
+            let friction = Friction {
+                head: value,
+                ..0.5.into()
+            };
+            let refused = Scene::new(SceneParts {
+                friction,
+                ..parts()
+            })
+            .unwrap_err();
+            assert!(refused.to_string().contains("head joints"), "{refused}");
+        }
+        let tolerance = f64::NAN;
+        assert!(
+            Scene::new(SceneParts {
+                tolerance,
+                ..parts()
+            })
+            .is_err()
+        );
+    }
+}
