@@ -39,7 +39,7 @@ fn holds_on_the_library(blocks: std::ops::Range<usize>) {
                 continue;
             };
             if outcome.status == Status::Undecided {
-                assert!(outcome.reason.contains("not unique"), "{what}");
+                assert!(outcome.reason().contains("not unique"), "{what}");
                 let slack = 2.0 * settings.tolerance * known.value;
                 assert!(known.value <= bracket.upper + slack, "{what}");
             } else {
@@ -68,7 +68,7 @@ fn a_branch_far_below_is_not_missed() {
         &[scenes::laid(&wall, HeadJoints::Open)],
         Settings::default(),
     );
-    assert_eq!(outcome.status, Status::Undecided, "{}", outcome.reason);
+    assert_eq!(outcome.status, Status::Undecided, "{}", outcome.reason());
     let bracket = outcome.bracket.unwrap();
     assert!(bracket.lower < 0.3658 && bracket.upper > 0.3809);
 }
@@ -82,7 +82,7 @@ fn the_tolerance_decides_and_the_pushover_comes_on_request() {
         ..Settings::default()
     };
     let outcome = auto(std::slice::from_ref(&scene), wide);
-    assert_eq!(outcome.status, Status::Bracketed, "{}", outcome.reason);
+    assert_eq!(outcome.status, Status::Bracketed, "{}", outcome.reason());
     let open = scenes::laid(&scenes::small_walls()[3].1, HeadJoints::Open);
     let asked = Settings {
         beside: true,
@@ -91,9 +91,9 @@ fn the_tolerance_decides_and_the_pushover_comes_on_request() {
     let outcome = auto(&[open], asked);
     assert_eq!(outcome.status, Status::Undecided);
     assert!(
-        outcome.reason.contains("beside it the pushover: 0.2636"),
+        outcome.reason().contains("beside it the pushover: 0.2636"),
         "{}",
-        outcome.reason
+        outcome.reason()
     );
 }
 
@@ -107,5 +107,5 @@ fn a_scene_that_falls_or_locks_is_settled_by_the_first_program() {
     let block = scenes::homogeneous(scenes::rectangle(0.0, 1.0, 0.0, 1.0));
     let locked = scenes::scene(vec![block], walls, 0.7);
     let outcome = auto(&[locked], Settings::default());
-    assert_eq!(outcome.status, Status::Stands, "{}", outcome.reason);
+    assert_eq!(outcome.status, Status::Stands, "{}", outcome.reason());
 }

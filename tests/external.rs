@@ -85,7 +85,7 @@ fn highs_earns_verified_on_the_small_walls() {
                 status,
                 Status::Verified,
                 "{name}: {}",
-                theirs.outcome.reason
+                theirs.outcome.reason()
             );
             let bracket = theirs.outcome.bracket.unwrap();
             assert!(bracket.error(ours.lower) < 1e-6, "{name}: {bracket:?}");
@@ -145,7 +145,7 @@ fn numbers_alone_are_estimates_and_nonsense_fails() {
         &json!({"kind": "not-applicable", "reason": "too tall"}),
     );
     assert_eq!(declined.outcome.status, Status::NotApplicable);
-    assert_eq!(declined.outcome.reason, "too tall");
+    assert_eq!(declined.outcome.reason(), "too tall");
     let claims = told(&scene, &json!({"kind": "falls"}));
     assert_eq!(claims.outcome.status, Status::Undecided);
     let short = json!({
@@ -175,7 +175,7 @@ fn numbers_alone_are_estimates_and_nonsense_fails() {
     ] {
         let outcome = told(&scene, &answer).outcome;
         assert_eq!(outcome.status, Status::Failed, "{answer}");
-        assert!(outcome.reason.contains(expected), "{}", outcome.reason);
+        assert!(outcome.reason().contains(expected), "{}", outcome.reason());
     }
 }
 
@@ -203,7 +203,7 @@ fn programs_that_break_are_rows() {
     ] {
         let outcome = ask(&program(&command, 10.0), &scene).outcome;
         assert_eq!(outcome.status, Status::Failed, "{command:?}");
-        assert!(outcome.reason.contains(expected), "{}", outcome.reason);
+        assert!(outcome.reason().contains(expected), "{}", outcome.reason());
         assert_eq!(outcome.bracket, None);
     }
 }
@@ -214,7 +214,7 @@ fn programs_that_hang_are_stopped_with_their_children() {
     let scene = paper_1(HeadJoints::Open);
     let began = Instant::now();
     let sleeps = ask(&program(&["sh", "-c", "sleep 60 & sleep 60"], 0.3), &scene);
-    assert!(sleeps.outcome.reason.contains("time limit of 0.3 s"));
+    assert!(sleeps.outcome.reason().contains("time limit of 0.3 s"));
     assert!(began.elapsed() < Duration::from_secs(5));
     assert!(
         sleeps.seconds < 0.2,
@@ -249,7 +249,7 @@ fn the_schemas_describe_what_is_written_and_read() {
     assert!(
         told(&scene, &falls)
             .outcome
-            .reason
+            .reason()
             .contains("unknown field")
     );
 }

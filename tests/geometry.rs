@@ -23,7 +23,7 @@ fn case(name: &str) -> Case {
 /// λ_A's verified bracket.
 fn multiplier(scene: &Scene) -> [f64; 2] {
     let outcome = Associative.solve(scene, &Settings::default());
-    assert_eq!(outcome.status, Status::Verified, "{}", outcome.reason);
+    assert_eq!(outcome.status, Status::Verified, "{}", outcome.reason());
     let bracket = outcome.bracket.expect("verified with a bracket");
     [bracket.lower, bracket.upper]
 }
@@ -192,7 +192,7 @@ fn the_weaker_of_both_sides_is_the_answer() {
                     both.outcome.mechanism, one[weaker].outcome.mechanism,
                     "{name}"
                 );
-                assert!(both.outcome.reason.starts_with("weaker when pushed "));
+                assert!(both.outcome.reason().starts_with("weaker when pushed "));
             }
         }
     }

@@ -26,7 +26,7 @@ fn assert_falls(scene: &Scene) {
             Status::Falls,
             "{}: {}",
             method.name(),
-            outcome.reason
+            outcome.reason()
         );
         assert!(outcome.bracket.is_none());
         let mechanism = outcome.mechanism.expect("with a mechanism");
@@ -43,7 +43,7 @@ fn assert_stands(scene: &Scene) {
             Status::Stands,
             "{}: {}",
             method.name(),
-            outcome.reason
+            outcome.reason()
         );
         let forces = outcome.forces.expect("with forces");
         let ray = outcome.ray.expect("with a ray");
@@ -62,7 +62,7 @@ fn assert_stands(scene: &Scene) {
 /// λ_A, verified.
 fn multiplier(scene: &Scene) -> f64 {
     let outcome = judged(&Associative, scene);
-    assert_eq!(outcome.status, Status::Verified, "{}", outcome.reason);
+    assert_eq!(outcome.status, Status::Verified, "{}", outcome.reason());
     outcome.bracket.expect("verified with a bracket").upper
 }
 

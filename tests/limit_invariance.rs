@@ -25,7 +25,7 @@ fn judged(method: &dyn Method, scene: &Scene) -> Outcome {
 /// A verified bracket.
 fn verified(method: &dyn Method, scene: &Scene) -> Bracket {
     let outcome = judged(method, scene);
-    assert_eq!(outcome.status, Status::Verified, "{}", outcome.reason);
+    assert_eq!(outcome.status, Status::Verified, "{}", outcome.reason());
     outcome.bracket.expect("verified with a bracket")
 }
 
@@ -131,8 +131,8 @@ fn assert_interval_below(name: &str, scene: &Scene, highest: f64) {
                 "{name}: {bracket:?} {highest}"
             );
         }
-        Status::Undecided => assert!(!outcome.reason.is_empty()),
-        status => panic!("{name}: {} {}", status.name(), outcome.reason),
+        Status::Undecided => assert!(!outcome.reason().is_empty()),
+        status => panic!("{name}: {} {}", status.name(), outcome.reason()),
     }
 }
 

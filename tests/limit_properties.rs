@@ -60,7 +60,7 @@ fn multiplier(scene: &Scene) -> Option<f64> {
     match outcome.status {
         Status::Verified => Some(outcome.bracket.expect("verified with a bracket").upper),
         Status::Falls => None,
-        status => panic!("{}: {}", status.name(), outcome.reason),
+        status => panic!("{}: {}", status.name(), outcome.reason()),
     }
 }
 
@@ -111,7 +111,7 @@ proptest! {
         };
         let smooth = laid(&Wall { friction: 0.0.into(), ..wall }, head);
         let outcome = judged(&Interval, &scene);
-        prop_assert_eq!(outcome.status, Status::Verified, "{}", outcome.reason);
+        prop_assert_eq!(outcome.status, Status::Verified, "{}", outcome.reason());
         let bracket = outcome.bracket.expect("verified with a bracket");
         prop_assert!(bracket.lower <= bracket.upper);
         prop_assert!(bracket.upper <= highest * (1.0 + 1e-6), "{bracket:?} above {highest}");
@@ -175,6 +175,6 @@ proptest! {
         }
         prop_assert_eq!(b.status == Status::Falls || b.work.modelled == whole.blocks().len(), true);
         let outcome = judged(&Interval, &scene);
-        prop_assert!(outcome.status == a.status || outcome.status == Status::Undecided, "{}", outcome.reason);
+        prop_assert!(outcome.status == a.status || outcome.status == Status::Undecided, "{}", outcome.reason());
     }
 }

@@ -28,9 +28,10 @@ fn verified_starts(scene: &Scene, starts: usize) -> usize {
         },
     );
     let residual = judge(scene, &mut outcome);
-    assert_eq!(outcome.status, Status::Verified, "{}", outcome.reason);
+    assert_eq!(outcome.status, Status::Verified, "{}", outcome.reason());
     assert!(residual.is_some_and(|residual| residual <= 1e-8));
-    let (_, endings) = outcome.reason.split_once("; ").expect("starts are told");
+    let reason = outcome.reason();
+    let (_, endings) = reason.split_once("; ").expect("starts are told");
     let (mut verified, mut failed) = (0, 0);
     for ending in endings.split(", ") {
         let name = ending.rsplit(": ").next().expect("never empty");

@@ -23,7 +23,7 @@ fn assert_within(name: &str, exact: f64, accuracy: Accuracy, allowed: f64) {
         ..Settings::default()
     };
     let outcome = Pushover.solve(&scene, &settings);
-    assert_eq!(outcome.status, Status::Bracketed, "{}", outcome.reason);
+    assert_eq!(outcome.status, Status::Bracketed, "{}", outcome.reason());
     let bracket = outcome.bracket.expect("bracketed");
     let stated = outcome.stated_error.expect("a pushover states its error");
     assert!(bracket.relative_width() <= stated, "{name}: {bracket:?}");
@@ -86,7 +86,7 @@ fn the_tall_wall_with_and_without_damping() {
     for outcome in [damped, undamped] {
         let bracket = outcome
             .bracket
-            .unwrap_or_else(|| panic!("{}", outcome.reason));
+            .unwrap_or_else(|| panic!("{}", outcome.reason()));
         assert!(bracket.error(0.5413) <= 4e-3, "{bracket:?}");
     }
 }

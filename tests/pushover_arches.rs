@@ -12,7 +12,7 @@ use trilith::scene::{HeadJoints, Scene};
 /// Asserts a bracket within `error` of `[low, high]`, or a refusal with a reason.
 fn assert_right_or_refused(name: &str, scene: &Scene, [low, high]: [f64; 2], error: f64) -> bool {
     let outcome = Pushover.solve(scene, &Settings::default());
-    println!("{name}: {:?} {}", outcome.bracket, outcome.reason);
+    println!("{name}: {:?} {}", outcome.bracket, outcome.reason());
     match outcome.bracket {
         Some(bracket) => {
             let right =
@@ -25,9 +25,9 @@ fn assert_right_or_refused(name: &str, scene: &Scene, [low, high]: [f64; 2], err
                 outcome.status,
                 Status::Undecided,
                 "{name}: {}",
-                outcome.reason
+                outcome.reason()
             );
-            assert!(!outcome.reason.is_empty());
+            assert!(!outcome.reason().is_empty());
             false
         }
     }

@@ -53,12 +53,12 @@ fn assert_honest(what: &str, outcome: &Outcome, exact: f64, tolerance: f64) {
             "{what}: {bracket:?} for {exact}: {:?}",
             outcome.checks
         ),
-        None => assert!(!outcome.reason.is_empty(), "{what}"),
+        None => assert!(!outcome.reason().is_empty(), "{what}"),
     }
 }
 
 fn assert_answered(what: &str, outcome: &Outcome, exact: f64, tolerance: f64) {
-    assert!(outcome.bracket.is_some(), "{what}: {}", outcome.reason);
+    assert!(outcome.bracket.is_some(), "{what}: {}", outcome.reason());
     assert_honest(what, outcome, exact, tolerance);
 }
 
@@ -254,7 +254,7 @@ fn tilted_gravity() {
                 let near = |end: f64| (end - PAPER_1).abs() <= 2e-3 * PAPER_1;
                 assert!(near(sum.0) && near(sum.1), "{sum:?}");
             }
-            None => assert!(!stands, "{}", outcome.reason),
+            None => assert!(!stands, "{}", outcome.reason()),
         }
     }
 }

@@ -66,7 +66,7 @@ fn associative(wall: &Wall, head_joints: HeadJoints) -> Outcome {
 /// λ_A, where the bracket proves it to 1e-6.
 fn proved(wall: &Wall, head_joints: HeadJoints) -> f64 {
     let outcome = associative(wall, head_joints);
-    assert_eq!(outcome.status, Status::Verified, "{}", outcome.reason);
+    assert_eq!(outcome.status, Status::Verified, "{}", outcome.reason());
     outcome
         .bracket
         .expect("a verified outcome has a bracket")
@@ -151,7 +151,7 @@ proptest! {
         let outcome = Sequential.solve(&scene, &Settings::default());
         match outcome.bracket {
             Some(b) => prop_assert!(b.upper <= highest * (1.0 + 1e-4), "{} {highest}", b.upper),
-            None => prop_assert!(!outcome.reason.is_empty()),
+            None => prop_assert!(!outcome.reason().is_empty()),
         }
     }
 }

@@ -6,11 +6,13 @@
 //! whole scene and in the units of the case. No matrix, scaling or tolerance of a method enters it.
 
 mod crack;
+mod fact;
 mod mechanism;
 mod outcome;
 mod residual;
 
 pub use crack::{Crack, VELOCITY_THRESHOLDS, crack_slope, crack_slope_by_gap};
+pub use fact::Fact;
 pub use mechanism::{JointRate, Mechanism, Motion};
 pub use outcome::{Bracket, Claim, CollapseState, JointForce, Outcome, Status, Work};
 pub use residual::{

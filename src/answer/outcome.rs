@@ -2,6 +2,7 @@
 
 use std::ops::Add;
 
+use super::fact::{self, Fact};
 use super::{Crack, Mechanism};
 
 /// What a result may be used for.
@@ -176,13 +177,13 @@ pub struct Outcome {
     pub work: Work,
     /// Self-checks that ran, with their figures, in words.
     pub checks: Vec<String>,
-    /// Why this status, in words; may be empty when all went as hoped.
-    pub reason: String,
+    /// Why this status, and what is to be known of the answer; may be empty when all went as hoped.
+    pub facts: Vec<Fact>,
 }
 
 impl Outcome {
     /// An answer without a number.
-    pub fn without_number(status: Status, reason: impl Into<String>) -> Self {
+    pub fn without_number(status: Status, fact: impl Into<Fact>) -> Self {
         Self {
             status,
             claim: Claim::default(),
@@ -197,7 +198,12 @@ impl Outcome {
             recording: Vec::new(),
             work: Work::default(),
             checks: Vec::new(),
-            reason: reason.into(),
+            facts: vec![fact.into()],
         }
+    }
+
+    /// The facts as one text; empty where there is nothing to say.
+    pub fn reason(&self) -> String {
+        fact::sentence(&self.facts)
     }
 }

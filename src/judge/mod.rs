@@ -91,7 +91,7 @@ fn conclude_bounds(outcome: &mut Outcome, residual: f64, text: &str) {
             };
         }
     } else if outcome.status == Status::Estimate {
-        append(&mut outcome.reason, &format!("no proof: {text}"));
+        outcome.facts.push(format!("no proof: {text}").into());
     } else {
         refute(outcome, &format!("refuted by the judge: {text}"));
     }
@@ -108,13 +108,13 @@ fn conclude_state(
         .is_some_and(|bracket| bracket.lower == bracket.upper);
     if residual <= VERIFIED_RESIDUAL && at_one {
         outcome.status = Status::Verified;
-        append(&mut outcome.reason, "a true collapse state");
+        outcome.facts.push("a true collapse state".into());
     } else if outcome.status == Status::Verified {
         let text = format!("refuted by the judge: {statics}, {collapse}");
         refute(outcome, &text);
     } else {
         let text = format!("no proof: {}", worst(statics, collapse));
-        append(&mut outcome.reason, &text);
+        outcome.facts.push(text.into());
     }
 }
 
@@ -135,7 +135,7 @@ fn judge_certificate(scene: &Scene, outcome: &mut Outcome) -> Option<f64> {
         (status, _, _, _) => {
             outcome.status = Status::Undecided;
             let text = format!("claims that it {} without a proof", status.name());
-            append(&mut outcome.reason, &text);
+            outcome.facts.push(text.into());
             return None;
         }
     };
@@ -194,12 +194,5 @@ fn refute(outcome: &mut Outcome, reason: &str) {
     outcome.status = Status::Failed;
     outcome.bracket = None;
     outcome.crack = None;
-    append(&mut outcome.reason, reason);
-}
-
-fn append(reason: &mut String, more: &str) {
-    if !reason.is_empty() {
-        reason.push_str("; ");
-    }
-    reason.push_str(more);
+    outcome.facts.push(reason.into());
 }

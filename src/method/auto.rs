@@ -117,13 +117,13 @@ impl Climb<'_> {
 
     /// The answer of a scene without a multiplier, which the program for λ_A has settled or not.
     fn settled(&self, bound: Outcome) -> Outcome {
-        let reason = match bound.reason.as_str() {
+        let reason = match bound.reason().as_str() {
             "" => "by the program of the associative multiplier".to_owned(),
             reason => format!("by the program of the associative multiplier: {reason}"),
         };
         Outcome {
             work: self.work,
-            reason,
+            facts: vec![reason.into()],
             ..bound
         }
     }
@@ -170,7 +170,7 @@ impl Climb<'_> {
 
     fn without_state(&self, upper: f64, found: &Outcome) -> Outcome {
         let upper = short(upper, 5);
-        let why = &found.reason;
+        let why = &found.reason();
         let reason = format!("no collapse state is proved below λ_A = {upper}: {why}");
         Outcome {
             work: self.work,
@@ -192,7 +192,7 @@ impl Climb<'_> {
                     ends[0], ends[1]
                 )
             }
-            None => format!("; beside it the pushover: {}", pushed.reason),
+            None => format!("; beside it the pushover: {}", pushed.reason()),
         }
     }
 

@@ -166,7 +166,7 @@ impl<'a> Panel<'a> {
             lines.push(slope);
         }
         let drawn = self.view.is_macro_block() || self.shown.mechanism.is_some();
-        let mut missing = match (drawn, outcome.reason.as_str()) {
+        let mut missing = match (drawn, outcome.reason().as_str()) {
             (true, _) => String::new(),
             (false, "") => "no mechanism to draw".to_owned(),
             (false, reason) => format!("no mechanism to draw: {reason}"),

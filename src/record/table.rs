@@ -81,7 +81,7 @@ fn verdict(result: &CaseResult, row: &Row) -> &'static str {
 
 /// The reason, and the residual where it fails what `verified` asks for.
 fn note(row: &Row) -> String {
-    let mut note = row.outcome.reason.clone();
+    let mut note = row.outcome.reason().clone();
     if row.residual.is_some_and(|r| r > VERIFIED_RESIDUAL) && row.outcome.status != Status::Failed {
         note.push_str(", residual above 1e-8");
     }

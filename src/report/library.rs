@@ -282,7 +282,7 @@ fn unsettled(results: &[CaseResult]) -> String {
                     (result.case.name.as_str(), 24),
                     (row.head_joints.name(), 8),
                     (row.method.as_str(), 12),
-                    (row.outcome.reason.as_str(), 0),
+                    (row.outcome.reason().as_str(), 0),
                 ]
                 .into_iter(),
             )

@@ -118,7 +118,7 @@ fn weaker(sides: &[Scene], mut answers: Vec<Answer>) -> Answer {
             Push::Right => "pushed right",
             Push::Left => "pushed left",
         };
-        let reason = match (answer.outcome.bracket, answer.outcome.reason.as_str()) {
+        let reason = match (answer.outcome.bracket, answer.outcome.reason().as_str()) {
             (Some(_), reason) => {
                 let which = match alike {
                     true => "alike when pushed right and left".to_owned(),
@@ -129,7 +129,7 @@ fn weaker(sides: &[Scene], mut answers: Vec<Answer>) -> Answer {
             }
             (None, reason) => format!("{side}: {reason}"),
         };
-        answer.outcome.reason = reason;
+        answer.outcome.facts = vec![reason.into()];
         answer.outcome.work = works.into_iter().fold(Default::default(), |a, b| a + b);
     }
     Answer { seconds, ..answer }
@@ -373,7 +373,7 @@ mod tests {
         let answer = answer([|| at(0.5), || at(0.4)]);
         assert_eq!(answer.outcome.bracket, Some(Bracket::point(0.4)));
         assert_eq!(answer.side, 1);
-        assert_eq!(answer.outcome.reason, "weaker when pushed left; told");
+        assert_eq!(answer.outcome.reason(), "weaker when pushed left; told");
     }
 
     #[test]
@@ -381,7 +381,7 @@ mod tests {
         let answer = answer([|| at(0.5), || at(0.5 - 1e-12)]);
         assert_eq!(answer.side, 0);
         assert_eq!(
-            answer.outcome.reason,
+            answer.outcome.reason(),
             "alike when pushed right and left; told"
         );
     }
@@ -411,6 +411,6 @@ mod tests {
             || Outcome::without_number(Status::Undecided, "why"),
         ]);
         assert_eq!(answer.outcome.status, Status::Undecided);
-        assert_eq!(answer.outcome.reason, "pushed left: why");
+        assert_eq!(answer.outcome.reason(), "pushed left: why");
     }
 }

@@ -53,7 +53,7 @@ pub fn assert_record(case: Case, name: &str, wanted: impl Fn(&str) -> bool) {
 
 fn assert_sound(result: &CaseResult) {
     for row in &result.rows {
-        let reason = &row.outcome.reason;
+        let reason = &row.outcome.reason();
         assert_ne!(
             row.outcome.status,
             Status::Failed,

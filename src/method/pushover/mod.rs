@@ -86,14 +86,12 @@ fn without_calibration(outcome: Outcome) -> Outcome {
         _ => return outcome,
     };
     let why = "substeps longer or contacts softer than the stated error was measured with";
-    let reason = match outcome.reason.as_str() {
-        "" => why.into(),
-        reason => format!("{why}; {reason}"),
-    };
+    let mut facts = outcome.facts;
+    facts.insert(0, why.into());
     Outcome {
         status,
         stated_error: None,
-        reason,
+        facts,
         ..outcome
     }
 }
@@ -103,14 +101,12 @@ fn without_calibration(outcome: Outcome) -> Outcome {
 /// moves with the substep (paper-2: 0.4995, and 0.5443 with half the substep).
 fn first_slip(outcome: Outcome) -> Outcome {
     let definition = "first slip of a joint by 1e-3 course heights, not the collapse";
-    let reason = match outcome.reason.as_str() {
-        "" => definition.into(),
-        reason => format!("{definition}; {reason}"),
-    };
+    let mut facts = outcome.facts;
+    facts.insert(0, definition.into());
     Outcome {
         status: Status::Estimate,
         stated_error: None,
-        reason,
+        facts,
         ..outcome
     }
 }

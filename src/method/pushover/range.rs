@@ -57,7 +57,7 @@ fn joined(runs: Vec<(String, Outcome)>) -> Outcome {
     let Some(brackets) = brackets else {
         let failed = runs.iter().filter(|(_, run)| run.bracket.is_none());
         let words: Vec<String> = failed
-            .map(|(what, run)| format!("{what}: {}", run.reason))
+            .map(|(what, run)| format!("{what}: {}", run.reason()))
             .collect();
         let mut outcome = Outcome::without_number(Status::Undecided, words.join("; "));
         (outcome.checks, outcome.work.block_steps) = (checks, block_steps);

@@ -39,7 +39,7 @@ fn pushed(wall: &Wall) -> Outcome {
 fn bracket(outcome: &Outcome) -> Bracket {
     outcome
         .bracket
-        .unwrap_or_else(|| panic!("{}", outcome.reason))
+        .unwrap_or_else(|| panic!("{}", outcome.reason()))
 }
 
 /// A block b × h on a plane: λ = min(μ, b/h), in closed form; within 1e-3, in both directions.
@@ -75,7 +75,7 @@ fn a_stack_slides_or_rocks() {
 #[test]
 fn the_first_wall_of_the_paper() {
     let outcome = pushed(&paper_1());
-    assert_eq!(outcome.status, Status::Bracketed, "{}", outcome.reason);
+    assert_eq!(outcome.status, Status::Bracketed, "{}", outcome.reason());
     let bracket = bracket(&outcome);
     assert!(bracket.error(0.639969) < 1e-3 && bracket.relative_width() < 1e-3);
     let crack = outcome.crack.unwrap();
@@ -101,7 +101,7 @@ fn scale_origin_and_direction_do_not_matter() {
     assert!(
         bracket(&outcome).error(0.639969) < 1e-3,
         "{}",
-        outcome.reason
+        outcome.reason()
     );
 }
 
@@ -164,7 +164,7 @@ fn an_overhanging_block_falls() {
     let parts = SceneParts::new(whole.blocks().to_vec(), vec![ground], 0.65);
     let scene = Scene::new(parts).unwrap();
     let outcome = pushover(&scene);
-    assert_eq!(outcome.status, Status::Falls, "{}", outcome.reason);
+    assert_eq!(outcome.status, Status::Falls, "{}", outcome.reason());
 }
 
 /// The large atlas found it: contacts so soft that the wall sinks through them.
@@ -179,7 +179,7 @@ fn a_wall_let_down_by_soft_contacts_is_undecided() {
         ..method::Settings::default()
     };
     let outcome = Pushover.solve(&scene, &soft);
-    assert_eq!(outcome.status, Status::Undecided, "{}", outcome.reason);
+    assert_eq!(outcome.status, Status::Undecided, "{}", outcome.reason());
 }
 
 #[test]

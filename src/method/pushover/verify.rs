@@ -26,7 +26,7 @@ pub fn confirmed(scene: &Scene, user: &method::Settings, outcome: Outcome) -> Ou
     }
     let figures: Vec<&str> = checks.iter().map(|check| check.text.as_str()).collect();
     Outcome {
-        reason: figures.join("; "),
+        facts: vec![figures.join("; ").into()],
         checks: texts,
         ..outcome
     }
@@ -57,7 +57,7 @@ pub fn verify(scene: &Scene, user: &method::Settings, outcome: &Outcome) -> Vec<
     let check = |(what, run): (&str, Result<Outcome, PolygonError>)| match run {
         Ok(run) => match run.bracket {
             Some(other) => agree(bracket, other, error, what),
-            None => failed(what, &run.reason),
+            None => failed(what, &run.reason()),
         },
         Err(e) => failed(what, &e.to_string()),
     };

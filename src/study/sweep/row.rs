@@ -71,7 +71,7 @@ impl Row {
             c: crack.and_then(|c| c.c).and_then(rounded),
             e: crack.and_then(|c| c.e).and_then(rounded),
             residual: answer.residual.and_then(rounded),
-            reason: outcome.reason.clone(),
+            reason: outcome.reason().clone(),
             parameters: point.parameters().to_vec(),
             blocks: size[0],
             joints: size[1],
