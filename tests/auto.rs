@@ -4,20 +4,13 @@ mod scenes;
 
 use trilith::answer::{Outcome, Status};
 use trilith::case::library;
-use trilith::method::Settings;
-use trilith::method::auto::Auto;
-use trilith::run::{Task, solve};
+use trilith::method::{Auto, Settings};
+use trilith::run::answer;
 use trilith::scene::{HeadJoints, Scene};
 use trilith::study::chart::reference;
 
 fn auto(sides: &[Scene], settings: Settings) -> Outcome {
-    let method = &Auto;
-    solve(&Task {
-        sides,
-        method,
-        settings,
-    })
-    .outcome
+    answer(sides, &Auto, settings).outcome
 }
 
 /// Every library case up to `blocks`: within the tolerance of its reference, or undecided with a

@@ -12,7 +12,7 @@ use trilith::answer::{JointForce, Outcome, Status};
 use trilith::external::{External, SceneFile, answer_schema, export, parse, scene_schema};
 use trilith::method::limit::{Associative, Interval};
 use trilith::method::{Method, Settings};
-use trilith::run::{Answer, Task, solve};
+use trilith::run::{Row, answer};
 use trilith::scene::{HeadJoints, Scene};
 
 fn program(command: &[&str], limit: f64) -> External {
@@ -24,12 +24,8 @@ fn program(command: &[&str], limit: f64) -> External {
     }
 }
 
-fn ask(method: &dyn Method, scene: &Scene) -> Answer {
-    solve(&Task {
-        sides: std::slice::from_ref(scene),
-        method,
-        settings: Settings::default(),
-    })
+fn ask(method: &dyn Method, scene: &Scene) -> Row {
+    answer(std::slice::from_ref(scene), method, Settings::default())
 }
 
 fn paper_1(head_joints: HeadJoints) -> Scene {
@@ -37,7 +33,7 @@ fn paper_1(head_joints: HeadJoints) -> Scene {
 }
 
 /// What a program answers that writes this.
-fn told(scene: &Scene, answer: &Value) -> Answer {
+fn told(scene: &Scene, answer: &Value) -> Row {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("answer.json");
     std::fs::write(&path, answer.to_string()).unwrap();

@@ -43,11 +43,11 @@ impl Method for External {
     }
 
     fn solve(&self, scene: &Scene, settings: &Settings) -> Outcome {
-        self.solve_apart(scene, settings).0
+        self.solve_timed(scene, settings).0
     }
 
     /// CPU time of the program and of those children that it waited for.
-    fn solve_apart(&self, scene: &Scene, _settings: &Settings) -> (Outcome, Option<Duration>) {
+    fn solve_timed(&self, scene: &Scene, _settings: &Settings) -> (Outcome, Option<Duration>) {
         let failed = |reason: String| Outcome::without_number(Status::Failed, reason);
         let text = match export(scene) {
             Ok(text) => text,

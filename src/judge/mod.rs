@@ -6,7 +6,7 @@ mod cross_check;
 mod references;
 
 pub use check::{Check, Verdict};
-pub use cross_check::{cross_check, open_never_raises};
+pub use cross_check::{Answers, cross_check, open_never_raises};
 pub use references::{Comparison, comparisons, computed, reference_checks};
 
 use crate::answer::{
