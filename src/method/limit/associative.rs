@@ -1,8 +1,9 @@
 //! Limit analysis with associative friction: the largest multiplier that equilibrium and Coulomb's
 //! law admit. It bounds every non-associative collapse multiplier from above (Radenkovic 1961).
 
+use super::ending::Ending;
 use super::own_weight::{own_weight, without_optimum};
-use super::program::{Ending, Margins, Program, TOLERANCE};
+use super::program::{Margins, Program, TOLERANCE};
 use super::reduction;
 use crate::answer::{
     Bracket, Claim, JointForce, LimitFact, Mechanism, Outcome, StaticResidual, Status,

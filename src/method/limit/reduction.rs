@@ -5,7 +5,8 @@
 //! fixed blocks are found by a program of their own, under the forces that the part puts on them.
 //! The judge sees the whole scene only.
 
-use super::program::{Ending, Margins, Program};
+use super::ending::Ending;
+use super::program::{Margins, Program};
 use super::scale::Scale;
 use crate::answer::{JointForce, Mechanism, Motion, Work};
 use crate::scene::{Joint, Load, Push, Scene, Side};

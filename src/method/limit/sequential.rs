@@ -1,8 +1,9 @@
 //! Sequential linear programming for non-associative friction, the paper's micro-block method
 //! (Gilbert, Casapulla & Ahmed, Computers & Structures 84 (2006) 873-887).
 
+use super::ending::{Ending, Solution};
 use super::own_weight::{own_weight, without_optimum};
-use super::program::{Ending, FrictionLaw, Program, Solution};
+use super::program::{FrictionLaw, Program};
 use crate::answer::{
     Bracket, Outcome, SequentialEnding, SequentialFacts, Status, VELOCITY_THRESHOLDS, Work,
     crack_slope,
@@ -16,21 +17,21 @@ pub struct Sequential;
 
 /// Every number of the procedure. Users of the published one differ in them, so they stand here.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SequentialSettings {
+struct SequentialSettings {
     /// α of the first step: how contractant the substitute friction law is.
-    pub first_alpha: f64,
+    first_alpha: f64,
     /// α is halved every step down to this.
-    pub last_alpha: f64,
+    last_alpha: f64,
     /// β: share of the new normal force in the next n̄.
-    pub renewal: f64,
+    renewal: f64,
     /// c0 over the largest normal force: shear that every joint carries uncompressed.
-    pub cohesion: f64,
+    cohesion: f64,
     /// Largest |Δλ|/λ of a step that counts as settled.
-    pub settled: f64,
+    settled: f64,
     /// Settled steps in a row, α at its floor, that count as converged.
-    pub steps_settled: usize,
+    steps_settled: usize,
     /// Steps after which the procedure is given up.
-    pub steps: usize,
+    steps: usize,
 }
 
 impl Default for SequentialSettings {
@@ -51,7 +52,7 @@ impl Default for SequentialSettings {
 
 impl SequentialSettings {
     /// The defaults with what a user asks for.
-    pub fn asked(user: &Settings) -> Self {
+    fn of_user(user: &Settings) -> Self {
         Self {
             first_alpha: user.alpha,
             renewal: user.beta,
@@ -67,12 +68,12 @@ impl Method for Sequential {
     }
 
     fn solve(&self, scene: &Scene, settings: &Settings) -> Outcome {
-        sequential(scene, &SequentialSettings::asked(settings), settings)
+        sequential(scene, &SequentialSettings::of_user(settings), settings)
     }
 }
 
 /// Runs the procedure with settings of one's own; of `user`, only those of the program count.
-pub fn sequential(scene: &Scene, settings: &SequentialSettings, user: &Settings) -> Outcome {
+fn sequential(scene: &Scene, settings: &SequentialSettings, user: &Settings) -> Outcome {
     let mut work = Work::default();
     let at_rest = match own_weight(scene, &mut work) {
         Ok(forces) => forces,
@@ -189,7 +190,7 @@ mod tests {
 
     #[test]
     fn a_user_who_asks_for_nothing_gets_the_defaults() {
-        let asked = SequentialSettings::asked(&Settings::default());
+        let asked = SequentialSettings::of_user(&Settings::default());
         assert_eq!(asked, SequentialSettings::default());
     }
 

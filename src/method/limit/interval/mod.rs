@@ -12,8 +12,8 @@ mod outer;
 mod search;
 mod starts;
 
+use super::ending::Ending;
 use super::own_weight::{own_weight, without_optimum};
-use super::program::Ending;
 use super::reduction::{self, Part};
 use super::scale::Scale;
 use crate::answer::{

@@ -11,7 +11,8 @@
 
 use super::noise::Noise;
 use crate::answer::{JointForce, SearchFailure, Work, dead_power};
-use crate::method::limit::program::{Ending, FrictionLaw, Program, Solution};
+use crate::method::limit::ending::{Ending, Solution};
+use crate::method::limit::program::{FrictionLaw, Program};
 use crate::scene::{JointClass, Scene};
 
 /// Largest gap of a collapse state. The judge allows 1e-8; a state must keep away from that.
