@@ -36,7 +36,7 @@ impl Method for Associative {
                 && let Some(forces) =
                     part.complete(scene, answer.bracket.lower, &answer.forces, &mut work)
             {
-                answer.mechanism = part.lift(scene, &answer.mechanism);
+                answer.mechanism = part.extend(scene, &answer.mechanism);
                 answer.forces = forces;
                 work.modelled = part.scene.blocks().len();
                 return outcome(scene, answer, settings, work);
