@@ -62,18 +62,14 @@ impl Method for StopsEarly {
     }
 
     fn solve(&self, scene: &Scene, settings: &Settings) -> Outcome {
-        let loose = Settings {
-            lp_tolerance: 1e-2,
-            ..*settings
-        };
-        match Program::asked(scene, &loose).solve() {
+        match Program::to_tolerance(scene, 1e-2, settings.scaling).solve() {
             Ending::Solved(solution) => Outcome {
                 claim: Claim::Observed,
                 bracket: Some(Bracket::point(solution.lambda)),
                 stated_error: Some(1e-4),
                 ..Outcome::without_number(Status::Bracketed, "the solver says solved")
             },
-            ending => Outcome::without_number(Status::Undecided, ending.to_string()),
+            ending => Outcome::without_number(Status::Undecided, ending.kind().to_string()),
         }
     }
 }

@@ -47,7 +47,10 @@ type Modules = BTreeMap<Segments, Module>;
 fn is_test(attributes: &[syn::Attribute]) -> bool {
     attributes.iter().any(|attribute| {
         let is_cfg = attribute.path().is_ident("cfg");
-        is_cfg && attribute.parse_args::<syn::Ident>().is_ok_and(|what| what == "test")
+        is_cfg
+            && attribute
+                .parse_args::<syn::Ident>()
+                .is_ok_and(|what| what == "test")
     })
 }
 
@@ -56,7 +59,10 @@ fn flatten(tree: &UseTree, before: &Segments, uses: &mut Vec<(String, Segments)>
     match tree {
         UseTree::Path(path) => flatten(&path.tree, &and(path.ident.to_string()), uses),
         UseTree::Group(group) => {
-            group.items.iter().for_each(|item| flatten(item, before, uses));
+            group
+                .items
+                .iter()
+                .for_each(|item| flatten(item, before, uses));
         }
         UseTree::Name(name) if name.ident == "self" => {
             let last = before.last().cloned().unwrap_or_default();
@@ -72,7 +78,10 @@ fn flatten(tree: &UseTree, before: &Segments, uses: &mut Vec<(String, Segments)>
 
 impl<'ast> Visit<'ast> for Module {
     fn visit_path(&mut self, path: &'ast syn::Path) {
-        let segments = path.segments.iter().map(|segment| segment.ident.to_string());
+        let segments = path
+            .segments
+            .iter()
+            .map(|segment| segment.ident.to_string());
         self.paths.push(segments.collect());
         visit::visit_path(self, path);
     }
@@ -111,7 +120,9 @@ fn name_of(item: &Item) -> Option<String> {
 fn read(file: &Path, name: Segments, modules: &mut Modules) {
     let text = fs::read_to_string(file).expect("the sources are there");
     let tree = syn::parse_file(&text).expect("the sources are Rust");
-    let is_parent = file.file_name().is_some_and(|f| f == "mod.rs" || f == "main.rs" || f == "lib.rs");
+    let is_parent = file
+        .file_name()
+        .is_some_and(|f| f == "mod.rs" || f == "main.rs" || f == "lib.rs");
     let folder = if is_parent {
         file.parent().expect("a file has a folder").to_owned()
     } else {
@@ -186,10 +197,16 @@ fn definition(modules: &Modules, at: &Segments, path: &[String], depth: usize) -
             }
             let from = definition(modules, &here, taken, depth + 1)?;
             // A module that was taken whole: what is behind it is inside.
-            let whole = modules.contains_key(&[from.as_slice(), std::slice::from_ref(name)].concat())
+            let whole = modules
+                .contains_key(&[from.as_slice(), std::slice::from_ref(name)].concat())
                 || taken.last().is_some_and(|last| from.last() == Some(last));
             return if whole && !after.is_empty() {
-                definition(modules, &from, &[&["self".to_owned()], after].concat(), depth + 1)
+                definition(
+                    modules,
+                    &from,
+                    &[&["self".to_owned()], after].concat(),
+                    depth + 1,
+                )
             } else {
                 Some(from)
             };
@@ -213,7 +230,10 @@ fn uses(modules: &Modules) -> BTreeMap<PathBuf, BTreeSet<PathBuf>> {
             };
             let other = &modules[&from].file;
             if *other != module.file {
-                graph.entry(module.file.clone()).or_default().insert(other.clone());
+                graph
+                    .entry(module.file.clone())
+                    .or_default()
+                    .insert(other.clone());
             }
         }
     }
@@ -258,7 +278,12 @@ fn no_two_files_use_each_other() {
     let circles: Vec<String> = graph
         .keys()
         .filter_map(|file| circle(&graph, file))
-        .map(|way| way.iter().map(|file| shown(file)).collect::<Vec<_>>().join(" <- "))
+        .map(|way| {
+            way.iter()
+                .map(|file| shown(file))
+                .collect::<Vec<_>>()
+                .join(" <- ")
+        })
         .collect();
     assert!(circles.is_empty(), "circles:\n{}", circles.join("\n"));
 }
@@ -289,7 +314,9 @@ fn methods_are_asked_of_the_table() {
     let names: Vec<&str> = METHODS.iter().map(|entry| entry.name()).collect();
     let with_names = modules().into_values().filter(|module| {
         let literals = module.literals.iter();
-        literals.clone().any(|literal| names.contains(&literal.as_str()))
+        literals
+            .clone()
+            .any(|literal| names.contains(&literal.as_str()))
     });
     let files: Vec<String> = with_names.map(|module| shown(&module.file)).collect();
     let own = names.len();

@@ -61,7 +61,10 @@ fn in_run_check_and_report() {
     assert_one_failed(results.iter().flat_map(|result| &result.rows), 6);
     let checked: String = results.iter().map(library_case).collect();
     let checked = checked + &library_closing(&results);
-    assert!(checked.contains("\nfailed\n") && checked.contains("1 failed"), "{checked}");
+    assert!(
+        checked.contains("\nfailed\n") && checked.contains("1 failed"),
+        "{checked}"
+    );
     let page = page(&Report {
         results: &results,
         settings: &Settings::default(),
@@ -83,7 +86,11 @@ fn in_a_sweep() {
         .collect();
     let methods: [&dyn Method; 2] = [&PanicsOnStacks, &Associative];
     let task = |case: &Case, sides, method| {
-        Task::new(Subject::of_scenes(&case.name, sides), method, Settings::default())
+        Task::new(
+            Subject::of_scenes(&case.name, sides),
+            method,
+            Settings::default(),
+        )
     };
     let tasks: Vec<Task> = (cases.iter().zip(&scenes))
         .flat_map(|(case, sides)| methods.map(|method| task(case, sides, method)))

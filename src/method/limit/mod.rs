@@ -2,17 +2,19 @@
 
 mod associative;
 mod columns;
+mod ending;
 mod interval;
+mod own_weight;
 mod program;
 mod reduction;
 mod scale;
 mod sequential;
-mod standing;
 mod vertical;
 
 pub use associative::Associative;
+pub use ending::{Ending, Solution};
 pub use interval::Interval;
 pub(crate) use interval::lowest;
-pub use program::{Ending, Friction, Margins, Program, Solution, TOLERANCE};
-pub use scale::Scale;
-pub use sequential::{Sequential, SequentialSettings, sequential};
+pub use program::Program;
+pub(crate) use program::TOLERANCE;
+pub use sequential::Sequential;

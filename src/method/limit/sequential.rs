@@ -1,9 +1,13 @@
 //! Sequential linear programming for non-associative friction, the paper's micro-block method
 //! (Gilbert, Casapulla & Ahmed, Computers & Structures 84 (2006) 873-887).
 
-use super::program::{Ending, Friction, Program, Solution};
-use super::standing::{own_weight, without_optimum};
-use crate::answer::{Bracket, Outcome, Status, VELOCITY_THRESHOLDS, Work, crack_slope};
+use super::ending::{Ending, Solution};
+use super::own_weight::{own_weight, without_optimum};
+use super::program::{FrictionLaw, Program};
+use crate::answer::{
+    Bracket, Outcome, SequentialEnding, SequentialFacts, Status, VELOCITY_THRESHOLDS, Work,
+    crack_slope,
+};
 use crate::method::{Method, Settings};
 use crate::scene::Scene;
 
@@ -13,21 +17,21 @@ pub struct Sequential;
 
 /// Every number of the procedure. Users of the published one differ in them, so they stand here.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SequentialSettings {
+struct SequentialSettings {
     /// α of the first step: how contractant the substitute friction law is.
-    pub first_alpha: f64,
+    first_alpha: f64,
     /// α is halved every step down to this.
-    pub last_alpha: f64,
+    last_alpha: f64,
     /// β: share of the new normal force in the next n̄.
-    pub renewal: f64,
+    renewal: f64,
     /// c0 over the largest normal force: shear that every joint carries uncompressed.
-    pub cohesion: f64,
+    cohesion: f64,
     /// Largest |Δλ|/λ of a step that counts as settled.
-    pub settled: f64,
+    settled: f64,
     /// Settled steps in a row, α at its floor, that count as converged.
-    pub steps_settled: usize,
+    steps_settled: usize,
     /// Steps after which the procedure is given up.
-    pub steps: usize,
+    steps: usize,
 }
 
 impl Default for SequentialSettings {
@@ -48,36 +52,12 @@ impl Default for SequentialSettings {
 
 impl SequentialSettings {
     /// The defaults with what a user asks for.
-    pub fn asked(user: &Settings) -> Self {
+    fn of_user(user: &Settings) -> Self {
         Self {
             first_alpha: user.alpha,
             renewal: user.beta,
             cohesion: user.c0,
             ..Self::default()
-        }
-    }
-}
-
-/// How the procedure ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum SequentialEnding {
-    Converged,
-    Cycling { period: usize },
-    SubProgramInfeasible,
-    SubProgramUnbounded,
-    SubProgramUnsolved,
-    StepLimit,
-}
-
-impl SequentialEnding {
-    fn in_words(self, steps: usize) -> String {
-        match self {
-            Self::Converged => "converged".to_owned(),
-            Self::Cycling { period } => format!("cycling with period {period} at step {steps}"),
-            Self::SubProgramInfeasible => format!("sub-program infeasible at step {steps}"),
-            Self::SubProgramUnbounded => format!("sub-program unbounded at step {steps}"),
-            Self::SubProgramUnsolved => format!("sub-program unsolved at step {steps}"),
-            Self::StepLimit => format!("not converged within {steps} steps"),
         }
     }
 }
@@ -88,21 +68,21 @@ impl Method for Sequential {
     }
 
     fn solve(&self, scene: &Scene, settings: &Settings) -> Outcome {
-        sequential(scene, &SequentialSettings::asked(settings), settings)
+        sequential(scene, &SequentialSettings::of_user(settings), settings)
     }
 }
 
 /// Runs the procedure with settings of one's own; of `user`, only those of the program count.
-pub fn sequential(scene: &Scene, settings: &SequentialSettings, user: &Settings) -> Outcome {
+fn sequential(scene: &Scene, settings: &SequentialSettings, user: &Settings) -> Outcome {
     let mut work = Work::default();
-    let standing = match own_weight(scene, &mut work) {
+    let at_rest = match own_weight(scene, &mut work) {
         Ok(forces) => forces,
         Err(outcome) => return *outcome,
     };
-    let mut program = Program::asked(scene, user);
+    let mut program = Program::to_tolerance(scene, user.lp_tolerance, user.scaling);
     let start = match program.solve_counted(&mut work) {
         Ending::Solved(solution) => solution,
-        ending => return without_optimum(scene, &ending, standing, &mut work),
+        ending => return without_optimum(scene, &ending, at_rest, &mut work),
     };
     let mut frozen = normal_forces(&start);
     let mut lambdas = vec![start.lambda];
@@ -132,23 +112,19 @@ pub fn sequential(scene: &Scene, settings: &SequentialSettings, user: &Settings)
         }
         alpha = (alpha / 2.0).max(settings.last_alpha);
     };
-    let reason = ending.in_words(lambdas.len() - 1);
-    match ending {
-        SequentialEnding::Converged => converged(scene, &program, &last, work, reason),
-        _ => Outcome {
-            work,
-            ..Outcome::without_number(Status::Undecided, reason)
-        },
-    }
+    let facts = SequentialFacts {
+        ending,
+        steps: lambdas.len() - 1,
+    };
+    let outcome = if ending == SequentialEnding::Converged {
+        converged(scene, &program, &last, facts)
+    } else {
+        Outcome::without_number(Status::Undecided, facts)
+    };
+    Outcome { work, ..outcome }
 }
 
-fn converged(
-    scene: &Scene,
-    program: &Program,
-    last: &Solution,
-    work: Work,
-    reason: String,
-) -> Outcome {
+fn converged(scene: &Scene, program: &Program, last: &Solution, facts: SequentialFacts) -> Outcome {
     let scale = program.scale();
     let mechanism = scale.mechanism(&last.velocity);
     Outcome {
@@ -156,8 +132,7 @@ fn converged(
         crack: crack_slope(scene, &mechanism, VELOCITY_THRESHOLDS),
         mechanism: Some(mechanism),
         forces: Some(scale.forces(&last.forces)),
-        work,
-        ..Outcome::without_number(Status::Estimate, reason)
+        ..Outcome::without_number(Status::Estimate, facts)
     }
 }
 
@@ -169,13 +144,13 @@ fn normal_forces(solution: &Solution) -> Vec<f64> {
 }
 
 /// |t| ≤ c0 + (1+α) μ n̄ − α μ n, a slightly contractant law through (n̄, μ n̄).
-fn substitute_law(scene: &Scene, frozen: &[f64], alpha: f64, cohesion: f64) -> Vec<Friction> {
+fn substitute_law(scene: &Scene, frozen: &[f64], alpha: f64, cohesion: f64) -> Vec<FrictionLaw> {
     let c0 = cohesion * frozen.iter().copied().fold(0.0, f64::max);
     let laws = scene
         .joints()
         .iter()
         .zip(frozen)
-        .map(|(joint, n)| Friction {
+        .map(|(joint, n)| FrictionLaw {
             slope: -alpha * joint.friction,
             intercept: c0 + (1.0 + alpha) * joint.friction * n,
         });
@@ -215,7 +190,7 @@ mod tests {
 
     #[test]
     fn a_user_who_asks_for_nothing_gets_the_defaults() {
-        let asked = SequentialSettings::asked(&Settings::default());
+        let asked = SequentialSettings::of_user(&Settings::default());
         assert_eq!(asked, SequentialSettings::default());
     }
 
