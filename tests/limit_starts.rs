@@ -20,13 +20,9 @@ const NAMED: [&str; 5] = [
 
 /// Verified starts, counted in the outcome's own words; all others must be named ones.
 fn verified_starts(scene: &Scene, starts: usize) -> usize {
-    let mut outcome = Interval.solve(
-        scene,
-        &Settings {
-            starts,
-            ..Settings::default()
-        },
-    );
+    let mut settings = Settings::default();
+    settings.interval.starts = starts;
+    let mut outcome = Interval.solve(scene, &settings);
     let residual = judge(scene, &mut outcome);
     assert_eq!(outcome.status, Status::Verified, "{}", outcome.reason());
     assert!(residual.is_some_and(|residual| residual <= 1e-8));

@@ -20,10 +20,8 @@ fn bracketed(scene: &Scene, settings: &Settings) -> Outcome {
 /// Half the substep, mirrored and undamped: each within the stated error, with its figures.
 #[test]
 fn the_papers_walls_pass_every_check() {
-    let settings = Settings {
-        verify: true,
-        ..Settings::default()
-    };
+    let mut settings = Settings::default();
+    settings.pushover.verify = true;
     for name in ["paper-1", "paper-2"] {
         let outcome = bracketed(&scene(name, HeadJoints::Open), &settings);
         for what in ["half the substep: [", "mirrored: [", "undamped: ["] {
@@ -85,10 +83,8 @@ fn twenty_runs_give_the_same_bits() {
 /// slips and runs away at once (min(μ, b/h) = 0.3).
 #[test]
 fn first_slip_is_not_above_the_collapse() {
-    let settings = Settings {
-        collapse: Collapse::FirstSlip,
-        ..Settings::default()
-    };
+    let mut settings = Settings::default();
+    settings.pushover.collapse = Collapse::FirstSlip;
     for name in ["paper-1", "paper-2", "sliding-block"] {
         let scene = scene(name, HeadJoints::Open);
         let collapse = bracketed(&scene, &Settings::default()).bracket;
@@ -106,10 +102,8 @@ fn first_slip_is_not_above_the_collapse() {
 
 #[test]
 fn a_recording_ends_in_the_collapse() {
-    let settings = Settings {
-        recording: true,
-        ..Settings::default()
-    };
+    let mut settings = Settings::default();
+    settings.pushover.recording = true;
     let scene = scene("paper-1", HeadJoints::Open);
     let outcome = bracketed(&scene, &settings);
     let frames = outcome.recording.len();

@@ -12,12 +12,11 @@ use trilith::scene::HeadJoints;
 fn results(cases: &[&str], methods: &[&str]) -> Vec<CaseResult> {
     let cases: Vec<_> = cases.iter().flat_map(|name| find(name).unwrap()).collect();
     let wanted = METHODS.into_iter().filter(|m| methods.contains(&m.name()));
+    let mut settings = Settings::default();
+    settings.pushover.recording = true;
     let plan = Plan {
         methods: wanted.collect(),
-        settings: Settings {
-            recording: true,
-            ..Settings::default()
-        },
+        settings,
         head_joints: Some(HeadJoints::Open),
     };
     run(&cases, &plan, |_, _| {})

@@ -19,7 +19,7 @@
 
 use super::limit::{self, Associative};
 use super::macro_block::MacroBlock;
-use super::pushover::Pushover;
+use super::settings::LP_TOLERANCE;
 use super::{Method, Settings};
 use crate::answer::{Bracket, Claim, Outcome, Status, Work};
 use crate::number::short;
@@ -44,8 +44,8 @@ impl Method for Auto {
         let Some(Bracket { upper, .. }) = bound.bracket else {
             return climb.settled(bound);
         };
-        let starts = settings.starts.max(2);
-        let enough = upper - settings.tolerance * upper.abs().max(1e-3);
+        let starts = settings.interval.starts.max(2);
+        let enough = upper - settings.auto.tolerance * upper.abs().max(1e-3);
         let found = climb.states(starts, enough);
         let Some(Bracket { lower, .. }) = found.bracket else {
             return climb.without_state(upper, &found);
@@ -74,11 +74,9 @@ fn closed_form(scene: &Scene, settings: &Settings) -> String {
 
 /// Proofs need the programs as tight as they are by default.
 fn proving(settings: &Settings) -> Settings {
-    Settings {
-        lp_tolerance: limit::TOLERANCE,
-        scaling: true,
-        ..*settings
-    }
+    let mut settings = *settings;
+    settings.programs.lp_tolerance = LP_TOLERANCE;
+    settings
 }
 
 /// The way up on one scene.
@@ -98,10 +96,8 @@ impl Climb<'_> {
 
     /// The interval, stopped at the first state below `enough`.
     fn states(&mut self, starts: usize, enough: f64) -> Outcome {
-        let settings = Settings {
-            starts,
-            ..proving(self.settings)
-        };
+        let mut settings = proving(self.settings);
+        settings.interval.starts = starts;
         let outcome = limit::lowest(self.scene, &settings, enough);
         self.count(outcome.work);
         outcome
@@ -141,15 +137,12 @@ impl Climb<'_> {
             "lowest state found and associative multiplier are {} % apart",
             short(100.0 * width, 2)
         );
-        let unique = width <= self.settings.tolerance;
+        let unique = width <= self.settings.auto.tolerance;
         let mut reason = match unique {
             true => format!("{apart} ({tried})"),
             false => format!("not unique: {apart} ({tried})"),
         };
-        if !unique && self.settings.beside {
-            reason.push_str(&self.beside());
-        }
-        reason.push_str(&self.saved(unique));
+        reason.push_str(&self.saved());
         Outcome {
             claim: Claim::Enclosed,
             bracket: Some(bracket),
@@ -178,26 +171,8 @@ impl Climb<'_> {
         }
     }
 
-    /// What the pushover says, in words.
-    fn beside(&mut self) -> String {
-        let modelled = self.work.modelled;
-        let pushed = self.run(&Pushover);
-        self.work.modelled = modelled;
-        match pushed.bracket {
-            Some(Bracket { lower, upper }) => {
-                let ends = [lower, upper].map(|end| short(end, 5));
-                let status = pushed.status.name();
-                format!(
-                    "; beside it the pushover: {} to {}, {status}",
-                    ends[0], ends[1]
-                )
-            }
-            None => format!("; beside it the pushover: {}", pushed.reason()),
-        }
-    }
-
     /// What was not needed, in words.
-    fn saved(&self, unique: bool) -> String {
+    fn saved(&self) -> String {
         let blocks = self.scene.blocks().len();
         let part = match self.work.modelled {
             modelled if (1..blocks).contains(&modelled) => {
@@ -205,12 +180,6 @@ impl Climb<'_> {
             }
             _ => String::new(),
         };
-        let pushed = !unique && self.settings.beside;
-        let others = if pushed {
-            "sequential"
-        } else {
-            "sequential and pushover"
-        };
-        format!("; saved: {part}{others}")
+        format!("; saved: {part}sequential and pushover")
     }
 }

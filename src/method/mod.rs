@@ -6,7 +6,10 @@ pub mod macro_block;
 pub mod pushover;
 mod settings;
 
-pub use settings::{Accuracy, Collapse, Settings};
+pub use settings::{
+    Accuracy, Allowed, AutoSettings, Collapse, IntervalSettings, ProgramSettings, PushoverSettings,
+    SequentialSettings, Setting, SettingError, Settings,
+};
 
 use std::time::Duration;
 

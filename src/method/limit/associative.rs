@@ -1,7 +1,7 @@
 //! Limit analysis with associative friction: the largest multiplier that equilibrium and Coulomb's
 //! law admit. It bounds every non-associative collapse multiplier from above (Radenkovic 1961).
 
-use super::program::{Ending, Margins, Program, TOLERANCE};
+use super::program::{Ending, Margins, Program};
 use super::reduction;
 use super::standing::{own_weight, without_optimum};
 use crate::answer::{
@@ -9,6 +9,7 @@ use crate::answer::{
     VERIFIED_RESIDUAL, Work, associative_violation, crack_slope, is_one_number,
     kinematic_multiplier,
 };
+use crate::method::settings::LP_TOLERANCE;
 use crate::method::{Method, Settings};
 use crate::scene::{HeadJoints, Scene};
 
@@ -29,7 +30,7 @@ impl Method for Associative {
         };
         // Dilatancy pushes head joints that are in contact far beyond the stagger line: on paper-3
         // even 920 of 1176 blocks give 3e-8 too much, and no smaller part saves time.
-        let reduce = scene.head_joints() == HeadJoints::Open && settings.reduction;
+        let reduce = scene.head_joints() == HeadJoints::Open && settings.programs.reduction;
         for part in reduction::parts(scene).into_iter().filter(|_| reduce) {
             if let Ok(mut answer) = optimum(&part.scene, settings, &mut work)
                 && let Some(forces) =
@@ -153,7 +154,7 @@ fn outcome(scene: &Scene, optimum: Optimum, user: &Settings, work: Work) -> Outc
 /// Whether a user asks for less than the margins need to be of use. At the default, ends that prove
 /// nothing are a defect, which the judge is to refute; here they are an estimate.
 fn loose(user: &Settings) -> bool {
-    user.lp_tolerance > TOLERANCE || !user.scaling
+    user.programs.lp_tolerance > LP_TOLERANCE
 }
 
 fn proves(scene: &Scene, optimum: &Optimum) -> bool {

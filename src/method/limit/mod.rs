@@ -13,6 +13,6 @@ mod vertical;
 pub use associative::Associative;
 pub use interval::Interval;
 pub(crate) use interval::lowest;
-pub use program::{Ending, Friction, Margins, Program, Solution, TOLERANCE};
+pub use program::{Ending, Friction, Margins, Program, Solution};
 pub use scale::Scale;
-pub use sequential::{Sequential, SequentialSettings, sequential};
+pub use sequential::Sequential;

@@ -21,7 +21,8 @@ use clarabel::solver::{
 use super::columns::{Entries, equilibrium_column};
 use super::scale::Scale;
 use crate::answer::{JointForce, Work};
-use crate::method;
+use crate::method::Settings;
+use crate::method::settings::LP_TOLERANCE;
 use crate::scene::Scene;
 
 /// Friction law of one joint: |t| ≤ slope · (n1 + n2) + intercept, the intercept in units of the
@@ -109,24 +110,16 @@ enum Goal {
 /// Slack that a block's mean weight may have, at most: forces that can lock have no limit.
 const ENOUGH: f64 = 0.01;
 
-/// Relative tolerance of all programs, unless a user asks for another. 1e-8 leaves 9e-8 of λ on a wall of 915 blocks, 1e-10 less
-/// than 1e-9, for a fifth more iterations.
-pub const TOLERANCE: f64 = 1e-10;
-
 impl Program {
     /// Assembles the associative program of a scene: Coulomb's law in every joint, λ to be largest.
     pub fn new(scene: &Scene) -> Self {
         Self::assemble(scene, Scale::of(scene), Goal::Multiplier)
     }
 
-    /// The same with the tolerance and the scaling that a user asks for.
-    pub fn asked(scene: &Scene, user: &method::Settings) -> Self {
-        let scale = match user.scaling {
-            true => Scale::of(scene),
-            false => Scale::NONE,
-        };
-        let tolerance = user.lp_tolerance;
-        Self::assemble_to(scene, scale, Goal::Multiplier, tolerance)
+    /// The same with the tolerance that a user asks for.
+    pub fn asked(scene: &Scene, user: &Settings) -> Self {
+        let tolerance = user.programs.lp_tolerance;
+        Self::assemble_to(scene, Scale::of(scene), Goal::Multiplier, tolerance)
     }
 
     /// Assembles the program that only asks for forces at a given λ, in given units.
@@ -143,7 +136,7 @@ impl Program {
     }
 
     fn assemble(scene: &Scene, scale: Scale, goal: Goal) -> Self {
-        Self::assemble_to(scene, scale, goal, TOLERANCE)
+        Self::assemble_to(scene, scale, goal, LP_TOLERANCE)
     }
 
     fn assemble_to(scene: &Scene, scale: Scale, goal: Goal, tolerance: f64) -> Self {

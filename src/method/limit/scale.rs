@@ -15,12 +15,6 @@ pub struct Scale {
 }
 
 impl Scale {
-    /// The case's own units, to show what scaling is good for.
-    pub const NONE: Scale = Scale {
-        force: 1.0,
-        length: 1.0,
-    };
-
     /// The units of a scene.
     pub fn of(scene: &Scene) -> Self {
         Self {

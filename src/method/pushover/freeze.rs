@@ -4,7 +4,7 @@
 use super::engine::State;
 use super::measure::{displacement, farthest};
 use super::model::Model;
-use super::settings::TALL;
+use super::parameters::SWAYING;
 use crate::scene::{Push, Scene, Side};
 
 /// Overlaps between the stagger line and the frozen part: the strip that must stay still.
@@ -49,7 +49,7 @@ pub fn beyond_stagger(scene: &Scene) -> Option<Freeze> {
     scene.regular().as_ref().ok()?;
     let wall = scene
         .coursing()
-        .filter(|wall| wall.courses as f64 >= TALL)?;
+        .filter(|wall| wall.courses as f64 >= SWAYING)?;
     let (low, high) = scene.bounds();
     let unit_height = wall.height / wall.courses as f64;
     // Overlaps between the stagger line and the block's near side.

@@ -3,7 +3,7 @@
 use super::engine::{Engine, State};
 use super::measure::{displacement, kinetic_energy, speed};
 use super::model::Model;
-use super::settings::{GRID, Settings};
+use super::parameters::{GRID, Parameters};
 
 /// How a hold at constant λ ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,7 +22,7 @@ pub enum Held {
 /// Holds loads on one model.
 pub struct Hold<'a> {
     model: &'a Model,
-    settings: &'a Settings,
+    parameters: &'a Parameters,
     /// The last hold, thinned to fewer than twice the frames asked for.
     pub frames: Vec<Vec<State>>,
     /// Time steps between two frames.
@@ -30,11 +30,11 @@ pub struct Hold<'a> {
 }
 
 impl<'a> Hold<'a> {
-    /// For a model and its settings.
-    pub fn new(model: &'a Model, settings: &'a Settings) -> Self {
+    /// For a model and its parameters.
+    pub fn new(model: &'a Model, parameters: &'a Parameters) -> Self {
         Self {
             model,
-            settings,
+            parameters,
             frames: Vec::new(),
             stride: 1,
         }
@@ -42,19 +42,19 @@ impl<'a> Hold<'a> {
 
     /// The scene under its weight alone.
     pub fn settle(&mut self, engine: &mut Engine) -> Held {
-        let settings = self.settings;
-        self.hold(engine, [0.0; 2], settings.settled_speed, settings.fall)
+        let parameters = self.parameters;
+        self.hold(engine, [0.0; 2], parameters.settled_speed, parameters.fall)
     }
 
     /// From rest at one load to another, in grid units. `last`: a collapse counts.
     pub fn step(&mut self, engine: &mut Engine, loads: [u64; 2], finest: u64, last: bool) -> Held {
-        let settings = self.settings;
+        let parameters = self.parameters;
         let limit = match last {
-            true => settings.collapse,
-            false => settings.runaway,
+            true => parameters.collapse,
+            false => parameters.runaway,
         };
         // An unbalanced tenth of the smallest increment would reach this speed in a window.
-        let slow = 0.1 * finest as f64 / GRID * settings.window;
+        let slow = 0.1 * finest as f64 / GRID * parameters.window;
         self.hold(engine, loads.map(|load| load as f64 / GRID), slow, limit)
     }
 
@@ -62,11 +62,11 @@ impl<'a> Hold<'a> {
     /// slowing down. Kinetic damping: whenever the kinetic energy falls, all blocks are stopped,
     /// so that a step is followed quasi-statically; the last window must stay at rest without it.
     fn hold(&mut self, engine: &mut Engine, loads: [f64; 2], slow: f64, limit: f64) -> Held {
-        let settings = self.settings;
+        let parameters = self.parameters;
         let from: Vec<State> = engine.states();
-        let steps = (settings.window / engine.dt()).ceil() as usize;
-        let windows = (settings.patience / settings.window).ceil() as usize;
-        let ramp = (settings.ramp / engine.dt()).ceil().max(1.0);
+        let steps = (parameters.window / engine.dt()).ceil() as usize;
+        let windows = (parameters.patience / parameters.window).ceil() as usize;
+        let ramp = (parameters.ramp / engine.dt()).ceil().max(1.0);
         let mut before = f64::INFINITY;
         let mut energy = 0.0;
         let mut pace = None;
@@ -92,7 +92,7 @@ impl<'a> Hold<'a> {
                     return Held::Collapse { acceleration };
                 }
                 let present = kinetic_energy(self.model, &states);
-                let falling = present < settings.damp_below * energy;
+                let falling = present < parameters.damp_below * energy;
                 if damped && falling {
                     engine.scale_velocities(0.0);
                     turned = true;
@@ -120,28 +120,29 @@ impl<'a> Hold<'a> {
     /// by many elastic deflections before they rest or run away, and inertia alone sets how long
     /// that takes; it has no part in where they stop. Returns the factor on the speeds.
     fn hurry(&self, engine: &mut Engine, from: &[State], pace: Option<f64>) -> f64 {
-        let settings = self.settings;
+        let parameters = self.parameters;
         let states = engine.states();
         let fastest = speed(self.model, &states);
         let moved = displacement(self.model, from, &states);
         let now = kinetic_energy(self.model, &states).sqrt();
-        let slow = fastest * fastest < 2.0 * moved * settings.slow_motion;
-        let Some(began) = pace.filter(|_| slow && now > 0.0 && settings.hurry > 0.0) else {
+        let slow = fastest * fastest < 2.0 * moved * parameters.slow_motion;
+        let Some(began) = pace.filter(|_| slow && now > 0.0 && parameters.extrapolation > 0.0)
+        else {
             return 1.0;
         };
-        let factor = 1.0 + settings.hurry * (1.0 - began / now);
-        let factor = factor.clamp(0.0, 1.0 + settings.hurry / 2.0);
+        let factor = 1.0 + parameters.extrapolation * (1.0 - began / now);
+        let factor = factor.clamp(0.0, 1.0 + parameters.extrapolation / 2.0);
         engine.scale_velocities(factor);
         factor
     }
 
     /// Keeps every frame at first, and fewer as the hold grows longer.
     fn keep(&mut self, states: &[State], step: usize) {
-        if self.settings.frames == 0 || !step.is_multiple_of(self.stride) {
+        if self.parameters.frames == 0 || !step.is_multiple_of(self.stride) {
             return;
         }
         self.frames.push(states.to_vec());
-        if self.frames.len() >= 2 * self.settings.frames {
+        if self.frames.len() >= 2 * self.parameters.frames {
             let mut index = 0;
             self.frames.retain(|_| {
                 index += 1;

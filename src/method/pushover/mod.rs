@@ -15,25 +15,25 @@ mod hint;
 mod hold;
 mod measure;
 mod model;
+mod parameters;
 mod range;
 mod search;
-mod settings;
 #[cfg(test)]
 mod tests;
 mod verify;
 
 pub use checks::Check;
-pub use settings::Settings;
+pub use parameters::Parameters;
 pub use verify::verify;
 
 use crate::answer::{Bracket, Claim, Mechanism, Motion, Outcome, Status, Work, crack_slope_by_gap};
-use crate::method::{self, Collapse, Method};
+use crate::method::{self, Collapse, Method, PushoverSettings};
 use crate::scene::{HeadJoints, Joint, JointClass, Scene, Side, Vector};
 use engine::{Contact, Engine, State};
 use freeze::Freeze;
 use model::Model;
+use parameters::GRID;
 use search::{Found, Search, search};
-use settings::GRID;
 
 /// Natural frequency of the contacts times the substep beyond which walls jitter, with a margin
 /// for rounding.
@@ -49,10 +49,11 @@ impl Method for Pushover {
     }
 
     fn solve(&self, scene: &Scene, settings: &method::Settings) -> Outcome {
+        let settings = &settings.pushover;
         let outcome = if has_perpends(scene) {
             range::over_variations(scene, settings)
         } else {
-            solve_with(scene, settings, |settings| settings)
+            solve_with(scene, settings, |own| own)
         };
         let outcome = match settings.verify {
             true => verify::confirmed(scene, settings, outcome),
@@ -72,7 +73,7 @@ impl Method for Pushover {
 
 /// Whether the user asks for longer substeps or softer contacts than the stated error was measured
 /// with.
-fn coarser(settings: &method::Settings) -> bool {
+fn coarser(settings: &PushoverSettings) -> bool {
     settings.substep > 1.0 || settings.stiffness < 1.0
 }
 
@@ -122,10 +123,10 @@ fn has_perpends(scene: &Scene) -> bool {
 ///
 /// # Errors
 /// A sentence on what this method cannot honour in the scene.
-pub fn parameters(scene: &Scene, user: &method::Settings) -> Result<String, String> {
+pub fn parameters(scene: &Scene, settings: &PushoverSettings) -> Result<String, String> {
     let freeze = freeze::beyond_stagger(scene).unwrap_or_default();
     let model = Model::new(scene, &freeze.frozen)?;
-    let settings = Settings::new(&model, user.accuracy).asked(user);
+    let parameters = Parameters::new(&model, settings);
     let mut text = format!(
         "  {:<26} {:<12} case length\n  {:<26} {:<12}\n",
         "course height H_c",
@@ -133,45 +134,49 @@ pub fn parameters(scene: &Scene, user: &method::Settings) -> Result<String, Stri
         "blocks that may move",
         model.blocks.len()
     );
-    for (name, value, unit) in settings.listed() {
+    for (name, value, unit) in parameters.listed() {
         text.push_str(&format!("  {name:<26} {value:<12} {unit}\n"));
     }
     Ok(text)
 }
 
-/// The pushover with its own settings, which follow from the user's and the scene, changed.
+/// The pushover with its parameters, which follow from settings and scene, changed.
 pub fn solve_with(
     scene: &Scene,
-    user: &method::Settings,
-    change: impl Fn(Settings) -> Settings,
+    settings: &PushoverSettings,
+    change: impl Fn(Parameters) -> Parameters,
 ) -> Outcome {
-    let settings = |model: &Model| change(Settings::new(model, user.accuracy).asked(user));
+    let parameters = |model: &Model| change(Parameters::new(model, settings));
     let Some(freeze) = freeze::beyond_stagger(scene) else {
-        return run(scene, &settings, &Freeze::default()).0;
+        return run(scene, &parameters, &Freeze::default()).0;
     };
-    let (outcome, moved) = run(scene, &settings, &freeze);
+    let (outcome, moved) = run(scene, &parameters, &freeze);
     if !moved {
         return outcome;
     }
     let spent = outcome.work.block_steps;
-    let mut outcome = run(scene, &settings, &Freeze::default()).0;
+    let mut outcome = run(scene, &parameters, &Freeze::default()).0;
     outcome.work.block_steps += spent;
     outcome
 }
 
 /// One search with a part of the scene held fixed, and whether that part might have moved.
-fn run(scene: &Scene, settings: &impl Fn(&Model) -> Settings, freeze: &Freeze) -> (Outcome, bool) {
+fn run(
+    scene: &Scene,
+    parameters: &impl Fn(&Model) -> Parameters,
+    freeze: &Freeze,
+) -> (Outcome, bool) {
     let undecided = |reason: String| Outcome::without_number(Status::Undecided, reason);
     let model = match Model::new(scene, &freeze.frozen) {
         Ok(model) => model,
         Err(reason) => return (undecided(reason), false),
     };
-    let settings = settings(&model);
-    if settings.contact_frequency * settings.substep > MOST_STIFF {
+    let parameters = parameters(&model);
+    if parameters.contact_frequency * parameters.substep > MOST_STIFF {
         let reason = "the contacts are stiffer than the substep can hold";
         return (undecided(reason.into()), false);
     }
-    let Some(mut engine) = Engine::new(&model, &settings) else {
+    let Some(mut engine) = Engine::new(&model, &parameters) else {
         let reason = "the engine cannot take a shape of the scene";
         return (undecided(reason.into()), false);
     };
@@ -188,25 +193,25 @@ fn run(scene: &Scene, settings: &impl Fn(&Model) -> Settings, freeze: &Freeze) -
         slips.fold(0.0, f64::max)
     };
     let mut moved = !freeze.frozen.is_empty();
-    let mut outcome = match search(&mut engine, &model, &settings, slip) {
+    let mut outcome = match search(&mut engine, &model, &parameters, slip) {
         Search::Found(found) => {
             moved &= freeze.moved(&model, &found.settled.states, &found.collapsed);
-            let mut checks = self_checks(scene, &model, &settings, freeze, &found);
+            let mut checks = self_checks(scene, &model, &parameters, freeze, &found);
             let settlement = measure::displacement(&model, &laid, &found.settled.states);
             checks.splice(
                 0..0,
                 [
                     sees,
-                    checks::settles_little(settlement, settings.settlement),
+                    checks::settles_little(settlement, parameters.settlement),
                 ],
             );
-            judged(scene, &model, &settings, &found, &checks)
+            judged(scene, &model, &parameters, &found, &checks)
         }
         Search::Undecided(reason) => undecided(reason),
         Search::Falls(reason) => Outcome::without_number(Status::Falls, reason),
     };
     outcome.work = Work {
-        block_steps: engine.steps * settings.substeps * model.blocks.len(),
+        block_steps: engine.steps * parameters.substeps * model.blocks.len(),
         ..Work::default()
     };
     (outcome, moved)
@@ -216,14 +221,14 @@ fn run(scene: &Scene, settings: &impl Fn(&Model) -> Settings, freeze: &Freeze) -
 fn judged(
     scene: &Scene,
     model: &Model,
-    settings: &Settings,
+    parameters: &Parameters,
     found: &Found,
     checks: &[Check],
 ) -> Outcome {
     let texts: Vec<String> = checks.iter().map(|check| check.text.clone()).collect();
     if let Some(failed) = checks
         .iter()
-        .find(|check| !check.passed && settings.self_checks)
+        .find(|check| !check.passed && parameters.self_checks)
     {
         let reason = format!("a self-check failed: {}", failed.text);
         return Outcome {
@@ -238,7 +243,7 @@ fn judged(
             lower: found.lower as f64 / GRID,
             upper: found.upper as f64 / GRID,
         }),
-        stated_error: Some(settings.stated_error),
+        stated_error: Some(parameters.stated_error),
         crack: crack_slope_by_gap(scene, &mechanism),
         mechanism: Some(mechanism),
         recording: found.frames.iter().map(moved).collect(),
@@ -250,7 +255,7 @@ fn judged(
 fn self_checks(
     scene: &Scene,
     model: &Model,
-    settings: &Settings,
+    parameters: &Parameters,
     freeze: &Freeze,
     found: &Found,
 ) -> Vec<Check> {
@@ -276,7 +281,7 @@ fn self_checks(
             "at the last rest",
         ),
         checks::open_stays_open(closed, weight),
-        checks::small_drift(drift, settings.drift),
+        checks::small_drift(drift, parameters.drift),
     ]
 }
 

@@ -3,10 +3,10 @@
 //! What a perpend carries before the push depends on how tightly it was closed, so the collapse
 //! load is not unique. Direction and contact stiffness stand for that here.
 
-use super::settings::Settings;
+use super::parameters::Parameters;
 use super::solve_with;
 use crate::answer::{Bracket, Outcome, Status};
-use crate::method;
+use crate::method::PushoverSettings;
 use crate::scene::Scene;
 
 /// Blocks beyond which the variations are run only on request.
@@ -16,9 +16,9 @@ const BLOCKS: usize = 200;
 const STIFFNESSES: [f64; 3] = [1.0, 0.5, 0.25];
 
 /// The lowest lower and the highest upper value over both directions and several stiffnesses.
-pub fn over_variations(scene: &Scene, user: &method::Settings) -> Outcome {
+pub fn over_variations(scene: &Scene, settings: &PushoverSettings) -> Outcome {
     let blocks = scene.blocks().len();
-    if blocks > BLOCKS && !user.long_ranges {
+    if blocks > BLOCKS && !settings.long_ranges {
         let reason = format!(
             "not run: with head joints in contact the answer is a range over {} pushovers, which \
              {blocks} blocks make long",
@@ -33,12 +33,12 @@ pub fn over_variations(scene: &Scene, user: &method::Settings) -> Outcome {
     let mut runs = Vec::new();
     for stiffness in STIFFNESSES {
         // Stiffness goes with the square of the frequency.
-        let change = |settings: Settings| Settings {
-            contact_frequency: settings.contact_frequency * stiffness.sqrt(),
-            ..settings
+        let change = |parameters: Parameters| Parameters {
+            contact_frequency: parameters.contact_frequency * stiffness.sqrt(),
+            ..parameters
         };
         for (side, word) in [(scene, "as it is"), (&mirror, "mirrored")] {
-            let run = solve_with(side, user, change);
+            let run = solve_with(side, settings, change);
             runs.push((format!("stiffness × {stiffness}, {word}"), run));
         }
     }

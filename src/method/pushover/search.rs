@@ -4,7 +4,7 @@ use super::engine::{Contact, Engine, State};
 use super::hint::{Hint, finest_increment};
 use super::hold::{Held, Hold};
 use super::model::Model;
-use super::settings::{GRID, Settings};
+use super::parameters::{GRID, Parameters};
 
 /// A bracket and what the self-checks need to know about it.
 pub struct Found {
@@ -55,25 +55,25 @@ pub enum Search {
 /// collapse says no more than that the limit is near.
 ///
 /// `slip` gives the largest slip of a joint between two states; a rest with more of it than the
-/// settings allow is a collapse too.
+/// parameters allow is a collapse too.
 pub fn search(
     engine: &mut Engine,
     model: &Model,
-    settings: &Settings,
+    parameters: &Parameters,
     slip: impl Fn(&[State], &[State]) -> f64,
 ) -> Search {
-    let mut hold = Hold::new(model, settings);
+    let mut hold = Hold::new(model, parameters);
     match hold.settle(engine) {
         Held::Rest => {}
         Held::Collapse { .. } => {
-            let distance = settings.fall;
+            let distance = parameters.fall;
             return Search::Falls(format!(
                 "under its weight alone a block moved by more than {distance} course heights and \
                  was not slowing down"
             ));
         }
         Held::Unclear => {
-            let time = settings.patience;
+            let time = parameters.patience;
             return Search::Undecided(format!(
                 "under its weight alone the scene did not come to rest within t = {time} √(H_c/g)"
             ));
@@ -82,30 +82,30 @@ pub fn search(
     let settled = Seen::now(engine);
     let mut rest = engine.checkpoint();
     let mut seen = Seen::now(engine);
-    let mut hint = Hint::new(settings.first_increment);
+    let mut hint = Hint::new(parameters.first_increment);
     let mut lower: u64 = 0;
     let mut unclear = false;
     loop {
-        let finest = finest_increment(hint.near(lower), settings.tolerance);
+        let finest = finest_increment(hint.near(lower), parameters.tolerance);
         let target = match unclear {
             true => lower + 2 * finest,
             false => hint.next(lower, finest),
         };
         let last = unclear || target - lower <= finest;
-        if engine.steps > settings.budget {
+        if engine.steps > parameters.budget {
             let lambda = lower as f64 / GRID;
             return Search::Undecided(format!(
                 "gave up after the time steps allowed; last at rest at λ = {lambda}"
             ));
         }
-        if target > settings.largest {
+        if target > parameters.largest {
             let lambda = lower as f64 / GRID;
             return Search::Undecided(format!(
                 "the scene still stands at λ = {lambda}; nothing larger is tried"
             ));
         }
         let held = match hold.step(engine, [lower, target], finest, last) {
-            Held::Rest if slip(&settled.states, &engine.states()) > settings.slip => {
+            Held::Rest if slip(&settled.states, &engine.states()) > parameters.slip => {
                 Held::Collapse { acceleration: 0.0 }
             }
             held => held,

@@ -173,11 +173,9 @@ fn a_wall_let_down_by_soft_contacts_is_undecided() {
     let scene = wall([4.0, 1.75], 0.65, &["h1h", "11"])
         .scene(HeadJoints::Open)
         .unwrap();
-    let soft = method::Settings {
-        substep: 64.0,
-        stiffness: 1.0 / 256.0,
-        ..method::Settings::default()
-    };
+    let mut soft = method::Settings::default();
+    soft.pushover.substep = 64.0;
+    soft.pushover.stiffness = 1.0 / 256.0;
     let outcome = Pushover.solve(&scene, &soft);
     assert_eq!(outcome.status, Status::Undecided, "{}", outcome.reason());
 }
@@ -189,13 +187,13 @@ fn verification_passes_on_a_column_and_fails_on_a_foreign_bracket() {
         .unwrap();
     let mut outcome = pushover(&scene);
     assert!(
-        verify(&scene, &method::Settings::default(), &outcome)
+        verify(&scene, &PushoverSettings::default(), &outcome)
             .iter()
             .all(|check| check.passed)
     );
     outcome.bracket = Some(Bracket::point(0.41));
     assert!(
-        verify(&scene, &method::Settings::default(), &outcome)
+        verify(&scene, &PushoverSettings::default(), &outcome)
             .iter()
             .all(|check| !check.passed)
     );

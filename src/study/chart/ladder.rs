@@ -26,8 +26,6 @@ const LADDERS: [(&str, &[Changes]); 6] = [
             &[("lp-tolerance", "1e-4")],
             &[("lp-tolerance", "1e-6")],
             &[("lp-tolerance", "1e-8")],
-            &[("lp-tolerance", "1e-4"), ("scaling", "false")],
-            &[("lp-tolerance", "1e-8"), ("scaling", "false")],
             &[("reduction", "false")],
         ],
     ),

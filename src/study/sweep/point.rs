@@ -120,10 +120,8 @@ mod tests {
             sides: Box::new(Vec::new),
             determined_by: vec![text.into()],
         };
-        let settings = Settings {
-            starts,
-            ..Settings::default()
-        };
+        let mut settings = Settings::default();
+        settings.interval.starts = starts;
         Point::new(subject, METHODS[method], settings).id().into()
     }
 

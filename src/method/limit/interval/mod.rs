@@ -73,7 +73,7 @@ fn aimed(scene: &Scene, aim: &Aim) -> Outcome {
         Ok(forces) => forces,
         Err(outcome) => return *outcome,
     };
-    let reduce = aim.settings.reduction;
+    let reduce = aim.settings.programs.reduction;
     for part in reduction::parts(scene).into_iter().filter(|_| reduce) {
         let Ok(ends) = search(scene, Some(&part), aim, &mut work) else {
             continue;
@@ -129,14 +129,14 @@ fn search(
     let searched = part.map_or(scene, |part| &part.scene);
     let mut search = Search::new(searched);
     let mut ends = Vec::new();
-    let own = starts::starts(searched, &mut search, aim.settings.starts)?;
+    let own = starts::starts(searched, &mut search, aim.settings.interval.starts)?;
     let further = aim
         .further
         .iter()
         .map(|normal| neighbour(scene, part, normal));
     for start in own.into_iter().chain(further) {
         let name = start.name;
-        let found = follow(&mut search, start, aim.settings.starts, aim.enough);
+        let found = follow(&mut search, start, aim.settings.interval.starts, aim.enough);
         let scale = search.program().scale();
         let states = found.and_then(|way| {
             let mut whole = |state| collapse_state(scene, part, scale, state, work);
