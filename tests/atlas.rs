@@ -61,17 +61,15 @@ impl Method for StopsEarly {
         "associative"
     }
 
-    fn solve(&self, scene: &Scene, settings: &Settings) -> Outcome {
-        let mut loose = *settings;
-        loose.programs.lp_tolerance = 1e-2;
-        match Program::asked(scene, &loose).solve() {
+    fn solve(&self, scene: &Scene, _settings: &Settings) -> Outcome {
+        match Program::to_tolerance(scene, 1e-2).solve() {
             Ending::Solved(solution) => Outcome {
                 claim: Claim::Observed,
                 bracket: Some(Bracket::point(solution.lambda)),
                 stated_error: Some(1e-4),
                 ..Outcome::without_number(Status::Bracketed, "the solver says solved")
             },
-            ending => Outcome::without_number(Status::Undecided, ending.to_string()),
+            ending => Outcome::without_number(Status::Undecided, ending.kind().to_string()),
         }
     }
 }

@@ -5,28 +5,31 @@
 //! to go on, but what counts is the judge's own evaluation, from forces and mechanism alone, on the
 //! whole scene and in the units of the case. No matrix, scaling or tolerance of a method enters it.
 
+mod bracket;
+mod claim;
 mod crack;
 mod fact;
 mod mechanism;
 mod outcome;
 mod residual;
+mod state;
+mod status;
+mod work;
 
+pub use bracket::Bracket;
+pub use claim::Claim;
 pub use crack::{Crack, VELOCITY_THRESHOLDS, crack_slope, crack_slope_by_gap};
-pub use fact::Fact;
-pub use mechanism::{JointRate, Mechanism, Motion};
-pub use outcome::{Bracket, Claim, CollapseState, JointForce, Outcome, Status, Work};
-pub use residual::{
-    CollapseResidual, StaticResidual, associative_violation, dead_power, falling_violation,
-    kinematic_multiplier, live_unit,
+pub use fact::{
+    AutoFact, CeilingSlack, Fact, InapplicableForm, Invalid, JudgedFact, LimitFact, ProgramEnding,
+    ProgramFailure, Residuals, SearchEnding, SearchFacts, SearchFailure, SearchStart,
+    SequentialEnding, SequentialFacts, SideFact, SolverEnding, StartEnding, Uniqueness,
 };
-
-/// Largest residual of a verified result, with total weight, height and live power scaled to 1.
-pub const VERIFIED_RESIDUAL: f64 = 1e-8;
-
-/// Relative width up to which two proved ends count as one number.
-pub const VERIFIED_WIDTH: f64 = 1e-6;
-
-/// Whether two ends are one number: NaN is none, nor are ends that cross by more than rounding.
-pub fn is_one_number(bracket: &Bracket) -> bool {
-    (-1e-9..=VERIFIED_WIDTH).contains(&bracket.relative_width())
-}
+pub use mechanism::{JointRate, Mechanism, Motion};
+pub use outcome::Outcome;
+pub use residual::{
+    CollapseResidual, StaticResidual, VERIFIED_RESIDUAL, associative_violation, dead_power,
+    falling_violation, kinematic_multiplier, live_unit,
+};
+pub use state::{CollapseState, JointForce};
+pub use status::Status;
+pub use work::Work;

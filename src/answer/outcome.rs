@@ -1,149 +1,13 @@
 //! What a method answers. It holds no time, so no time can reach a snapshot.
 
-use std::ops::Add;
-
-use super::fact::{self, Fact};
-use super::{Crack, Mechanism};
-
-/// What a result may be used for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Status {
-    /// Proved to a residual of 1e-8 by the judge.
-    Verified,
-    /// λ lies between lower and upper by the method's own evidence, the width is not negligible.
-    Bracketed,
-    /// A number with no proof behind it.
-    Estimate,
-    /// No multiplier is too large.
-    Stands,
-    /// The scene does not stand under its own weight.
-    Falls,
-    /// The scene is outside the method's limits of validity.
-    NotApplicable,
-    /// No honest answer; the reason says why.
-    Undecided,
-    /// The method broke, or the judge refutes it.
-    Failed,
-}
-
-impl Status {
-    /// Every status.
-    pub const ALL: [Status; 8] = [
-        Status::Verified,
-        Status::Bracketed,
-        Status::Estimate,
-        Status::Stands,
-        Status::Falls,
-        Status::NotApplicable,
-        Status::Undecided,
-        Status::Failed,
-    ];
-
-    /// The word that tables, CSV and JSON use.
-    pub fn name(self) -> &'static str {
-        match self {
-            Status::Verified => "verified",
-            Status::Bracketed => "bracketed",
-            Status::Estimate => "estimate",
-            Status::Stands => "stands",
-            Status::Falls => "falls",
-            Status::NotApplicable => "not-applicable",
-            Status::Undecided => "undecided",
-            Status::Failed => "failed",
-        }
-    }
-}
-
-/// What an answer's forces and mechanism are put forward as; the judge proves that and nothing else.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Claim {
-    /// A collapse state without dilatancy: forces and mechanism satisfy every condition together.
-    #[default]
-    CollapseState,
-    /// Bounds of λ_A: `forces` are admissible at `bracket.lower`, `mechanism` by associative
-    /// friction, and its own multiplier is no larger than `bracket.upper`.
-    Associative,
-    /// A collapse state at `bracket.lower`, and `ceiling` as in `Associative` for `bracket.upper`.
-    Enclosed,
-    /// Something seen, not proved, as in an experiment.
-    Observed,
-}
-
-/// Lower and upper value of a collapse multiplier; what each means is the method's to say.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bracket {
-    /// Lower value.
-    pub lower: f64,
-    /// Upper value.
-    pub upper: f64,
-}
-
-impl Bracket {
-    /// Both ends at one value.
-    pub fn point(lambda: f64) -> Self {
-        Self {
-            lower: lambda,
-            upper: lambda,
-        }
-    }
-
-    /// Width relative to max(|λ|, 1e-3).
-    pub fn relative_width(&self) -> f64 {
-        (self.upper - self.lower) / self.upper.abs().max(1e-3)
-    }
-
-    /// Largest distance of either end from a reference, relative to max(|reference|, 1e-3).
-    pub fn error(&self, reference: f64) -> f64 {
-        let distance = |end: f64| (end - reference).abs();
-        distance(self.lower).max(distance(self.upper)) / reference.abs().max(1e-3)
-    }
-}
-
-/// Forces of one joint, in the case's force unit.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct JointForce {
-    /// Normal force at each end of the joint, compression positive.
-    pub normal: [f64; 2],
-    /// Shear on the block that the normal points into, along the joint's tangent.
-    pub shear: f64,
-}
-
-/// A non-associative collapse state: forces and mechanism that satisfy every condition together.
-#[derive(Clone, Debug)]
-pub struct CollapseState {
-    /// Multiplier of the forces.
-    pub lambda: f64,
-    /// Forces of every joint.
-    pub forces: Vec<JointForce>,
-    /// Velocities of every block.
-    pub mechanism: Mechanism,
-}
-
-/// Effort in counts that do not depend on the machine's speed.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Work {
-    /// Blocks that were modelled as movable; 0 where the method does not count them.
-    pub modelled: usize,
-    /// Linear programs solved.
-    pub programs: usize,
-    /// Interior-point iterations over all programs.
-    pub iterations: usize,
-    /// Time steps of the pushover, times the blocks that can move.
-    pub block_steps: usize,
-}
-
-impl Add for Work {
-    type Output = Self;
-
-    fn add(self, other: Self) -> Self {
-        Self {
-            modelled: self.modelled + other.modelled,
-            programs: self.programs + other.programs,
-            iterations: self.iterations + other.iterations,
-            block_steps: self.block_steps + other.block_steps,
-        }
-    }
-}
+use super::bracket::Bracket;
+use super::claim::Claim;
+use super::crack::Crack;
+use super::fact::{self, Fact, SearchFacts};
+use super::mechanism::Mechanism;
+use super::state::{CollapseState, JointForce};
+use super::status::Status;
+use super::work::Work;
 
 /// The answer of one method for one scene.
 #[derive(Clone, Debug)]
@@ -182,8 +46,16 @@ pub struct Outcome {
 }
 
 impl Outcome {
-    /// An answer without a number.
+    /// An answer without a number, and why there is none.
     pub fn without_number(status: Status, fact: impl Into<Fact>) -> Self {
+        Self {
+            facts: vec![fact.into()],
+            ..Self::of(status)
+        }
+    }
+
+    /// An answer that is nothing but its status, to be filled in.
+    pub fn of(status: Status) -> Self {
         Self {
             status,
             claim: Claim::default(),
@@ -198,12 +70,20 @@ impl Outcome {
             recording: Vec::new(),
             work: Work::default(),
             checks: Vec::new(),
-            facts: vec![fact.into()],
+            facts: Vec::new(),
         }
     }
 
     /// The facts as one text; empty where there is nothing to say.
     pub fn reason(&self) -> String {
         fact::sentence(&self.facts)
+    }
+
+    /// How the starts of a search for collapse states ended, where there was one.
+    pub fn search(&self) -> Option<&SearchFacts> {
+        self.facts.iter().find_map(|fact| match fact {
+            Fact::Search(search) => Some(search),
+            _ => None,
+        })
     }
 }

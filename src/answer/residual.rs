@@ -2,11 +2,15 @@
 
 use std::fmt;
 
-use crate::answer::{JointForce, Mechanism};
+use super::mechanism::Mechanism;
+use super::state::JointForce;
 use crate::scene::{Block, Point, Scene, Side, Vector, Wrench};
 
+/// Largest residual of a verified result, with total weight, height and live power scaled to 1.
+pub const VERIFIED_RESIDUAL: f64 = 1e-8;
+
 /// Violations of static admissibility, as fractions of the total weight.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct StaticResidual {
     /// Largest unbalanced force, or moment over the height.
     pub equilibrium: f64,
@@ -177,7 +181,7 @@ fn flow_violation(scene: &Scene, mechanism: &Mechanism, unit: f64) -> f64 {
 }
 
 /// Violations of the zero-dilatancy collapse conditions, beyond static admissibility.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct CollapseResidual {
     /// Largest closing rate.
     pub penetration: f64,

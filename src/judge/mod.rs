@@ -10,8 +10,8 @@ pub use cross_check::{cross_check, open_never_raises};
 pub use references::{Comparison, comparisons, computed, reference_checks};
 
 use crate::answer::{
-    Bracket, Claim, CollapseResidual, Mechanism, Outcome, StaticResidual, Status,
-    VERIFIED_RESIDUAL, associative_violation, falling_violation, is_one_number,
+    Bracket, CeilingSlack, Claim, CollapseResidual, JudgedFact, Mechanism, Outcome, Residuals,
+    StaticResidual, Status, VERIFIED_RESIDUAL, associative_violation, falling_violation,
     kinematic_multiplier,
 };
 use crate::scene::Scene;
@@ -33,7 +33,7 @@ pub fn judge(scene: &Scene, outcome: &mut Outcome) -> Option<f64> {
             _ => false,
         };
         if proof {
-            refute(outcome, "claims a proof without forces and mechanism");
+            refute(outcome, JudgedFact::NothingToProve);
         }
         return None;
     };
@@ -43,78 +43,91 @@ pub fn judge(scene: &Scene, outcome: &mut Outcome) -> Option<f64> {
     let statics = StaticResidual::of(scene, forces, bracket.lower);
     match outcome.claim {
         Claim::Associative => {
-            let (slack, text) = ceiling(scene, mechanism, bracket);
-            let residual = statics.largest().max(slack);
-            conclude_bounds(outcome, residual, &format!("{statics}, {text}"));
+            let ceiling = ceiling(scene, mechanism);
+            let residual = statics.largest().max(slack(&ceiling, bracket));
+            let residuals = Residuals::Bounds {
+                statics,
+                collapse: None,
+                ceiling: Some(ceiling),
+            };
+            conclude_bounds(outcome, residual, residuals);
             Some(residual)
         }
         Claim::Enclosed => {
             let collapse = CollapseResidual::of(scene, forces, mechanism);
             let above = outcome.ceiling.as_ref();
-            let (slack, text) = above.map_or((f64::INFINITY, "no bound".into()), |mechanism| {
-                ceiling(scene, mechanism, bracket)
-            });
+            let ceiling = above.map(|mechanism| ceiling(scene, mechanism));
+            let slack = ceiling.map_or(f64::INFINITY, |ceiling| slack(&ceiling, bracket));
             let residual = statics.largest().max(collapse.largest()).max(slack);
-            conclude_bounds(outcome, residual, &format!("{statics}, {collapse}, {text}"));
+            let residuals = Residuals::Bounds {
+                statics,
+                collapse: Some(collapse),
+                ceiling,
+            };
+            conclude_bounds(outcome, residual, residuals);
             Some(residual)
         }
         Claim::CollapseState | Claim::Observed => {
             let collapse = CollapseResidual::of(scene, forces, mechanism);
             let residual = statics.largest().max(collapse.largest());
-            conclude_state(outcome, residual, &statics, &collapse);
+            let residuals = Residuals::State { statics, collapse };
+            conclude_state(outcome, residual, residuals);
             Some(residual)
         }
     }
 }
 
-/// How far a mechanism is from proving that no λ above `bracket.upper` is admissible by associative
-/// friction: its violation of the flow rule, infinite where its own multiplier is above that or
-/// below `bracket.lower`; and that in words.
-fn ceiling(scene: &Scene, mechanism: &Mechanism, bracket: Bracket) -> (f64, String) {
-    let slack = associative_violation(scene, mechanism);
-    let upper = kinematic_multiplier(scene, mechanism);
-    let text = format!("flow rule violated by {slack:.1e}, mechanism's own multiplier {upper:.6}");
-    // Written so that a NaN refutes.
-    let bounds = bracket.upper >= upper && bracket.lower <= upper + 1e-9 * upper.abs().max(1e-3);
-    (if bounds { slack } else { f64::INFINITY }, text)
-}
-
-/// Both ends proved: `verified` where they are one number, else `bracketed`, or `undecided` where
-/// the method says that its bracket is no answer. What claims nothing loses nothing.
-fn conclude_bounds(outcome: &mut Outcome, residual: f64, text: &str) {
-    let bracket = outcome.bracket;
-    if residual <= VERIFIED_RESIDUAL {
-        if outcome.status != Status::Undecided {
-            outcome.status = match bracket.is_some_and(|bracket| is_one_number(&bracket)) {
-                true => Status::Verified,
-                false => Status::Bracketed,
-            };
-        }
-    } else if outcome.status == Status::Estimate {
-        outcome.facts.push(format!("no proof: {text}").into());
-    } else {
-        refute(outcome, &format!("refuted by the judge: {text}"));
+fn ceiling(scene: &Scene, mechanism: &Mechanism) -> CeilingSlack {
+    CeilingSlack {
+        flow_rule: associative_violation(scene, mechanism),
+        multiplier: kinematic_multiplier(scene, mechanism),
     }
 }
 
-fn conclude_state(
-    outcome: &mut Outcome,
-    residual: f64,
-    statics: &StaticResidual,
-    collapse: &CollapseResidual,
-) {
+/// How far a mechanism is from proving that no λ above `bracket.upper` is admissible by associative
+/// friction: its violation of the flow rule, infinite where its own multiplier is above that or
+/// below `bracket.lower`.
+fn slack(ceiling: &CeilingSlack, bracket: Bracket) -> f64 {
+    let own = ceiling.multiplier;
+    // Written so that a NaN refutes.
+    let bounds = bracket.upper >= own && bracket.lower <= own + 1e-9 * own.abs().max(1e-3);
+    if bounds {
+        ceiling.flow_rule
+    } else {
+        f64::INFINITY
+    }
+}
+
+/// Both ends proved: `verified` where they are one number, else `bracketed`, or `undecided` where
+/// the method says that its bracket is no answer. An estimate is never downgraded.
+fn conclude_bounds(outcome: &mut Outcome, residual: f64, residuals: Residuals) {
+    if residual <= VERIFIED_RESIDUAL {
+        let one = (outcome.bracket).is_some_and(|bracket| bracket.is_one_number());
+        if outcome.status != Status::Undecided {
+            outcome.status = if one {
+                Status::Verified
+            } else {
+                Status::Bracketed
+            };
+        }
+    } else if outcome.status == Status::Estimate {
+        outcome.facts.push(JudgedFact::NoProof(residuals).into());
+    } else {
+        refute(outcome, JudgedFact::Refuted(residuals));
+    }
+}
+
+fn conclude_state(outcome: &mut Outcome, residual: f64, residuals: Residuals) {
     let at_one = outcome
         .bracket
         .is_some_and(|bracket| bracket.lower == bracket.upper);
     if residual <= VERIFIED_RESIDUAL && at_one {
         outcome.status = Status::Verified;
-        outcome.facts.push("a true collapse state".into());
+        outcome.facts.push(JudgedFact::CollapseState.into());
     } else if outcome.status == Status::Verified {
-        let text = format!("refuted by the judge: {statics}, {collapse}");
-        refute(outcome, &text);
+        refute(outcome, JudgedFact::Refuted(residuals));
     } else {
-        let text = format!("no proof: {}", worst(statics, collapse));
-        outcome.facts.push(text.into());
+        outcome.facts.push(JudgedFact::NoProof(residuals).into());
     }
 }
 
@@ -134,18 +147,14 @@ fn judge_certificate(scene: &Scene, outcome: &mut Outcome) -> Option<f64> {
         (Status::Falls, None, _, _) if outcome.claim == Claim::Observed => return None,
         (status, _, _, _) => {
             outcome.status = Status::Undecided;
-            let text = format!("claims that it {} without a proof", status.name());
-            outcome.facts.push(text.into());
+            outcome.facts.push(JudgedFact::NoCertificate(status).into());
             return None;
         }
     };
     // Written so that a NaN refutes.
     let holds = residual <= VERIFIED_RESIDUAL;
     if !holds {
-        refute(
-            outcome,
-            &format!("refuted by the judge: residual {residual:.1e}"),
-        );
+        refute(outcome, JudgedFact::Refuted(Residuals::Largest(residual)));
     }
     Some(residual)
 }
@@ -165,34 +174,14 @@ fn judge_states(scene: &Scene, outcome: &mut Outcome) -> f64 {
         .bracket
         .is_some_and(|b| lambdas.contains(&b.lower) && lambdas.contains(&b.upper));
     if !(proved && largest <= VERIFIED_RESIDUAL) {
-        refute(
-            outcome,
-            &format!("refuted by the judge: residual {largest:.1e}"),
-        );
+        refute(outcome, JudgedFact::Refuted(Residuals::Largest(largest)));
     }
     largest
 }
 
-fn worst(statics: &StaticResidual, collapse: &CollapseResidual) -> &'static str {
-    let named = [
-        (statics.equilibrium, "equilibrium is violated"),
-        (statics.tension, "a joint is in tension"),
-        (statics.friction, "friction exceeds μN"),
-        (collapse.penetration, "blocks interpenetrate"),
-        (collapse.open_contact, "an opening joint carries a force"),
-        (
-            collapse.idle_friction,
-            "a slipping joint carries less than μN",
-        ),
-        (collapse.gap, "small violations add up to a gap"),
-    ];
-    let worst = named.iter().max_by(|a, b| a.0.total_cmp(&b.0));
-    worst.expect("the list is not empty").1
-}
-
-fn refute(outcome: &mut Outcome, reason: &str) {
+fn refute(outcome: &mut Outcome, why: JudgedFact) {
     outcome.status = Status::Failed;
     outcome.bracket = None;
     outcome.crack = None;
-    outcome.facts.push(reason.into());
+    outcome.facts.push(why.into());
 }

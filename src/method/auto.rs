@@ -1,10 +1,10 @@
 //! No more model than the scene needs: rungs from cheap to dear, and an answer from the first that
 //! proves one.
 //!
-//! 1. The closed form, where it holds. It rests on an assumed mechanism, so it is told and never
-//!    the answer.
+//! 1. The closed form, where it holds. It rests on an assumed mechanism, so it is reported and
+//!    never the answer.
 //! 2. λ_A, which no collapse multiplier exceeds, on the part of the wall that the crack can reach
-//!    where that is proved to be enough. A scene that falls, or that no push can collapse, is
+//!    where that is proved to suffice. A scene that falls, or that no push can collapse, is
 //!    settled here.
 //! 3. Collapse states without dilatancy, of one start. Where one lies further below λ_A than the
 //!    tolerance, the multiplier is not unique, and no further state could change that.
@@ -21,8 +21,7 @@ use super::limit::{self, Associative};
 use super::macro_block::MacroBlock;
 use super::settings::LP_TOLERANCE;
 use super::{Method, Settings};
-use crate::answer::{Bracket, Claim, Outcome, Status, Work};
-use crate::number::short;
+use crate::answer::{AutoFact, Bracket, Claim, Fact, Outcome, Status, Uniqueness, Work};
 use crate::scene::Scene;
 
 /// The method that picks among the others.
@@ -34,41 +33,35 @@ impl Method for Auto {
     }
 
     fn solve(&self, scene: &Scene, settings: &Settings) -> Outcome {
-        let mut climb = Climb {
+        let mut ladder = Ladder {
             scene,
             settings,
             work: Work::default(),
         };
-        let closed_form = closed_form(scene, settings);
-        let bound = climb.run(&Associative);
+        let closed_form = MacroBlock.solve(scene, settings).bracket;
+        let bound = ladder.run(&Associative);
         let Some(Bracket { upper, .. }) = bound.bracket else {
-            return climb.settled(bound);
+            return ladder.settled(bound);
         };
         let starts = settings.interval.starts.max(2);
-        let enough = upper - settings.auto.tolerance * upper.abs().max(1e-3);
-        let found = climb.states(starts, enough);
+        let stop_below = upper - settings.auto.tolerance * upper.abs().max(1e-3);
+        let found = ladder.states(starts, stop_below);
         let Some(Bracket { lower, .. }) = found.bracket else {
-            return climb.without_state(upper, &found);
+            return ladder.without_state(upper, found);
         };
-        let why = match lower < enough {
-            true => "a state as low ends the search".to_owned(),
-            false => format!("one start may miss a lower state, {starts} found none"),
+        let bracket = Bracket {
+            lower,
+            upper: upper.max(lower),
         };
-        let tried = format!("{closed_form}; {why}");
-        climb.answer(&bound, found, &tried)
-    }
-}
-
-/// What the closed form says, in words.
-fn closed_form(scene: &Scene, settings: &Settings) -> String {
-    let outcome = MacroBlock.solve(scene, settings);
-    match outcome.bracket {
-        Some(range) => format!(
-            "macro-block says {} to {}, an estimate",
-            short(range.lower, 4),
-            short(range.upper, 4)
-        ),
-        None => "macro-block does not apply".to_owned(),
+        let width = bracket.relative_width();
+        let uniqueness = Uniqueness {
+            unique: width <= settings.auto.tolerance,
+            relative_width: width,
+            closed_form,
+            starts,
+            ended_early: lower < stop_below,
+        };
+        ladder.answer(bound, found, bracket, uniqueness)
     }
 }
 
@@ -79,14 +72,14 @@ fn proving(settings: &Settings) -> Settings {
     settings
 }
 
-/// The way up on one scene.
-struct Climb<'a> {
+/// The methods run so far on one scene, from cheap to dear, with their work.
+struct Ladder<'a> {
     scene: &'a Scene,
     settings: &'a Settings,
     work: Work,
 }
 
-impl Climb<'_> {
+impl Ladder<'_> {
     /// Runs a method and counts its work.
     fn run(&mut self, method: &dyn Method) -> Outcome {
         let outcome = method.solve(self.scene, &proving(self.settings));
@@ -94,11 +87,11 @@ impl Climb<'_> {
         outcome
     }
 
-    /// The interval, stopped at the first state below `enough`.
-    fn states(&mut self, starts: usize, enough: f64) -> Outcome {
+    /// The interval, stopped at the first state below `stop_below`.
+    fn states(&mut self, starts: usize, stop_below: f64) -> Outcome {
         let mut settings = proving(self.settings);
         settings.interval.starts = starts;
-        let outcome = limit::lowest(self.scene, &settings, enough);
+        let outcome = limit::lowest(self.scene, &settings, stop_below);
         self.count(outcome.work);
         outcome
     }
@@ -113,73 +106,63 @@ impl Climb<'_> {
 
     /// The answer of a scene without a multiplier, which the program for λ_A has settled or not.
     fn settled(&self, bound: Outcome) -> Outcome {
-        let reason = match bound.reason().as_str() {
-            "" => "by the program of the associative multiplier".to_owned(),
-            reason => format!("by the program of the associative multiplier: {reason}"),
-        };
         Outcome {
             work: self.work,
-            facts: vec![reason.into()],
+            facts: introduced(AutoFact::SettledByAssociative, bound.facts),
             ..bound
         }
     }
 
-    /// [lowest state of `found`, λ_A], with who was asked in `tried`.
-    fn answer(&mut self, bound: &Outcome, found: Outcome, tried: &str) -> Outcome {
-        let lower = found.bracket.map_or(0.0, |bracket| bracket.lower);
-        let upper = bound
-            .bracket
-            .map_or(lower, |bracket| bracket.upper)
-            .max(lower);
-        let bracket = Bracket { lower, upper };
-        let width = bracket.relative_width();
-        let apart = format!(
-            "lowest state found and associative multiplier are {} % apart",
-            short(100.0 * width, 2)
-        );
-        let unique = width <= self.settings.auto.tolerance;
-        let mut reason = match unique {
-            true => format!("{apart} ({tried})"),
-            false => format!("not unique: {apart} ({tried})"),
-        };
-        reason.push_str(&self.saved());
+    fn without_state(&self, associative: f64, found: Outcome) -> Outcome {
+        Outcome {
+            work: self.work,
+            facts: introduced(AutoFact::NoState { associative }, found.facts),
+            ..Outcome::of(Status::Undecided)
+        }
+    }
+
+    /// [lowest state of `found`, λ_A], and whether that is an answer.
+    fn answer(
+        &mut self,
+        bound: Outcome,
+        found: Outcome,
+        bracket: Bracket,
+        uniqueness: Uniqueness,
+    ) -> Outcome {
+        let facts = vec![AutoFact::Uniqueness(uniqueness).into(), self.saved().into()];
         Outcome {
             claim: Claim::Enclosed,
             bracket: Some(bracket),
             crack: found.crack,
             mechanism: found.mechanism,
             forces: found.forces,
-            ceiling: bound.mechanism.clone(),
+            ceiling: bound.mechanism,
             work: self.work,
-            ..Outcome::without_number(
-                match unique {
-                    true => Status::Bracketed,
-                    false => Status::Undecided,
-                },
-                reason,
-            )
+            facts,
+            ..Outcome::of(if uniqueness.unique {
+                Status::Bracketed
+            } else {
+                Status::Undecided
+            })
         }
     }
 
-    fn without_state(&self, upper: f64, found: &Outcome) -> Outcome {
-        let upper = short(upper, 5);
-        let why = &found.reason();
-        let reason = format!("no collapse state is proved below λ_A = {upper}: {why}");
-        Outcome {
-            work: self.work,
-            ..Outcome::without_number(Status::Undecided, reason)
+    /// What was not needed.
+    fn saved(&self) -> AutoFact {
+        let of_blocks = self.scene.blocks().len();
+        let is_part = (1..of_blocks).contains(&self.work.modelled);
+        AutoFact::Saved {
+            blocks: if is_part {
+                of_blocks - self.work.modelled
+            } else {
+                0
+            },
+            of_blocks,
         }
     }
+}
 
-    /// What was not needed, in words.
-    fn saved(&self) -> String {
-        let blocks = self.scene.blocks().len();
-        let part = match self.work.modelled {
-            modelled if (1..blocks).contains(&modelled) => {
-                format!("{} of {blocks} blocks, ", blocks - modelled)
-            }
-            _ => String::new(),
-        };
-        format!("; saved: {part}sequential and pushover")
-    }
+/// Facts of another method behind what introduces them.
+fn introduced(by: AutoFact, facts: Vec<Fact>) -> Vec<Fact> {
+    [vec![by.into()], facts].concat()
 }

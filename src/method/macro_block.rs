@@ -1,7 +1,7 @@
 //! The macro-block model: one crack, two macro-blocks, closed form (paper, section 2).
 
 use super::{Method, Settings};
-use crate::answer::{Bracket, Crack, Outcome, Status};
+use crate::answer::{Bracket, Crack, InapplicableForm, Invalid, Outcome, Status};
 use crate::scene::{RegularWall, Scene};
 
 /// The closed-form method. `lower` and `upper` are λ_low and λ_upp of Eq. (5): a range that
@@ -14,13 +14,8 @@ impl Method for MacroBlock {
     }
 
     fn solve(&self, scene: &Scene, _settings: &Settings) -> Outcome {
-        let decline = |reason: String| Outcome::without_number(Status::NotApplicable, reason);
-        let wall = match scene.regular() {
-            Ok(wall) => wall,
-            Err(irregularity) => return decline(irregularity.to_string()),
-        };
-        match collapse_range(wall) {
-            Err(reason) => decline(reason.to_string()),
+        match of_scene(scene) {
+            Err(reason) => Outcome::without_number(Status::NotApplicable, reason),
             Ok(range) => Outcome {
                 bracket: Some(Bracket {
                     lower: range.lower,
@@ -32,10 +27,14 @@ impl Method for MacroBlock {
                     tan_beta: range.tan_beta,
                     sharp: true,
                 }),
-                ..Outcome::without_number(Status::Estimate, "")
+                ..Outcome::of(Status::Estimate)
             },
         }
     }
+}
+
+fn of_scene(scene: &Scene) -> Result<Range, InapplicableForm> {
+    Ok(collapse_range(scene.regular()?)?)
 }
 
 /// λ_low, λ_upp and the crack slope they share.
@@ -47,37 +46,6 @@ pub struct Range {
     pub upper: f64,
     /// Crack slope tan β of Eq. (6).
     pub tan_beta: f64,
-}
-
-/// Where the closed form does not hold.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-pub enum Invalid {
-    /// α_b > α_p: the stagger line leaves the wall through its side.
-    #[error(
-        "the wall is shorter than its stagger line: tan α_b = {stagger:.4} exceeds tan α_p = {aspect:.4}"
-    )]
-    ShortWall {
-        /// tan α_b = s/h.
-        stagger: f64,
-        /// tan α_p = L/H.
-        aspect: f64,
-    },
-    /// α_c > α_b: the crack is flatter than the stagger, so it crosses units.
-    #[error(
-        "the crack is flatter than the stagger: tan α_c = {crack:.4} exceeds tan α_b = {stagger:.4}"
-    )]
-    FlatCrack {
-        /// tan α_c of Eq. (2).
-        crack: f64,
-        /// tan α_b = s/h.
-        stagger: f64,
-    },
-    /// Eq. (6) has no root with tan β ≥ 0.
-    #[error("Eq. (6) gives tan β = {tan_beta:.4}, which is negative")]
-    NegativeSlope {
-        /// The root of Eq. (6).
-        tan_beta: f64,
-    },
 }
 
 /// Walls may lie exactly on a limit of validity, as the paper's examples 2 and 3 do.

@@ -1,12 +1,12 @@
 //! Limit analysis with associative friction: the largest multiplier that equilibrium and Coulomb's
 //! law admit. It bounds every non-associative collapse multiplier from above (Radenkovic 1961).
 
+use super::own_weight::{own_weight, without_optimum};
 use super::program::{Ending, Margins, Program};
 use super::reduction;
-use super::standing::{own_weight, without_optimum};
 use crate::answer::{
-    Bracket, Claim, JointForce, Mechanism, Outcome, StaticResidual, Status, VELOCITY_THRESHOLDS,
-    VERIFIED_RESIDUAL, Work, associative_violation, crack_slope, is_one_number,
+    Bracket, Claim, JointForce, LimitFact, Mechanism, Outcome, StaticResidual, Status,
+    VELOCITY_THRESHOLDS, VERIFIED_RESIDUAL, Work, associative_violation, crack_slope,
     kinematic_multiplier,
 };
 use crate::method::settings::LP_TOLERANCE;
@@ -24,7 +24,7 @@ impl Method for Associative {
 
     fn solve(&self, scene: &Scene, settings: &Settings) -> Outcome {
         let mut work = Work::default();
-        let standing = match own_weight(scene, &mut work) {
+        let at_rest = match own_weight(scene, &mut work) {
             Ok(forces) => forces,
             Err(outcome) => return *outcome,
         };
@@ -45,7 +45,7 @@ impl Method for Associative {
         work.modelled = scene.blocks().len();
         match optimum(scene, settings, &mut work) {
             Ok(answer) => outcome(scene, answer, settings, work),
-            Err(ending) => without_optimum(scene, &ending, standing, &mut work),
+            Err(ending) => without_optimum(scene, &ending, at_rest, &mut work),
         }
     }
 }
@@ -61,17 +61,17 @@ struct Optimum {
 /// or prove nothing; without any where it has no optimum with them: a scene that can lock, or one
 /// without slack anywhere, may still have one.
 fn optimum(scene: &Scene, user: &Settings, work: &mut Work) -> Result<Optimum, Ending> {
-    let Ok(found) = solved(scene, Some(EXACT), user, work) else {
+    let Ok(found) = solved(scene, Some(WIDE_MARGINS), user, work) else {
         return solved(scene, None, user, work);
     };
     let is_exact =
-        |found: &Optimum| is_one_number(&found.bracket) && (loose(user) || proves(scene, found));
+        |found: &Optimum| found.bracket.is_one_number() && (loose(user) || proves(scene, found));
     if is_exact(&found) {
         return Ok(found);
     }
     // Where a wall slides as a whole, many states share λ = μ, and the forces that the program with
     // margins ends with can be a little out of balance.
-    let others = [Some(FINER), None].into_iter();
+    let others = [Some(NARROW_MARGINS), None].into_iter();
     let others = others.take(if loose(user) { 1 } else { 2 });
     let mut others = others.filter_map(|margins| solved(scene, margins, user, work).ok());
     Ok(others.find(is_exact).unwrap_or(found))
@@ -83,7 +83,7 @@ fn solved(
     user: &Settings,
     work: &mut Work,
 ) -> Result<Optimum, Ending> {
-    let mut program = Program::asked(scene, user);
+    let mut program = Program::to_tolerance(scene, user.programs.lp_tolerance);
     if let Some(margins) = margins {
         program.set_margins(margins);
     }
@@ -107,13 +107,13 @@ fn solved(
 }
 
 /// Ten times what Clarabel leaves at the program's tolerance.
-const EXACT: Margins = Margins {
+const WIDE_MARGINS: Margins = Margins {
     force: 1e-11,
     opening: 1e-10,
 };
 
 /// What it leaves on scenes small enough to need no more.
-const FINER: Margins = Margins {
+const NARROW_MARGINS: Margins = Margins {
     force: 3e-13,
     opening: 3e-12,
 };
@@ -121,24 +121,22 @@ const FINER: Margins = Margins {
 /// The outcome of both sides of λ_A.
 fn outcome(scene: &Scene, optimum: Optimum, user: &Settings, work: Work) -> Outcome {
     let mut bracket = optimum.bracket;
-    let (status, reason) = if loose(user) && !proves(scene, &optimum) {
+    let (status, fact) = if loose(user) && !proves(scene, &optimum) {
         if !(bracket.lower.is_finite() && bracket.upper.is_finite()) {
-            let reason = "solved loosely on request: the mechanism has no multiplier";
             return Outcome {
                 work,
-                ..Outcome::without_number(Status::Undecided, reason)
+                ..Outcome::without_number(Status::Undecided, LimitFact::LooseWithoutMultiplier)
             };
         }
         if bracket.lower > bracket.upper {
             (bracket.lower, bracket.upper) = (bracket.upper, bracket.lower);
         }
-        (Status::Estimate, "solved loosely on request".to_owned())
-    } else if is_one_number(&bracket) {
-        (Status::Verified, String::new())
+        (Status::Estimate, Some(LimitFact::Loose))
+    } else if bracket.is_one_number() {
+        (Status::Verified, None)
     } else {
-        let width = bracket.relative_width();
-        let reason = format!("force state and mechanism are {width:.1e} apart");
-        (Status::Bracketed, reason)
+        let relative_width = bracket.relative_width();
+        (Status::Bracketed, Some(LimitFact::Apart { relative_width }))
     };
     Outcome {
         claim: Claim::Associative,
@@ -147,7 +145,8 @@ fn outcome(scene: &Scene, optimum: Optimum, user: &Settings, work: Work) -> Outc
         mechanism: Some(optimum.mechanism),
         forces: Some(optimum.forces),
         work,
-        ..Outcome::without_number(status, reason)
+        facts: fact.into_iter().map(LimitFact::into).collect(),
+        ..Outcome::of(status)
     }
 }
 

@@ -3,16 +3,15 @@
 mod associative;
 mod columns;
 mod interval;
+mod own_weight;
 mod program;
 mod reduction;
 mod scale;
 mod sequential;
-mod standing;
 mod vertical;
 
 pub use associative::Associative;
 pub use interval::Interval;
 pub(crate) use interval::lowest;
-pub use program::{Ending, Friction, Margins, Program, Solution};
-pub use scale::Scale;
+pub use program::{Ending, Program, Solution};
 pub use sequential::Sequential;

@@ -10,8 +10,6 @@
 //! with slope μ and intercept 0 for Coulomb's law. Every method of this folder differs only in
 //! slope, intercept and cost, so an iteration changes numbers and never the pattern.
 
-use std::fmt;
-
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{
     DefaultSettings, DefaultSolver, IPSolver, SolverStatus,
@@ -20,15 +18,14 @@ use clarabel::solver::{
 
 use super::columns::{Entries, equilibrium_column};
 use super::scale::Scale;
-use crate::answer::{JointForce, Work};
-use crate::method::Settings;
+use crate::answer::{JointForce, SolverEnding, Work};
 use crate::method::settings::LP_TOLERANCE;
 use crate::scene::Scene;
 
 /// Friction law of one joint: |t| ≤ slope · (n1 + n2) + intercept, the intercept in units of the
 /// scene's total weight.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Friction {
+pub struct FrictionLaw {
     /// Slope; the coefficient of friction for Coulomb's law, negative for a contractant one.
     pub slope: f64,
     /// Shear that the joint carries without compression.
@@ -59,13 +56,14 @@ pub enum Ending {
     GaveUp(String),
 }
 
-impl fmt::Display for Ending {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl Ending {
+    /// The ending without its numbers.
+    pub fn kind(&self) -> SolverEnding {
         match self {
-            Ending::Solved(_) => write!(f, "the solver finds an optimum"),
-            Ending::Infeasible(_) => write!(f, "the solver finds no equilibrium within friction"),
-            Ending::Unbounded => write!(f, "the solver finds λ without limit"),
-            Ending::GaveUp(why) => write!(f, "the solver gave up: {why}"),
+            Ending::Solved(_) => SolverEnding::Optimum,
+            Ending::Infeasible(_) => SolverEnding::Infeasible,
+            Ending::Unbounded => SolverEnding::Unbounded,
+            Ending::GaveUp(why) => SolverEnding::GaveUp(why.clone()),
         }
     }
 }
@@ -103,12 +101,12 @@ enum Goal {
     Multiplier,
     /// Any forces at this λ.
     Forces(f64),
-    /// Forces at this λ as far inside all their limits as possible, up to [`ENOUGH`].
+    /// Forces at this λ as far inside all their limits as possible, up to [`MAX_SLACK`].
     Slack(f64),
 }
 
-/// Slack that a block's mean weight may have, at most: forces that can lock have no limit.
-const ENOUGH: f64 = 0.01;
+/// Cap on the slack, in mean block weights; without it scenes that lock are unbounded.
+const MAX_SLACK: f64 = 0.01;
 
 impl Program {
     /// Assembles the associative program of a scene: Coulomb's law in every joint, λ to be largest.
@@ -116,9 +114,8 @@ impl Program {
         Self::assemble(scene, Scale::of(scene), Goal::Multiplier)
     }
 
-    /// The same with the tolerance that a user asks for.
-    pub fn asked(scene: &Scene, user: &Settings) -> Self {
-        let tolerance = user.programs.lp_tolerance;
+    /// The same to another tolerance than the default.
+    pub fn to_tolerance(scene: &Scene, tolerance: f64) -> Self {
         Self::assemble_to(scene, Scale::of(scene), Goal::Multiplier, tolerance)
     }
 
@@ -183,7 +180,7 @@ impl Program {
             for row in rows_of_blocks..rows {
                 entries.push(row, 1.0);
             }
-            right[rows - 1] = ENOUGH / scene.blocks().len() as f64;
+            right[rows - 1] = MAX_SLACK / scene.blocks().len() as f64;
         }
         if columns > 3 * joints {
             entries.close_column();
@@ -236,7 +233,7 @@ impl Program {
     }
 
     /// Changes the friction law of every joint; one law a joint, in the scene's order.
-    pub fn set_friction(&mut self, laws: &[Friction]) {
+    pub fn set_friction(&mut self, laws: &[FrictionLaw]) {
         for (j, law) in laws.iter().enumerate() {
             for at in self.friction_at[j] {
                 self.values[at] = -law.slope;

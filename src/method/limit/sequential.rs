@@ -1,9 +1,12 @@
 //! Sequential linear programming for non-associative friction, the paper's micro-block method
 //! (Gilbert, Casapulla & Ahmed, Computers & Structures 84 (2006) 873-887).
 
-use super::program::{Ending, Friction, Program, Solution};
-use super::standing::{own_weight, without_optimum};
-use crate::answer::{Bracket, Outcome, Status, VELOCITY_THRESHOLDS, Work, crack_slope};
+use super::own_weight::{own_weight, without_optimum};
+use super::program::{Ending, FrictionLaw, Program, Solution};
+use crate::answer::{
+    Bracket, Outcome, SequentialEnding, SequentialFacts, Status, VELOCITY_THRESHOLDS, Work,
+    crack_slope,
+};
 use crate::method::{Method, SequentialSettings, Settings};
 use crate::scene::Scene;
 
@@ -23,30 +26,6 @@ const STEPS_SETTLED: usize = 3;
 /// Steps after which the procedure is given up.
 const STEPS: usize = 60;
 
-/// How the procedure ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum SequentialEnding {
-    Converged,
-    Cycling { period: usize },
-    SubProgramInfeasible,
-    SubProgramUnbounded,
-    SubProgramUnsolved,
-    StepLimit,
-}
-
-impl SequentialEnding {
-    fn in_words(self, steps: usize) -> String {
-        match self {
-            Self::Converged => "converged".to_owned(),
-            Self::Cycling { period } => format!("cycling with period {period} at step {steps}"),
-            Self::SubProgramInfeasible => format!("sub-program infeasible at step {steps}"),
-            Self::SubProgramUnbounded => format!("sub-program unbounded at step {steps}"),
-            Self::SubProgramUnsolved => format!("sub-program unsolved at step {steps}"),
-            Self::StepLimit => format!("not converged within {steps} steps"),
-        }
-    }
-}
-
 impl Method for Sequential {
     fn name(&self) -> &str {
         "sequential"
@@ -64,14 +43,14 @@ fn sequential(scene: &Scene, settings: &Settings) -> Outcome {
         c0,
     } = settings.sequential;
     let mut work = Work::default();
-    let standing = match own_weight(scene, &mut work) {
+    let at_rest = match own_weight(scene, &mut work) {
         Ok(forces) => forces,
         Err(outcome) => return *outcome,
     };
-    let mut program = Program::asked(scene, settings);
+    let mut program = Program::to_tolerance(scene, settings.programs.lp_tolerance);
     let start = match program.solve_counted(&mut work) {
         Ending::Solved(solution) => solution,
-        ending => return without_optimum(scene, &ending, standing, &mut work),
+        ending => return without_optimum(scene, &ending, at_rest, &mut work),
     };
     let mut frozen = normal_forces(&start);
     let mut lambdas = vec![start.lambda];
@@ -100,23 +79,19 @@ fn sequential(scene: &Scene, settings: &Settings) -> Outcome {
         }
         alpha = (alpha / 2.0).max(LAST_ALPHA);
     };
-    let reason = ending.in_words(lambdas.len() - 1);
-    match ending {
-        SequentialEnding::Converged => converged(scene, &program, &last, work, reason),
-        _ => Outcome {
-            work,
-            ..Outcome::without_number(Status::Undecided, reason)
-        },
-    }
+    let facts = SequentialFacts {
+        ending,
+        steps: lambdas.len() - 1,
+    };
+    let outcome = if ending == SequentialEnding::Converged {
+        converged(scene, &program, &last, facts)
+    } else {
+        Outcome::without_number(Status::Undecided, facts)
+    };
+    Outcome { work, ..outcome }
 }
 
-fn converged(
-    scene: &Scene,
-    program: &Program,
-    last: &Solution,
-    work: Work,
-    reason: String,
-) -> Outcome {
+fn converged(scene: &Scene, program: &Program, last: &Solution, facts: SequentialFacts) -> Outcome {
     let scale = program.scale();
     let mechanism = scale.mechanism(&last.velocity);
     Outcome {
@@ -124,8 +99,7 @@ fn converged(
         crack: crack_slope(scene, &mechanism, VELOCITY_THRESHOLDS),
         mechanism: Some(mechanism),
         forces: Some(scale.forces(&last.forces)),
-        work,
-        ..Outcome::without_number(Status::Estimate, reason)
+        ..Outcome::without_number(Status::Estimate, facts)
     }
 }
 
@@ -137,13 +111,13 @@ fn normal_forces(solution: &Solution) -> Vec<f64> {
 }
 
 /// |t| ≤ c0 + (1+α) μ n̄ − α μ n, a slightly contractant law through (n̄, μ n̄).
-fn substitute_law(scene: &Scene, frozen: &[f64], alpha: f64, cohesion: f64) -> Vec<Friction> {
+fn substitute_law(scene: &Scene, frozen: &[f64], alpha: f64, cohesion: f64) -> Vec<FrictionLaw> {
     let c0 = cohesion * frozen.iter().copied().fold(0.0, f64::max);
     let laws = scene
         .joints()
         .iter()
         .zip(frozen)
-        .map(|(joint, n)| Friction {
+        .map(|(joint, n)| FrictionLaw {
             slope: -alpha * joint.friction,
             intercept: c0 + (1.0 + alpha) * joint.friction * n,
         });

@@ -6,20 +6,24 @@
 //! verifies. They are no bounds: λ_A bounds all of them from above, no useful rigorous lower bound
 //! is known.
 
+mod descent;
+mod noise;
 mod outer;
 mod search;
 mod starts;
 
+use super::own_weight::{own_weight, without_optimum};
 use super::program::Ending;
 use super::reduction::{self, Part};
 use super::scale::Scale;
-use super::standing::{own_weight, without_optimum};
 use crate::answer::{
-    Bracket, CollapseState, JointForce, Outcome, Status, VELOCITY_THRESHOLDS, Work, crack_slope,
+    Bracket, CollapseState, JointForce, LimitFact, Outcome, SearchEnding, SearchFacts,
+    SearchFailure, SearchStart, StartEnding, Status, VELOCITY_THRESHOLDS, Work, crack_slope,
 };
 use crate::method::{Method, Settings};
 use crate::scene::Scene;
-use search::{Failure, Search, State};
+use descent::descend;
+use search::{Search, State};
 use starts::Start;
 
 /// `lower` and `upper` are the lowest and the highest verified λ found.
@@ -39,78 +43,78 @@ impl Interval {
     /// As [`Method::solve`], starting from further normal forces too: N of every joint over the
     /// scene's total weight, such as those of a state of a scene that differs little.
     pub fn solve_from(&self, scene: &Scene, settings: &Settings, further: &[Vec<f64>]) -> Outcome {
-        let aim = Aim {
+        let request = Request {
             settings,
-            enough: f64::NEG_INFINITY,
+            stop_below: f64::NEG_INFINITY,
             further,
         };
-        aimed(scene, &aim)
+        requested(scene, &request)
     }
 }
 
-/// The interval; a search that may stop at the first state below `enough`.
-pub(crate) fn lowest(scene: &Scene, settings: &Settings, enough: f64) -> Outcome {
-    let aim = Aim {
+/// The interval; a search that stops at the first state below `stop_below`.
+pub(crate) fn lowest(scene: &Scene, settings: &Settings, stop_below: f64) -> Outcome {
+    let request = Request {
         settings,
-        enough,
+        stop_below,
         further: &[],
     };
-    aimed(scene, &aim)
+    requested(scene, &request)
 }
 
 /// What a search is asked for.
-struct Aim<'a> {
+struct Request<'a> {
     settings: &'a Settings,
-    /// The first state below this λ is enough.
-    enough: f64,
+    /// The search stops at the first state below this λ.
+    stop_below: f64,
     /// Normal forces to start from after the search's own starts.
     further: &'a [Vec<f64>],
 }
 
-fn aimed(scene: &Scene, aim: &Aim) -> Outcome {
+fn requested(scene: &Scene, request: &Request) -> Outcome {
     let mut work = Work::default();
-    let standing = match own_weight(scene, &mut work) {
+    let at_rest = match own_weight(scene, &mut work) {
         Ok(forces) => forces,
         Err(outcome) => return *outcome,
     };
-    let reduce = aim.settings.programs.reduction;
+    let reduce = request.settings.programs.reduction;
     for part in reduction::parts(scene).into_iter().filter(|_| reduce) {
-        let Ok(ends) = search(scene, Some(&part), aim, &mut work) else {
+        let Ok(ends) = search(scene, Some(&part), request, &mut work) else {
             continue;
         };
         // On 96 courses the whole wall closed no gap either, in minutes more.
-        let is_open = |end: &End| matches!(end.states, Err(Failure::Open));
+        let is_open = |end: &End| matches!(end.states, Err(SearchFailure::GapOpen));
         if ends.iter().all(is_open) {
             return undecided(&ends, work);
         }
-        if let Some(outcome) = report(scene, &ends, &standing, &mut work) {
+        if let Some(outcome) = report(scene, &ends, &at_rest, &mut work) {
             return outcome;
         }
     }
-    match search(scene, None, aim, &mut work) {
+    match search(scene, None, request, &mut work) {
         Ok(ends) => {
-            report(scene, &ends, &standing, &mut work).unwrap_or_else(|| undecided(&ends, work))
+            report(scene, &ends, &at_rest, &mut work).unwrap_or_else(|| undecided(&ends, work))
         }
-        Err(ending) => without_optimum(scene, &ending, standing, &mut work),
+        Err(ending) => without_optimum(scene, &ending, at_rest, &mut work),
     }
 }
 
 fn undecided(ends: &[End], work: Work) -> Outcome {
     Outcome {
         work,
-        ..Outcome::without_number(Status::Undecided, endings(ends))
+        ..Outcome::without_number(Status::Undecided, facts(ends))
     }
 }
 
 /// Where one start ended.
 struct End {
-    name: &'static str,
+    start: SearchStart,
     /// States of the whole scene.
-    states: Result<Found, Failure>,
+    states: Result<States, SearchFailure>,
 }
 
-/// What one start found.
-struct Found {
+/// What one start found, of the whole scene.
+struct States {
     /// The lowest state on its way.
     lowest: CollapseState,
     /// The highest state of the same mechanism, where that is one of the whole scene.
@@ -123,33 +127,42 @@ struct Found {
 fn search(
     scene: &Scene,
     part: Option<&Part>,
-    aim: &Aim,
+    request: &Request,
     work: &mut Work,
 ) -> Result<Vec<End>, Ending> {
     let searched = part.map_or(scene, |part| &part.scene);
     let mut search = Search::new(searched);
     let mut ends = Vec::new();
-    let own = starts::starts(searched, &mut search, aim.settings.interval.starts)?;
-    let further = aim
+    let own = starts::starts(searched, &mut search, request.settings.interval.starts)?;
+    let further = request
         .further
         .iter()
         .map(|normal| neighbour(scene, part, normal));
     for start in own.into_iter().chain(further) {
-        let name = start.name;
-        let found = follow(&mut search, start, aim.settings.interval.starts, aim.enough);
+        let kind = start.kind;
+        let settings = request.settings;
+        let branch = descend(
+            &mut search,
+            start,
+            settings.interval.starts,
+            request.stop_below,
+        );
         let scale = search.program().scale();
-        let states = found.and_then(|way| {
+        let states = branch.and_then(|branch| {
             let mut whole = |state| collapse_state(scene, part, scale, state, work);
-            Ok(Found {
-                lowest: whole(&way.lowest).ok_or(Failure::PartOnly)?,
-                same_mechanism: whole(&way.highest),
-                first: whole(&way.first),
+            Ok(States {
+                lowest: whole(&branch.lowest).ok_or(SearchFailure::PartOnly)?,
+                same_mechanism: whole(&branch.highest),
+                first: whole(&branch.first),
             })
         });
-        let reached = |found: &Found| found.lowest.lambda <= aim.enough;
-        let is_enough = states.as_ref().is_ok_and(reached);
-        ends.push(End { name, states });
-        if is_enough {
+        let reached = |states: &States| states.lowest.lambda <= request.stop_below;
+        let stop = states.as_ref().is_ok_and(reached);
+        ends.push(End {
+            start: kind,
+            states,
+        });
+        if stop {
             break;
         }
     }
@@ -170,7 +183,7 @@ fn neighbour(scene: &Scene, part: Option<&Part>, normal: &[f64]) -> Start {
         }
     };
     Start {
-        name: "neighbour",
+        kind: SearchStart::Neighbour,
         normal,
     }
 }
@@ -200,52 +213,8 @@ fn collapse_state(
     })
 }
 
-/// Smallest relative fall of λ that counts as one.
-const FALL: f64 = 1e-7;
-
-/// Starts beyond which more of them no longer mean more patience with each.
-const PATIENT: usize = 12;
-
-/// From a start to a state, then down: the lowest state of each mechanism, and on to a neighbour of
-/// that mechanism until λ stops falling or is low enough. One start asks for a first state only; with more of them
-/// each one is followed the more patiently.
-fn follow(search: &mut Search, start: Start, starts: usize, enough: f64) -> Result<Way, Failure> {
-    let first = search.close(start.normal)?;
-    let mut lowest = search.extreme_of(&first, -1.0);
-    let patience = starts.min(PATIENT);
-    let (mut idle, mut step) = (0, 0);
-    while idle + 1 < patience && step < 6 * patience && lowest.lambda > enough {
-        match search.neighbour(&lowest, step) {
-            Some(next) if next.lambda < lowest.lambda * (1.0 - FALL) => {
-                lowest = next;
-                idle = 0;
-            }
-            _ => idle += 1,
-        }
-        step += 1;
-    }
-    Ok(Way {
-        highest: search.extreme_of(&lowest, 1.0),
-        first,
-        lowest,
-    })
-}
-
-/// The states that a start leads to, of the scene that is searched.
-struct Way {
-    first: State,
-    lowest: State,
-    /// The highest one of the lowest one's mechanism.
-    highest: State,
-}
-
 /// The outcome, or `None` where no start found a state.
-fn report(
-    scene: &Scene,
-    ends: &[End],
-    standing: &[JointForce],
-    work: &mut Work,
-) -> Option<Outcome> {
+fn report(scene: &Scene, ends: &[End], at_rest: &[JointForce], work: &mut Work) -> Option<Outcome> {
     let mut states: Vec<CollapseState> = Vec::new();
     for found in ends.iter().filter_map(|end| end.states.as_ref().ok()) {
         states.push(found.lowest.clone());
@@ -253,11 +222,9 @@ fn report(
     }
     states.sort_by(|a, b| a.lambda.total_cmp(&b.lambda));
     let (low, high) = (states.first()?, states.last()?);
-    let outer = match outer::frictionless(scene, standing, work) {
-        Some(lambda) => format!("rigorous are {lambda:.5} and associative"),
-        None => "rigorous is associative alone".to_owned(),
+    let found = LimitFact::FoundNoBounds {
+        frictionless: outer::frictionless(scene, at_rest, work),
     };
-    let reason = format!("found, no bounds ({outer}); {}", endings(ends));
     Some(Outcome {
         bracket: Some(Bracket {
             lower: low.lambda,
@@ -268,36 +235,24 @@ fn report(
         forces: Some(low.forces.clone()),
         states,
         work: *work,
-        ..Outcome::without_number(Status::Verified, reason)
+        facts: vec![found.into(), facts(ends).into()],
+        ..Outcome::of(Status::Verified)
     })
 }
 
-/// Starts that are told one by one.
-const TOLD: usize = 8;
-
-/// Which start ended where: λ of its lowest state, and how far up that mechanism goes; of many
-/// starts the first ones, then how many of the others ended how.
-fn endings(ends: &[End]) -> String {
-    let (first, others) = ends.split_at(ends.len().min(TOLD));
-    let texts = first.iter().map(|end| match &end.states {
-        Ok(found) => {
-            let range = found.same_mechanism.as_ref();
-            let range = range.map_or(String::new(), |high| format!(" to {:.5}", high.lambda));
-            format!("{}: {:.5}{range}", end.name, found.lowest.lambda)
-        }
-        Err(failure) => format!("{}: {}", end.name, failure.in_words()),
+/// Which start ended where.
+fn facts(ends: &[End]) -> SearchFacts {
+    let starts = ends.iter().map(|end| StartEnding {
+        start: end.start,
+        ending: match &end.states {
+            Ok(states) => SearchEnding::Verified {
+                lowest: states.lowest.lambda,
+                highest: states.same_mechanism.as_ref().map(|high| high.lambda),
+            },
+            Err(failure) => SearchEnding::Failed(*failure),
+        },
     });
-    let mut texts: Vec<String> = texts.collect();
-    let verified = others.iter().filter(|end| end.states.is_ok()).count();
-    if !others.is_empty() {
-        texts.push(format!("and {} more: {verified} verified", others.len()));
+    SearchFacts {
+        starts: starts.collect(),
     }
-    for failure in Failure::ALL {
-        let failed = |end: &&End| end.states.as_ref().err() == Some(&failure);
-        match others.iter().filter(failed).count() {
-            0 => {}
-            count => texts.push(format!("{count} {}", failure.in_words())),
-        }
-    }
-    texts.join(", ")
 }

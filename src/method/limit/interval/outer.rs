@@ -4,13 +4,14 @@ use crate::answer::{JointForce, Mechanism, Motion, StaticResidual, VERIFIED_RESI
 use crate::method::limit::program::{Ending, Program};
 use crate::scene::{Scene, Vector};
 
-/// λ of forces without friction, which no collapse multiplier undercuts; `None` where the scene needs
-/// friction to stand, or where such forces are not proved. On a wall with a level base it is 0 and never tight.
+/// λ of forces without friction, which no collapse multiplier undercuts; `None` where the scene
+/// needs friction to stand, or where such forces are not proved. On a wall with a level base it is 0
+/// and never tight.
 ///
-/// `standing` are forces at λ = 0. Where they need no friction, and the whole scene can slide with
+/// `at_rest` are forces at λ = 0. Where they need no friction, and the whole scene can slide with
 /// the push without closing a joint, λ is 0 without a program.
-pub(super) fn frictionless(scene: &Scene, standing: &[JointForce], work: &mut Work) -> Option<f64> {
-    if standing.iter().all(|force| force.shear == 0.0) && slides_freely(scene) {
+pub(super) fn frictionless(scene: &Scene, at_rest: &[JointForce], work: &mut Work) -> Option<f64> {
+    if at_rest.iter().all(|force| force.shear == 0.0) && slides_freely(scene) {
         return Some(0.0);
     }
     let smooth = scene.clone().with_friction(|_, _| 0.0);
@@ -18,7 +19,7 @@ pub(super) fn frictionless(scene: &Scene, standing: &[JointForce], work: &mut Wo
     let Ending::Solved(solution) = program.solve_counted(work) else {
         return None;
     };
-    // Forces without friction prove their own λ and nothing above it; the solver's word does not.
+    // Forces without friction prove their own λ and nothing above it; what the solver reports does not.
     let forces = program.scale().forces(&solution.forces);
     let residual = StaticResidual::of(&smooth, &forces, solution.lambda);
     (residual.largest() <= VERIFIED_RESIDUAL).then_some(solution.lambda)
@@ -44,7 +45,7 @@ fn slides_freely(scene: &Scene) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::method::limit::standing::own_weight;
+    use crate::method::limit::own_weight::own_weight;
     use crate::scene::{HeadJoints, Piece, Push, Wall};
 
     #[test]
@@ -61,8 +62,8 @@ mod tests {
         };
         let scene = wall.scene(HeadJoints::Contact).expect("it can be laid");
         let mut work = Work::default();
-        let standing = own_weight(&scene, &mut work).expect("it stands");
-        assert_eq!(frictionless(&scene, &standing, &mut work), Some(0.0));
+        let at_rest = own_weight(&scene, &mut work).expect("it stands");
+        assert_eq!(frictionless(&scene, &at_rest, &mut work), Some(0.0));
         assert_eq!(work.programs, 0);
     }
 }

@@ -1,13 +1,15 @@
 //! Where the search for collapse states begins: few starts, chosen on purpose, all deterministic.
 
-use super::search::{Noise, Search, totals};
+use super::noise::Noise;
+use super::search::{Search, totals};
+use crate::answer::SearchStart;
 use crate::method::limit::program::Ending;
 use crate::scene::{HeadJoints, JointClass, Scene};
 
 /// Normal forces to begin with.
 pub(super) struct Start {
-    /// Its name in the outcome.
-    pub(super) name: &'static str,
+    /// What they are.
+    pub(super) kind: SearchStart,
     /// N of every joint, dimensionless.
     pub(super) normal: Vec<f64>,
 }
@@ -31,7 +33,7 @@ pub(super) fn starts(
         && let Some(normal) = open_state(scene, search)
     {
         starts.push(Start {
-            name: "open state",
+            kind: SearchStart::OpenState,
             normal,
         });
     }
@@ -40,14 +42,14 @@ pub(super) fn starts(
     }
     let associative = search.associative()?;
     starts.push(Start {
-        name: "associative",
+        kind: SearchStart::Associative,
         normal: associative.clone(),
     });
     if starts.len() < count
         && let Some(normal) = frozen_state(search, associative.clone())
     {
         starts.push(Start {
-            name: "frozen",
+            kind: SearchStart::Frozen,
             normal,
         });
     }
@@ -57,7 +59,7 @@ pub(super) fn starts(
             .iter()
             .map(|n| n * (0.2 + 1.4 * noise.uniform()));
         starts.push(Start {
-            name: "scaled",
+            kind: SearchStart::Scaled,
             normal: scaled.collect(),
         });
     }

@@ -1,12 +1,12 @@
 //! Whether a scene stands under its own weight, and whether any push can collapse it, with the
-//! proof of either answer. The solver's word is none: every state and mechanism here has passed
-//! the judge's own residuals.
+//! proof of either answer. What the solver reports is no proof: every state and mechanism is
+//! tested here by the residuals that the judge computes.
 
 use super::program::{Ending, Margins, Program};
 use super::scale::Scale;
 use super::vertical;
 use crate::answer::{
-    JointForce, Mechanism, Outcome, StaticResidual, Status, VERIFIED_RESIDUAL, Work,
+    JointForce, LimitFact, Mechanism, Outcome, StaticResidual, Status, VERIFIED_RESIDUAL, Work,
     falling_violation, live_unit,
 };
 use crate::scene::Scene;
@@ -23,7 +23,7 @@ pub(super) fn own_weight(scene: &Scene, work: &mut Work) -> Result<Vec<JointForc
     if let Some(forces) = vertical::forces(scene).filter(|forces| stands(forces)) {
         return Ok(forces);
     }
-    let mut word = String::new();
+    let mut solver = None;
     for opening in OPENINGS {
         let mut program = Program::with_slack(scene, 0.0);
         program.set_cost(1.0, &vec![-opening; scene.joints().len()]);
@@ -38,7 +38,7 @@ pub(super) fn own_weight(scene: &Scene, work: &mut Work) -> Result<Vec<JointForc
             // No forces at all, not even tensile ones.
             Ending::Infeasible(certificate) => certificate,
             ending @ (Ending::Unbounded | Ending::GaveUp(_)) => {
-                word = format!(": {ending}");
+                solver = Some(ending.kind());
                 continue;
             }
         };
@@ -46,10 +46,10 @@ pub(super) fn own_weight(scene: &Scene, work: &mut Work) -> Result<Vec<JointForc
             return Err(Box::new(outcome));
         }
     }
-    let reason = format!("neither forces nor a mechanism are proved at λ = 0{word}");
+    let undecided = LimitFact::OwnWeightUndecided { solver };
     Err(Box::new(Outcome {
         work: *work,
-        ..Outcome::without_number(Status::Undecided, reason)
+        ..Outcome::without_number(Status::Undecided, undecided)
     }))
 }
 
@@ -63,26 +63,26 @@ fn falls(scene: &Scene, mechanism: Mechanism, work: Work) -> Option<Outcome> {
     proved.then(|| Outcome {
         mechanism: Some(mechanism),
         work,
-        ..Outcome::without_number(Status::Falls, "a mechanism moves without any push")
+        ..Outcome::without_number(Status::Falls, LimitFact::MovesUnpushed)
     })
 }
 
-/// The outcome of a scene whose program for λ_A has no optimum although `standing` holds it at
+/// The outcome of a scene whose program for λ_A has no optimum although `at_rest` holds it at
 /// λ = 0: `stands` where a ray of forces proves that, else `undecided`.
 pub(super) fn without_optimum(
     scene: &Scene,
     ending: &Ending,
-    standing: Vec<JointForce>,
+    at_rest: Vec<JointForce>,
     work: &mut Work,
 ) -> Outcome {
     let ray = matches!(ending, Ending::Unbounded).then(|| ray(scene, work));
     let outcome = match ray.flatten() {
         Some(ray) => Outcome {
-            forces: Some(standing),
+            forces: Some(at_rest),
             ray: Some(ray),
-            ..Outcome::without_number(Status::Stands, "forces grow with the push without limit")
+            ..Outcome::without_number(Status::Stands, LimitFact::ForcesWithoutLimit)
         },
-        None => Outcome::without_number(Status::Undecided, format!("no proof: {ending}")),
+        None => Outcome::without_number(Status::Undecided, LimitFact::NoOptimum(ending.kind())),
     };
     Outcome {
         work: *work,
@@ -91,7 +91,7 @@ pub(super) fn without_optimum(
 }
 
 /// Distance of forces from their limits, so that what the solver leaves stays inside them.
-const INSIDE: Margins = Margins {
+const RAY_MARGINS: Margins = Margins {
     force: 1e-11,
     opening: 0.0,
 };
@@ -104,7 +104,7 @@ fn ray(scene: &Scene, work: &mut Work) -> Option<Vec<JointForce>> {
         force: live_unit(scene),
         length: scene.height(),
     };
-    for margins in [Some(INSIDE), None] {
+    for margins in [Some(RAY_MARGINS), None] {
         let mut program = Program::at_multiplier(&pushed, 0.0, scale);
         if let Some(margins) = margins {
             program.set_margins(margins);

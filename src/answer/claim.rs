@@ -1,0 +1,16 @@
+//! What an answer is put forward as.
+
+/// What an answer's forces and mechanism are put forward as; the judge proves that and nothing else.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Claim {
+    /// A collapse state without dilatancy: forces and mechanism satisfy every condition together.
+    #[default]
+    CollapseState,
+    /// Bounds of λ_A: `forces` are admissible at `bracket.lower`, `mechanism` by associative
+    /// friction, and its own multiplier is no larger than `bracket.upper`.
+    Associative,
+    /// A collapse state at `bracket.lower`, and `ceiling` as in `Associative` for `bracket.upper`.
+    Enclosed,
+    /// Something seen, not proved, as in an experiment.
+    Observed,
+}

@@ -1,0 +1,97 @@
+//! Facts of the method that picks among the others.
+
+use std::fmt;
+
+use super::super::bracket::Bracket;
+use crate::number::short;
+
+/// What `auto` concludes from the other methods.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum AutoFact {
+    /// The program for λ_A settles the scene, as the facts after this one say.
+    SettledByAssociative,
+    /// No collapse state is proved, for the reasons after this one.
+    NoState {
+        /// λ_A, below which all of them would lie.
+        associative: f64,
+    },
+    /// How far the multiplier is from being unique.
+    Uniqueness(Uniqueness),
+    /// What was not needed, beside the sequential method and the pushover, which never are.
+    Saved {
+        /// Blocks that were not modelled.
+        blocks: usize,
+        /// All blocks.
+        of_blocks: usize,
+    },
+}
+
+/// The gap between the lowest collapse state found and λ_A.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Uniqueness {
+    /// Whether the gap is within the tolerance.
+    pub unique: bool,
+    /// Width of the gap relative to max(λ_A, 1e-3).
+    pub relative_width: f64,
+    /// λ_low and λ_upp of the closed form, where it applies.
+    pub closed_form: Option<Bracket>,
+    /// Starts that the search was allowed.
+    pub starts: usize,
+    /// Whether a state was low enough to end the search early.
+    pub ended_early: bool,
+}
+
+impl AutoFact {
+    pub(super) fn introduces_next(&self) -> bool {
+        use AutoFact::{NoState, SettledByAssociative};
+        matches!(self, SettledByAssociative | NoState { .. })
+    }
+}
+
+impl fmt::Display for AutoFact {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            AutoFact::SettledByAssociative => {
+                write!(f, "by the program of the associative multiplier")
+            }
+            AutoFact::NoState { associative } => {
+                let lambda = short(associative, 5);
+                write!(f, "no collapse state is proved below λ_A = {lambda}")
+            }
+            AutoFact::Uniqueness(ref gap) => gap.fmt(f),
+            AutoFact::Saved { blocks, of_blocks } => {
+                write!(f, "saved: ")?;
+                if blocks > 0 {
+                    write!(f, "{blocks} of {of_blocks} blocks, ")?;
+                }
+                write!(f, "sequential and pushover")
+            }
+        }
+    }
+}
+
+impl fmt::Display for Uniqueness {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if !self.unique {
+            write!(f, "not unique: ")?;
+        }
+        let width = short(100.0 * self.relative_width, 2);
+        write!(
+            f,
+            "lowest state found and associative multiplier are {width} % apart ("
+        )?;
+        match self.closed_form {
+            Some(range) => {
+                let [lower, upper] = [range.lower, range.upper].map(|end| short(end, 4));
+                write!(f, "macro-block says {lower} to {upper}, an estimate; ")?;
+            }
+            None => write!(f, "macro-block does not apply; ")?,
+        }
+        if self.ended_early {
+            write!(f, "a state as low ends the search)")
+        } else {
+            let starts = self.starts;
+            write!(f, "one start may miss a lower state, {starts} found none)")
+        }
+    }
+}

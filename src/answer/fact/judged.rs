@@ -1,0 +1,125 @@
+//! Facts that the judge finds.
+
+use std::fmt;
+
+use super::super::residual::{CollapseResidual, StaticResidual};
+use super::super::status::Status;
+
+/// What the judge finds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum JudgedFact {
+    /// Forces and mechanism are a collapse state, although the method claims none.
+    CollapseState,
+    /// What forces and mechanism would have to prove, they do not; nothing was claimed.
+    NoProof(Residuals),
+    /// What the method claims to prove, forces and mechanism do not.
+    Refuted(Residuals),
+    /// The method claims a proof and hands over no forces or no mechanism.
+    NothingToProve,
+    /// The method claims `falls` or `stands` and hands over nothing that proves it.
+    NoCertificate(Status),
+}
+
+/// The residuals that a proof was judged by.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Residuals {
+    /// Of a collapse state.
+    State {
+        /// Violations by the forces.
+        statics: StaticResidual,
+        /// Violations by forces and mechanism together.
+        collapse: CollapseResidual,
+    },
+    /// Of bounds.
+    Bounds {
+        /// Violations by the forces.
+        statics: StaticResidual,
+        /// Violations by forces and mechanism together, where the lower bound is a collapse state.
+        collapse: Option<CollapseResidual>,
+        /// The upper bound; `None` where there is no mechanism for it.
+        ceiling: Option<CeilingSlack>,
+    },
+    /// The largest of several states, or of a certificate.
+    Largest(f64),
+}
+
+/// What a mechanism has to show as an upper bound.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CeilingSlack {
+    /// Its violation of the associative flow rule.
+    pub flow_rule: f64,
+    /// Its own multiplier, which the upper end of the bracket must not undercut.
+    pub multiplier: f64,
+}
+
+impl Residuals {
+    /// Which condition a collapse state violates most.
+    fn worst(statics: &StaticResidual, collapse: &CollapseResidual) -> &'static str {
+        let named = [
+            (statics.equilibrium, "equilibrium is violated"),
+            (statics.tension, "a joint is in tension"),
+            (statics.friction, "friction exceeds μN"),
+            (collapse.penetration, "blocks interpenetrate"),
+            (collapse.open_contact, "an opening joint carries a force"),
+            (
+                collapse.idle_friction,
+                "a slipping joint carries less than μN",
+            ),
+            (collapse.gap, "small violations add up to a gap"),
+        ];
+        let worst = named.iter().max_by(|a, b| a.0.total_cmp(&b.0));
+        worst.expect("the list is not empty").1
+    }
+}
+
+impl fmt::Display for JudgedFact {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            JudgedFact::CollapseState => write!(f, "a true collapse state"),
+            JudgedFact::NoProof(Residuals::State { statics, collapse }) => {
+                write!(f, "no proof: {}", Residuals::worst(statics, collapse))
+            }
+            JudgedFact::NoProof(residuals) => write!(f, "no proof: {residuals}"),
+            JudgedFact::Refuted(residuals) => write!(f, "refuted by the judge: {residuals}"),
+            JudgedFact::NothingToProve => {
+                write!(f, "claims a proof without forces and mechanism")
+            }
+            JudgedFact::NoCertificate(status) => {
+                write!(f, "claims that it {} without a proof", status.name())
+            }
+        }
+    }
+}
+
+impl fmt::Display for Residuals {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Residuals::State { statics, collapse } => write!(f, "{statics}, {collapse}"),
+            Residuals::Bounds {
+                statics,
+                collapse,
+                ceiling,
+            } => {
+                write!(f, "{statics}, ")?;
+                if let Some(collapse) = collapse {
+                    write!(f, "{collapse}, ")?;
+                }
+                match ceiling {
+                    Some(ceiling) => ceiling.fmt(f),
+                    None => write!(f, "no bound"),
+                }
+            }
+            Residuals::Largest(residual) => write!(f, "residual {residual:.1e}"),
+        }
+    }
+}
+
+impl fmt::Display for CeilingSlack {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "flow rule violated by {:.1e}, mechanism's own multiplier {:.6}",
+            self.flow_rule, self.multiplier
+        )
+    }
+}

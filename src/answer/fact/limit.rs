@@ -1,0 +1,96 @@
+//! Facts of the limit analyses.
+
+use std::fmt;
+
+/// What a limit analysis proves, or fails to.
+#[derive(Clone, Debug, PartialEq)]
+pub enum LimitFact {
+    /// The scene falls: the mechanism is the proof.
+    MovesUnpushed,
+    /// The scene stands: the ray of forces is the proof.
+    ForcesWithoutLimit,
+    /// Neither forces nor a mechanism prove whether the scene stands under its own weight.
+    OwnWeightUndecided {
+        /// What the solver says of the last program, where it found no optimum.
+        solver: Option<SolverEnding>,
+    },
+    /// The program for λ_A has no optimum, and nothing proves why.
+    NoOptimum(SolverEnding),
+    /// Force state and mechanism of λ_A do not meet.
+    Apart {
+        /// Distance of their multipliers over the larger one.
+        relative_width: f64,
+    },
+    /// A user asked for programs that are too loose to prove anything.
+    Loose,
+    /// The same, and the live load does no work on the mechanism found.
+    LooseWithoutMultiplier,
+    /// The interval is what was found; these are the rigorous bounds.
+    FoundNoBounds {
+        /// Rigorous lower bound: λ without friction, where that is proved. The upper one is λ_A.
+        frictionless: Option<f64>,
+    },
+}
+
+impl fmt::Display for LimitFact {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            LimitFact::MovesUnpushed => write!(f, "a mechanism moves without any push"),
+            LimitFact::ForcesWithoutLimit => {
+                write!(f, "forces grow with the push without limit")
+            }
+            LimitFact::OwnWeightUndecided { solver } => {
+                write!(f, "neither forces nor a mechanism are proved at λ = 0")?;
+                let solver = solver.as_ref();
+                solver.map_or(Ok(()), |solver| write!(f, ": {solver}"))
+            }
+            LimitFact::NoOptimum(solver) => write!(f, "no proof: {solver}"),
+            LimitFact::Apart { relative_width } => {
+                write!(
+                    f,
+                    "force state and mechanism are {relative_width:.1e} apart"
+                )
+            }
+            LimitFact::Loose => write!(f, "solved loosely on request"),
+            LimitFact::LooseWithoutMultiplier => {
+                write!(
+                    f,
+                    "solved loosely on request: the mechanism has no multiplier"
+                )
+            }
+            LimitFact::FoundNoBounds { frictionless } => match frictionless {
+                Some(lambda) => write!(
+                    f,
+                    "found, no bounds (rigorous are {lambda:.5} and associative)"
+                ),
+                None => write!(f, "found, no bounds (rigorous is associative alone)"),
+            },
+        }
+    }
+}
+
+/// What the solver says of a linear program. Its word, not a proof.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum SolverEnding {
+    /// It has an optimum.
+    Optimum,
+    /// No force state satisfies it, for any λ.
+    Infeasible,
+    /// λ can grow without limit.
+    Unbounded,
+    /// The solver gave up; its own name for why.
+    GaveUp(String),
+}
+
+impl fmt::Display for SolverEnding {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            SolverEnding::Optimum => write!(f, "the solver finds an optimum"),
+            SolverEnding::Infeasible => {
+                write!(f, "the solver finds no equilibrium within friction")
+            }
+            SolverEnding::Unbounded => write!(f, "the solver finds λ without limit"),
+            SolverEnding::GaveUp(why) => write!(f, "the solver gave up: {why}"),
+        }
+    }
+}

@@ -1,0 +1,138 @@
+//! What is to be said about an answer, as data. `Display` makes the sentence, and nothing else does:
+//! a program that needs a figure reads the field.
+
+mod auto;
+mod closed_form;
+mod judged;
+mod limit;
+mod program;
+mod search;
+mod sequential;
+mod side;
+
+use std::fmt;
+
+pub use auto::{AutoFact, Uniqueness};
+pub use closed_form::{InapplicableForm, Invalid};
+pub use judged::{CeilingSlack, JudgedFact, Residuals};
+pub use limit::{LimitFact, SolverEnding};
+pub use program::{ProgramEnding, ProgramFailure};
+pub use search::{SearchEnding, SearchFacts, SearchFailure, SearchStart, StartEnding};
+pub use sequential::{SequentialEnding, SequentialFacts};
+pub use side::SideFact;
+
+/// One thing that is to be said about an answer.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Fact {
+    /// Free words: those of an outside program, or of a panic.
+    Words(String),
+    /// Why the closed form does not apply.
+    ClosedForm(InapplicableForm),
+    /// What a limit analysis proves, or fails to.
+    Limit(LimitFact),
+    /// How the starts of a search for collapse states ended.
+    Search(SearchFacts),
+    /// How the sequential method ended.
+    Sequential(SequentialFacts),
+    /// What `auto` concludes from the other methods.
+    Auto(AutoFact),
+    /// What the judge finds.
+    Judged(JudgedFact),
+    /// Which side of a wall that is pushed both ways the answer is about.
+    Side(SideFact),
+    /// Why an outside program gave no answer.
+    Program(ProgramFailure),
+}
+
+impl Fact {
+    /// Whether the fact introduces the facts after it, like a heading: a colon follows it.
+    fn introduces_next(&self) -> bool {
+        match self {
+            Fact::Auto(fact) => fact.introduces_next(),
+            Fact::Side(fact) => fact.introduces_next(),
+            Fact::Words(_)
+            | Fact::ClosedForm(_)
+            | Fact::Limit(_)
+            | Fact::Search(_)
+            | Fact::Sequential(_)
+            | Fact::Judged(_)
+            | Fact::Program(_) => false,
+        }
+    }
+}
+
+impl fmt::Display for Fact {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Fact::Words(words) => f.write_str(words),
+            Fact::ClosedForm(fact) => fact.fmt(f),
+            Fact::Limit(fact) => fact.fmt(f),
+            Fact::Search(fact) => fact.fmt(f),
+            Fact::Sequential(fact) => fact.fmt(f),
+            Fact::Auto(fact) => fact.fmt(f),
+            Fact::Judged(fact) => fact.fmt(f),
+            Fact::Side(fact) => fact.fmt(f),
+            Fact::Program(fact) => fact.fmt(f),
+        }
+    }
+}
+
+/// A fact of each kind from what it holds.
+macro_rules! from {
+    ($($variant:ident($held:ty)),* $(,)?) => {$(
+        impl From<$held> for Fact {
+            fn from(held: $held) -> Self {
+                Fact::$variant(held)
+            }
+        }
+    )*};
+}
+
+from! {
+    Words(String),
+    ClosedForm(InapplicableForm),
+    Limit(LimitFact),
+    Search(SearchFacts),
+    Sequential(SequentialFacts),
+    Auto(AutoFact),
+    Judged(JudgedFact),
+    Side(SideFact),
+    Program(ProgramFailure),
+}
+
+impl From<&str> for Fact {
+    fn from(words: &str) -> Self {
+        Fact::Words(words.to_owned())
+    }
+}
+
+/// Facts as one text, parted by semicolons; empty where there is nothing to say.
+pub(super) fn sentence(facts: &[Fact]) -> String {
+    let mut text = String::new();
+    let mut separator = "";
+    for fact in facts {
+        let words = fact.to_string();
+        if words.is_empty() {
+            continue;
+        }
+        text.push_str(separator);
+        text.push_str(&words);
+        separator = if fact.introduces_next() { ": " } else { "; " };
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::Push;
+
+    #[test]
+    fn facts_are_parted_by_semicolons_and_headings_by_colons() {
+        let heading = Fact::Side(SideFact::Unanswered(Push::Left));
+        let facts = [heading, "one".into(), "".into(), "two".into()];
+        assert_eq!(sentence(&facts), "pushed left: one; two");
+        assert_eq!(sentence(&facts[..1]), "pushed left");
+        assert_eq!(sentence(&[]), "");
+    }
+}

@@ -1,0 +1,127 @@
+//! Facts of outside programs.
+
+use std::fmt;
+
+/// Why an outside program gave no answer.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum ProgramFailure {
+    /// The scene cannot be written as JSON.
+    #[error("the scene cannot be written: {error}")]
+    NotWritten {
+        /// The writer's error.
+        error: String,
+    },
+    /// No program is named.
+    #[error("has no command")]
+    NoCommand,
+    /// The program does not start.
+    #[error("cannot start `{program}`: {error}")]
+    NotStarted {
+        /// The program.
+        program: String,
+        /// The system's error.
+        error: String,
+    },
+    /// The system does not say when it ends.
+    #[error("cannot be waited for: {error}")]
+    NotWaitedFor {
+        /// The system's error.
+        error: String,
+    },
+    /// The system has no process groups, so that children could not be stopped.
+    #[error("external methods need a system with process groups")]
+    NoProcessGroups,
+    /// It ended, or had to be stopped, without an answer.
+    #[error("{ending}{}", after_colon(.messages))]
+    Ended {
+        /// How.
+        ending: ProgramEnding,
+        /// First and last line that it wrote to standard error; empty where there is none.
+        messages: String,
+    },
+    /// It wrote nothing.
+    #[error("wrote nothing to standard output")]
+    NoOutput,
+    /// What it wrote is not an answer.
+    #[error("its output is no answer: {error}; it begins with `{begins}`")]
+    NotAnAnswer {
+        /// The reader's error.
+        error: String,
+        /// The first characters.
+        begins: String,
+    },
+    /// The answer lacks keys that its kind needs.
+    #[error("an answer of this kind needs {keys}")]
+    MissingKeys {
+        /// Which, and what else may be meant.
+        keys: &'static str,
+    },
+    /// An upper end beside a proof, which has its own.
+    #[error("`upper` goes with the kind `estimate` only")]
+    UpperOfAProof,
+    /// The ends of the bracket are the wrong way round.
+    #[error("`lambda` {lower} is above `upper` {upper}")]
+    EndsCross {
+        /// The lower end.
+        lower: f64,
+        /// The upper end.
+        upper: f64,
+    },
+    /// A list that does not fit the scene.
+    #[error("`{key}` has {entries} entries, the scene has {expected} {of}")]
+    WrongLength {
+        /// The list.
+        key: &'static str,
+        /// Its length.
+        entries: usize,
+        /// The length that it should have.
+        expected: usize,
+        /// What there is one entry of for each.
+        of: &'static str,
+    },
+}
+
+fn after_colon(messages: &str) -> String {
+    if messages.is_empty() {
+        String::new()
+    } else {
+        format!(": {messages}")
+    }
+}
+
+/// How an outside program ended that gave no answer.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ProgramEnding {
+    /// It was stopped at its time limit.
+    TimeLimit {
+        /// The limit, seconds.
+        seconds: f64,
+    },
+    /// By a signal of this number.
+    Signal(i32),
+    /// With an exit status other than 0.
+    ExitStatus(i32),
+    /// Without an exit status.
+    NoExitStatus,
+    /// Its output is longer than what is kept.
+    TooMuchOutput {
+        /// What is kept, MiB.
+        mebibytes: u64,
+    },
+}
+
+impl fmt::Display for ProgramEnding {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            ProgramEnding::TimeLimit { seconds } => {
+                write!(f, "stopped after its time limit of {seconds} s")
+            }
+            ProgramEnding::Signal(signal) => write!(f, "ended by signal {signal}"),
+            ProgramEnding::ExitStatus(code) => write!(f, "ended with exit status {code}"),
+            ProgramEnding::NoExitStatus => write!(f, "ended without an exit status"),
+            ProgramEnding::TooMuchOutput { mebibytes } => {
+                write!(f, "wrote more than {mebibytes} MiB")
+            }
+        }
+    }
+}

@@ -1,0 +1,47 @@
+//! Facts of the sequential method.
+
+use std::fmt;
+
+/// How the sequential method ended, and after how many steps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SequentialFacts {
+    /// How it ended.
+    pub ending: SequentialEnding,
+    /// Sub-programs solved after the associative one.
+    pub steps: usize,
+}
+
+/// How the sequential method ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SequentialEnding {
+    /// λ settled.
+    Converged,
+    /// λ repeats itself.
+    Cycling {
+        /// Steps after which it does.
+        period: usize,
+    },
+    /// A sub-program has no force state.
+    SubProgramInfeasible,
+    /// λ of a sub-program grows without limit.
+    SubProgramUnbounded,
+    /// The solver gave up on a sub-program.
+    SubProgramUnsolved,
+    /// λ did not settle within the steps allowed.
+    StepLimit,
+}
+
+impl fmt::Display for SequentialFacts {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        use SequentialEnding::*;
+        let steps = self.steps;
+        match self.ending {
+            Converged => write!(f, "converged"),
+            Cycling { period } => write!(f, "cycling with period {period} at step {steps}"),
+            SubProgramInfeasible => write!(f, "sub-program infeasible at step {steps}"),
+            SubProgramUnbounded => write!(f, "sub-program unbounded at step {steps}"),
+            SubProgramUnsolved => write!(f, "sub-program unsolved at step {steps}"),
+            StepLimit => write!(f, "not converged within {steps} steps"),
+        }
+    }
+}

@@ -1,0 +1,23 @@
+//! Forces of the joints, and collapse states made of forces and mechanism.
+
+use super::mechanism::Mechanism;
+
+/// Forces of one joint, in the case's force unit.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct JointForce {
+    /// Normal force at each end of the joint, compression positive.
+    pub normal: [f64; 2],
+    /// Shear on the block that the normal points into, along the joint's tangent.
+    pub shear: f64,
+}
+
+/// A non-associative collapse state: forces and mechanism that satisfy every condition together.
+#[derive(Clone, Debug)]
+pub struct CollapseState {
+    /// Multiplier of the forces.
+    pub lambda: f64,
+    /// Forces of every joint.
+    pub forces: Vec<JointForce>,
+    /// Velocities of every block.
+    pub mechanism: Mechanism,
+}

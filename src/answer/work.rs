@@ -1,0 +1,29 @@
+//! Effort in counts.
+
+use std::ops::Add;
+
+/// Effort in counts that do not depend on the machine's speed.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Work {
+    /// Blocks that were modelled as movable; 0 where the method does not count them.
+    pub modelled: usize,
+    /// Linear programs solved.
+    pub programs: usize,
+    /// Interior-point iterations over all programs.
+    pub iterations: usize,
+    /// Time steps of the pushover, times the blocks that can move.
+    pub block_steps: usize,
+}
+
+impl Add for Work {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            modelled: self.modelled + other.modelled,
+            programs: self.programs + other.programs,
+            iterations: self.iterations + other.iterations,
+            block_steps: self.block_steps + other.block_steps,
+        }
+    }
+}
