@@ -119,7 +119,7 @@ pub fn json(results: &[CaseResult]) -> Result<String, serde_json::Error> {
             ] {
                 value[key] = as_number(&value[key]);
             }
-            value["checks"] = row.outcome.checks.clone().into();
+            value["checks"] = row.outcome.checks.iter().map(ToString::to_string).collect();
             if !row.outcome.recording.is_empty() {
                 let frames = row.outcome.recording.iter();
                 value["recording"] = frames.map(frame).collect();

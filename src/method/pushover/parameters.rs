@@ -14,6 +14,9 @@ pub const SWAYING: f64 = 20.0;
 /// Courses above which a bracket states a larger error.
 const LESS_ACCURATE: f64 = 30.0;
 
+/// Slip of a joint that counts as the first, where a user asks for that, in course heights.
+pub const FIRST_SLIP: f64 = 1e-3;
+
 const LENGTH: &str = "H_c";
 const TIME: &str = "√(H_c/g)";
 const SPEED: &str = "√(g·H_c)";
@@ -221,7 +224,7 @@ impl Parameters {
             contact_frequency: own.contact_frequency / settings.substep * settings.stiffness.sqrt(),
             slip: match settings.collapse {
                 Collapse::Runaway => f64::INFINITY,
-                Collapse::FirstSlip => 1e-3,
+                Collapse::FirstSlip => FIRST_SLIP,
             },
             frames: if settings.recording { 100 } else { 0 },
             ..own
