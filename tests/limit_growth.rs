@@ -11,15 +11,11 @@ use trilith::scene::{HeadJoints, Scene};
 
 /// CPU seconds and peak resident megabytes of one method on one scene.
 fn measure(method: &dyn Method, scene: &Scene) -> (f64, f64) {
+    let mut settings = Settings::default();
+    settings.interval.starts = 1;
     reset_peak();
     let clock = cpu_time::ThreadTime::now();
-    let mut outcome = method.solve(
-        scene,
-        &Settings {
-            starts: 1,
-            ..Settings::default()
-        },
-    );
+    let mut outcome = method.solve(scene, &settings);
     let seconds = clock.elapsed().as_secs_f64();
     let peak = peak();
     judge(scene, &mut outcome);

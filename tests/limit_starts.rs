@@ -11,13 +11,9 @@ use trilith::scene::{HeadJoints, Scene};
 
 /// Verified starts, each at a λ above zero; all others must end with a name.
 fn verified_starts(scene: &Scene, starts: usize) -> usize {
-    let mut outcome = Interval.solve(
-        scene,
-        &Settings {
-            starts,
-            ..Settings::default()
-        },
-    );
+    let mut settings = Settings::default();
+    settings.interval.starts = starts;
+    let mut outcome = Interval.solve(scene, &settings);
     let residual = judge(scene, &mut outcome);
     assert_eq!(outcome.status, Status::Verified, "{}", outcome.reason());
     assert!(residual.is_some_and(|residual| residual <= 1e-8));

@@ -2,8 +2,8 @@
 
 use trilith::answer::Status;
 use trilith::case;
-use trilith::method::pushover::{Pushover, Settings as PushoverSettings, solve_with};
-use trilith::method::{Accuracy, Method, Settings};
+use trilith::method::pushover::{Parameters, Pushover, solve_with};
+use trilith::method::{Accuracy, Method, PushoverSettings, Settings};
 use trilith::scene::HeadJoints;
 
 /// Verified open values by linear programs that share no code with the pushover: HiGHS through
@@ -18,10 +18,8 @@ const WALLS: [(&str, f64); 4] = [
 fn assert_within(name: &str, exact: f64, accuracy: Accuracy, allowed: f64) {
     let case = case::find(name).unwrap_or_else(|complaint| panic!("{complaint}"));
     let scene = case[0].scene(HeadJoints::Open);
-    let settings = Settings {
-        accuracy,
-        ..Settings::default()
-    };
+    let mut settings = Settings::default();
+    settings.pushover.accuracy = accuracy;
     let outcome = Pushover.solve(&scene, &settings);
     assert_eq!(outcome.status, Status::Bracketed, "{}", outcome.reason());
     let bracket = outcome.bracket.expect("bracketed");
@@ -59,10 +57,8 @@ fn every_accuracy_sees_the_same_crack() {
     for (name, c, e) in [("paper-1", 8.0, 12.0), ("paper-2", 12.0, 20.0)] {
         let case = case::find(name).unwrap_or_else(|complaint| panic!("{complaint}"));
         for accuracy in [Accuracy::Coarse, Accuracy::Normal, Accuracy::Fine] {
-            let settings = Settings {
-                accuracy,
-                ..Settings::default()
-            };
+            let mut settings = Settings::default();
+            settings.pushover.accuracy = accuracy;
             let outcome = Pushover.solve(&case[0].scene(HeadJoints::Open), &settings);
             let crack = outcome.crack.expect("a wall of units and halves");
             assert!(crack.sharp, "{name}: {crack:?}");
@@ -78,11 +74,7 @@ fn the_tall_wall_with_and_without_damping() {
     let case = case::find("paper-3").unwrap_or_else(|complaint| panic!("{complaint}"));
     let scene = case[0].scene(HeadJoints::Open);
     let damped = Pushover.solve(&scene, &Settings::default());
-    let undamped = solve_with(&scene, &Settings::default(), |settings| PushoverSettings {
-        damp_below: 0.0,
-        hurry: 0.0,
-        ..settings
-    });
+    let undamped = solve_with(&scene, &PushoverSettings::default(), Parameters::undamped);
     for outcome in [damped, undamped] {
         let bracket = outcome
             .bracket

@@ -1,6 +1,7 @@
 //! What `--verify` compares, and head joints in contact as a range.
 
-use trilith::answer::{Mechanism, Outcome, Status};
+use trilith::answer::Repetition::{HalfSubstep, Mirrored, Undamped};
+use trilith::answer::{Checked, Mechanism, Outcome, PushoverFact, SelfCheck, Status};
 use trilith::case;
 use trilith::method::pushover::Pushover;
 use trilith::method::{Collapse, Method, Settings};
@@ -20,15 +21,21 @@ fn bracketed(scene: &Scene, settings: &Settings) -> Outcome {
 /// Half the substep, mirrored and undamped: each within the stated error, with its figures.
 #[test]
 fn the_papers_walls_pass_every_check() {
-    let settings = Settings {
-        verify: true,
-        ..Settings::default()
-    };
+    let mut settings = Settings::default();
+    settings.pushover.verify = true;
     for name in ["paper-1", "paper-2"] {
         let outcome = bracketed(&scene(name, HeadJoints::Open), &settings);
-        for what in ["half the substep: [", "mirrored: [", "undamped: ["] {
-            let figures = outcome.checks.iter().filter(|text| text.starts_with(what));
-            assert_eq!(figures.count(), 1, "{what} {:?}", outcome.checks);
+        for repeated in [HalfSubstep, Mirrored, Undamped] {
+            let agrees = |check: &&SelfCheck| {
+                matches!(check.what, Checked::Repetition { with, answer: Ok(_) } if with == repeated)
+                    && check.passed()
+            };
+            let checks = &outcome.checks;
+            assert_eq!(
+                checks.iter().filter(agrees).count(),
+                1,
+                "{repeated} {checks:?}"
+            );
         }
     }
 }
@@ -49,7 +56,8 @@ fn head_joints_in_contact_give_a_range() {
             range.upper <= associative * (1.0 + error),
             "{name}: {range:?}"
         );
-        assert!(outcome.reason().contains("not unique"));
+        let range = PushoverFact::Range { softest: 0.25 };
+        assert_eq!(outcome.facts, [range.into()]);
     }
 }
 
@@ -57,11 +65,11 @@ fn head_joints_in_contact_give_a_range() {
 fn a_long_range_is_not_run_unless_asked_for() {
     let outcome = Pushover.solve(&scene("paper-3", HeadJoints::Contact), &Settings::default());
     assert_eq!(outcome.status, Status::Undecided);
-    assert!(
-        outcome.reason().starts_with("not run"),
-        "{}",
-        outcome.reason()
-    );
+    let not_run = PushoverFact::RangeNotRun {
+        pushovers: 6,
+        blocks: 1176,
+    };
+    assert_eq!(outcome.facts, [not_run.into()]);
 }
 
 /// The same bits twenty times.
@@ -85,16 +93,16 @@ fn twenty_runs_give_the_same_bits() {
 /// slips and runs away at once (min(μ, b/h) = 0.3).
 #[test]
 fn first_slip_is_not_above_the_collapse() {
-    let settings = Settings {
-        collapse: Collapse::FirstSlip,
-        ..Settings::default()
-    };
+    let mut settings = Settings::default();
+    settings.pushover.collapse = Collapse::FirstSlip;
     for name in ["paper-1", "paper-2", "sliding-block"] {
         let scene = scene(name, HeadJoints::Open);
         let collapse = bracketed(&scene, &Settings::default()).bracket;
         let outcome = Pushover.solve(&scene, &settings);
         assert_eq!(outcome.status, Status::Estimate, "{}", outcome.reason());
-        assert!(outcome.reason().starts_with("first slip") && outcome.stated_error.is_none());
+        let first_slip = PushoverFact::FirstSlip { slip: 1e-3 };
+        assert_eq!(outcome.facts[0], first_slip.into());
+        assert_eq!(outcome.stated_error, None);
         let slip = outcome.bracket;
         let (collapse, slip) = (collapse.expect("bracketed"), slip.expect("bracketed"));
         assert!(
@@ -106,10 +114,8 @@ fn first_slip_is_not_above_the_collapse() {
 
 #[test]
 fn a_recording_ends_in_the_collapse() {
-    let settings = Settings {
-        recording: true,
-        ..Settings::default()
-    };
+    let mut settings = Settings::default();
+    settings.pushover.recording = true;
     let scene = scene("paper-1", HeadJoints::Open);
     let outcome = bracketed(&scene, &settings);
     let frames = outcome.recording.len();

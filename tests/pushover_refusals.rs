@@ -1,8 +1,8 @@
 //! Undecided or a right answer, never a confident wrong one.
 
 use trilith::answer::Outcome;
-use trilith::method::Settings as User;
-use trilith::method::pushover::{Settings, solve_with};
+use trilith::method::pushover::{Parameters, solve_with};
+use trilith::method::{PushoverSettings, Settings};
 use trilith::scene::{Course, HeadJoints, Piece, Point, Push, Scene, Side, Vector, Wall};
 
 /// paper-1 and its verified open value (HiGHS through `oracle.py --start open`).
@@ -37,12 +37,12 @@ fn open(wall: &Wall) -> Scene {
     wall.scene(HeadJoints::Open).expect("the wall can be laid")
 }
 
-fn with(scene: &Scene, change: impl Fn(Settings) -> Settings) -> Outcome {
-    solve_with(scene, &User::default(), change)
+fn with(scene: &Scene, change: impl Fn(Parameters) -> Parameters) -> Outcome {
+    solve_with(scene, &PushoverSettings::default(), change)
 }
 
 fn pushed(scene: &Scene) -> Outcome {
-    with(scene, |settings| settings)
+    with(scene, |own| own)
 }
 
 /// Within `tolerance` of `exact`, or without a number and with a reason.
@@ -67,13 +67,13 @@ fn assert_answered(what: &str, outcome: &Outcome, exact: f64, tolerance: f64) {
 #[test]
 fn rapiers_default_parameters() {
     let second = (9.81f64 / 1.75).sqrt();
-    let outcome = with(&open(&paper_1()), |settings| Settings {
+    let outcome = with(&open(&paper_1()), |own| Parameters {
         substep: second / 240.0,
         substeps: 4,
         contact_frequency: 30.0 / second,
         damping_ratio: 5.0,
         prediction: 0.002,
-        ..settings
+        ..own
     });
     assert_honest("default parameters", &outcome, PAPER_1, 2e-3);
 }
@@ -81,18 +81,18 @@ fn rapiers_default_parameters() {
 #[test]
 fn too_few_substeps() {
     for factor in [2.0, 4.0, 8.0, 16.0, 32.0] {
-        let outcome = with(&open(&paper_1()), |settings| Settings {
-            substep: settings.substep * factor,
+        let outcome = with(&open(&paper_1()), |own| Parameters {
+            substep: own.substep * factor,
             substeps: (32.0 / factor) as usize,
-            contact_frequency: settings.contact_frequency / factor,
-            ..settings
+            contact_frequency: own.contact_frequency / factor,
+            ..own
         });
         assert_honest(&format!("substep × {factor}"), &outcome, PAPER_1, 2e-3);
         // Contacts as stiff as the short substep allowed: beyond what the solver can hold.
-        let outcome = with(&open(&paper_1()), |settings| Settings {
-            substep: settings.substep * factor,
+        let outcome = with(&open(&paper_1()), |own| Parameters {
+            substep: own.substep * factor,
             substeps: (32.0 / factor) as usize,
-            ..settings
+            ..own
         });
         assert_honest(
             &format!("substep × {factor}, stiff"),
@@ -171,7 +171,8 @@ fn little_and_much_friction() {
     let associative = trilith::method::METHODS
         .iter()
         .find(|m| m.name() == "associative");
-    let highest = associative.and_then(|m| m.method.solve(&open(&rough), &User::default()).bracket);
+    let highest =
+        associative.and_then(|m| m.method.solve(&open(&rough), &Settings::default()).bracket);
     let highest = highest.expect("associative answers").upper;
     let sound = outcome
         .bracket
@@ -195,7 +196,7 @@ fn a_heavy_top_course() {
         let associative = trilith::method::METHODS
             .iter()
             .find(|m| m.name() == "associative");
-        let exact = associative.and_then(|m| m.method.solve(&scene, &User::default()).bracket);
+        let exact = associative.and_then(|m| m.method.solve(&scene, &Settings::default()).bracket);
         let exact = exact.expect("associative answers").upper;
         assert_honest(
             &format!("top × {factor} ({exact})"),

@@ -14,12 +14,11 @@ fn results(cases: &[&str], methods: &[&str]) -> Vec<CaseResult> {
     let wanted = all_methods()
         .into_iter()
         .filter(|m| methods.contains(&m.name()));
+    let mut settings = Settings::default();
+    settings.pushover.recording = true;
     let plan = Plan {
         methods: wanted.collect(),
-        settings: Settings {
-            recording: true,
-            ..Settings::default()
-        },
+        settings,
         head_joints: Some(HeadJoints::Open),
     };
     run(&cases, &plan, &())

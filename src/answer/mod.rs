@@ -12,6 +12,7 @@ mod fact;
 mod mechanism;
 mod outcome;
 mod residual;
+mod self_check;
 mod state;
 mod status;
 mod work;
@@ -21,7 +22,7 @@ pub use claim::Claim;
 pub use crack::{Crack, VELOCITY_THRESHOLDS, crack_slope, crack_slope_by_gap};
 pub use fact::{
     AutoFact, CeilingSlack, Fact, InapplicableForm, Invalid, JudgedFact, LimitFact, ProgramEnding,
-    ProgramFailure, Residuals, SearchEnding, SearchFacts, SearchFailure, SearchStart,
+    ProgramFailure, PushoverFact, Residuals, SearchEnding, SearchFacts, SearchFailure, SearchStart,
     SequentialEnding, SequentialFacts, SideFact, SolverEnding, StartEnding, Uniqueness,
 };
 pub use mechanism::{JointRate, Mechanism, Motion};
@@ -30,6 +31,7 @@ pub use residual::{
     CollapseResidual, StaticResidual, VERIFIED_RESIDUAL, associative_violation, dead_power,
     falling_violation, kinematic_multiplier, live_unit,
 };
+pub use self_check::{Checked, Repetition, SelfCheck, Variation};
 pub use state::{CollapseState, JointForce};
 pub use status::Status;
 pub use work::Work;

@@ -5,6 +5,7 @@ use super::claim::Claim;
 use super::crack::Crack;
 use super::fact::{self, Fact, SearchFacts};
 use super::mechanism::Mechanism;
+use super::self_check::SelfCheck;
 use super::state::{CollapseState, JointForce};
 use super::status::Status;
 use super::work::Work;
@@ -39,8 +40,8 @@ pub struct Outcome {
     pub recording: Vec<Mechanism>,
     /// Effort.
     pub work: Work,
-    /// Self-checks that ran, with their figures, in words.
-    pub checks: Vec<String>,
+    /// Self-checks that ran, with their figures.
+    pub checks: Vec<SelfCheck>,
     /// Why this status, and what is to be known of the answer; may be empty when all went as hoped.
     pub facts: Vec<Fact>,
 }

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use trilith::case::{self, Case, Geometry, Template};
 use trilith::files::write_whole;
-use trilith::method::{METHODS, Settings, pushover};
+use trilith::method::{METHODS, PushoverSettings, pushover};
 use trilith::scene::{Forces, Friction, Push};
 use trilith::study::sweep::{self, Sweep};
 
@@ -36,7 +36,7 @@ pub(super) fn show(argument: &str, pushover: bool) -> Result<u8, Stop> {
         print(&description(case))?;
         for &head_joints in case.head_joints.iter().filter(|_| pushover) {
             let scene = case.scene(head_joints);
-            let lines = pushover::parameters(&scene, &Settings::default())
+            let lines = pushover::parameters(&scene, &PushoverSettings::default())
                 .unwrap_or_else(|reason| format!("not run: {reason}\n"));
             print(&format!(
                 "pushover, {} head joints\n{lines}",

@@ -11,6 +11,7 @@ mod plan;
 mod progress;
 mod report;
 mod run;
+mod settings;
 mod slurm;
 mod solve;
 mod sweep;

@@ -3,11 +3,12 @@
 use clap::{Args, ValueEnum};
 use trilith::case::{self, Case};
 use trilith::external;
-use trilith::method::{self, Accuracy, Collapse, Kind, Method, Settings, kind};
+use trilith::method::{self, Collapse, Kind, Method, kind};
 use trilith::run::Plan;
 use trilith::scene::HeadJoints;
 
 use super::Stop;
+use super::settings::SettingArguments;
 
 #[derive(Args)]
 pub(super) struct PlanArguments {
@@ -17,28 +18,8 @@ pub(super) struct PlanArguments {
     /// Head joints instead of what the case says.
     #[arg(long)]
     head_joints: Option<HeadJointsArgument>,
-    /// Starts of the interval's search; more may find lower states.
-    #[arg(long, value_name = "N", default_value_t = Settings::default().starts as u64,
-          value_parser = clap::value_parser!(u64).range(1..=10_000))]
-    starts: u64,
-    /// Error that the pushover states: 1, 0.2 or 0.05 % (2, 0.4 or 0.2 % above 30 courses).
-    #[arg(long, default_value = "normal")]
-    accuracy: AccuracyArgument,
-    /// Repeat each pushover with half the substep, mirrored and undamped; all must agree.
-    #[arg(long)]
-    verify: bool,
-    /// What counts as collapse in the pushover.
-    #[arg(long, default_value = "runaway")]
-    collapse: CollapseArgument,
-    /// Push walls with head joints in contact also beyond 200 blocks, which takes long.
-    #[arg(long)]
-    long_ranges: bool,
-    /// Keep how the blocks moved in each pushover's collapse, in JSON and results.json.
-    #[arg(long)]
-    recording: bool,
-    /// Change any other setting of the methods; a wrong name lists them all.
-    #[arg(long, value_name = "NAME=VALUE")]
-    set: Vec<String>,
+    #[command(flatten)]
+    settings: SettingArguments,
     /// Also run programs of your own: a .toml file that names them, or NAME=COMMAND.
     #[arg(long, value_name = "FILE.toml|NAME=COMMAND")]
     external: Vec<String>,
@@ -59,40 +40,6 @@ impl From<HeadJointsArgument> for HeadJoints {
     }
 }
 
-#[derive(Clone, Copy, ValueEnum)]
-enum AccuracyArgument {
-    Coarse,
-    Normal,
-    Fine,
-}
-
-impl From<AccuracyArgument> for Accuracy {
-    fn from(argument: AccuracyArgument) -> Self {
-        match argument {
-            AccuracyArgument::Coarse => Accuracy::Coarse,
-            AccuracyArgument::Normal => Accuracy::Normal,
-            AccuracyArgument::Fine => Accuracy::Fine,
-        }
-    }
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-enum CollapseArgument {
-    /// Blocks run away and do not slow down.
-    Runaway,
-    /// A joint has slipped, though it may come to rest.
-    FirstSlip,
-}
-
-impl From<CollapseArgument> for Collapse {
-    fn from(argument: CollapseArgument) -> Self {
-        match argument {
-            CollapseArgument::Runaway => Collapse::Runaway,
-            CollapseArgument::FirstSlip => Collapse::FirstSlip,
-        }
-    }
-}
-
 impl PlanArguments {
     /// The plan, and the cases that `cases` and the misplaced names of `--method` stand for; none
     /// named: those of `default`.
@@ -107,8 +54,8 @@ impl PlanArguments {
             true => default(),
             false => collect(&named)?,
         };
-        let settings = self.settings()?;
-        if settings.collapse == Collapse::FirstSlip {
+        let settings = self.settings.read()?;
+        if settings.pushover.collapse == Collapse::FirstSlip {
             // References of the pushover are of the collapse, which is not what it was asked for.
             for case in &mut cases {
                 case.references
@@ -126,26 +73,6 @@ impl PlanArguments {
     /// Whether the user chose methods.
     pub fn names_methods(&self) -> bool {
         !self.method.is_empty()
-    }
-
-    fn settings(&self) -> Result<Settings, Stop> {
-        let mut settings = Settings {
-            starts: self.starts as usize,
-            accuracy: self.accuracy.into(),
-            verify: self.verify,
-            long_ranges: self.long_ranges,
-            recording: self.recording,
-            collapse: self.collapse.into(),
-            ..Settings::default()
-        };
-        for setting in &self.set {
-            let set = match setting.split_once('=') {
-                Some((name, value)) => settings.set(name.trim(), value.trim()),
-                None => Err("write NAME=VALUE".to_owned()),
-            };
-            set.map_err(|why| Stop::bad_input(format!("error: --set {setting}: {why}")))?;
-        }
-        Ok(settings)
     }
 }
 

@@ -14,7 +14,7 @@ use super::{REFUTED, ReportArguments, Stop, print};
 
 pub(super) fn report(arguments: &ReportArguments) -> Result<u8, Stop> {
     let (cases, mut plan) = arguments.plan.read(&arguments.cases, case::paper)?;
-    plan.settings.recording = true;
+    plan.settings.pushover.recording = true;
     // Before the long work: a file that cannot be read is known now.
     let extras = Extras::read(arguments)?;
     let settings = plan.settings;

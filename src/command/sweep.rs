@@ -25,7 +25,7 @@ pub(super) const FORMAT: &str = r#"A sweep file names a case and what varies in 
   methods = ["associative", "interval"]         # if left out, all
   neighbours = "overburden"       # the interval also starts from the walls before and after
 
-  [settings]                      # as on the command line of `run`
+  [settings]                      # those of `trilith run --help`
   starts = 4
 
   [[vary]]                        # a key of the case's file: values one by one, or a range

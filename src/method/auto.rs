@@ -19,7 +19,7 @@
 
 use super::limit::{self, Associative};
 use super::macro_block::MacroBlock;
-use super::pushover::Pushover;
+use super::settings::LP_TOLERANCE;
 use super::{Method, Settings};
 use crate::answer::{AutoFact, Bracket, Claim, Fact, Outcome, Status, Uniqueness, Work};
 use crate::scene::Scene;
@@ -43,8 +43,8 @@ impl Method for Auto {
         let Some(Bracket { upper, .. }) = bound.bracket else {
             return ladder.settled(bound);
         };
-        let starts = settings.starts.max(2);
-        let stop_below = upper - settings.tolerance * upper.abs().max(1e-3);
+        let starts = settings.interval.starts.max(2);
+        let stop_below = upper - settings.auto.tolerance * upper.abs().max(1e-3);
         let found = ladder.states(starts, stop_below);
         let Some(Bracket { lower, .. }) = found.bracket else {
             return ladder.without_state(upper, found);
@@ -55,7 +55,7 @@ impl Method for Auto {
         };
         let width = bracket.relative_width();
         let uniqueness = Uniqueness {
-            unique: width <= settings.tolerance,
+            unique: width <= settings.auto.tolerance,
             relative_width: width,
             closed_form,
             starts,
@@ -67,11 +67,9 @@ impl Method for Auto {
 
 /// Proofs need the programs as tight as they are by default.
 fn proving(settings: &Settings) -> Settings {
-    Settings {
-        lp_tolerance: limit::TOLERANCE,
-        scaling: true,
-        ..*settings
-    }
+    let mut settings = *settings;
+    settings.programs.lp_tolerance = LP_TOLERANCE;
+    settings
 }
 
 /// The methods run so far on one scene, from cheap to dear, with their work.
@@ -91,10 +89,8 @@ impl Ladder<'_> {
 
     /// The interval, stopped at the first state below `stop_below`.
     fn states(&mut self, starts: usize, stop_below: f64) -> Outcome {
-        let settings = Settings {
-            starts,
-            ..proving(self.settings)
-        };
+        let mut settings = proving(self.settings);
+        settings.interval.starts = starts;
         let outcome = limit::lowest(self.scene, &settings, stop_below);
         self.count(outcome.work);
         outcome
@@ -133,12 +129,7 @@ impl Ladder<'_> {
         bracket: Bracket,
         uniqueness: Uniqueness,
     ) -> Outcome {
-        let mut facts = vec![AutoFact::Uniqueness(uniqueness).into()];
-        let pushed = !uniqueness.unique && self.settings.beside;
-        if pushed {
-            facts.extend(self.pushover());
-        }
-        facts.push(self.saved(!pushed).into());
+        let facts = vec![AutoFact::Uniqueness(uniqueness).into(), self.saved().into()];
         Outcome {
             claim: Claim::Enclosed,
             bracket: Some(bracket),
@@ -156,22 +147,8 @@ impl Ladder<'_> {
         }
     }
 
-    /// What the pushover says, which is no part of the answer.
-    fn pushover(&mut self) -> Vec<Fact> {
-        let modelled = self.work.modelled;
-        let pushed = self.run(&Pushover);
-        self.work.modelled = modelled;
-        match pushed.bracket {
-            Some(bracket) => {
-                let status = pushed.status;
-                vec![AutoFact::Pushover { bracket, status }.into()]
-            }
-            None => introduced(AutoFact::NoPushover, pushed.facts),
-        }
-    }
-
     /// What was not needed.
-    fn saved(&self, pushover: bool) -> AutoFact {
+    fn saved(&self) -> AutoFact {
         let of_blocks = self.scene.blocks().len();
         let is_part = (1..of_blocks).contains(&self.work.modelled);
         AutoFact::Saved {
@@ -181,7 +158,6 @@ impl Ladder<'_> {
                 0
             },
             of_blocks,
-            pushover,
         }
     }
 }

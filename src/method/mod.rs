@@ -11,7 +11,10 @@ mod table;
 pub use auto::Auto;
 pub use contract::Method;
 pub use macro_block::MacroBlock;
-pub use settings::{Accuracy, Collapse, Settings};
+pub use settings::{
+    Accuracy, Allowed, AutoSettings, Collapse, IntervalSettings, ProgramSettings, PushoverSettings,
+    SequentialSettings, Setting, SettingError, Settings,
+};
 pub use table::{
     Changes, Cost, Entry, Kind, Look, METHODS, Mark, Rung, Scenes, defaults, entry, expected_cost,
     kind, method_look, methods, of_kind,

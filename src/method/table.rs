@@ -181,8 +181,6 @@ pub static METHODS: &[Entry] = &[
             all(&[("lp-tolerance", "1e-4")]),
             all(&[("lp-tolerance", "1e-6")]),
             all(&[("lp-tolerance", "1e-8")]),
-            all(&[("lp-tolerance", "1e-4"), ("scaling", "false")]),
-            all(&[("lp-tolerance", "1e-8"), ("scaling", "false")]),
             large(&[("reduction", "false")]),
         ],
     },

@@ -59,7 +59,8 @@ pub fn json(results: &[CaseResult]) -> Result<String, serde_json::Error> {
         let cells = for_programs().map(|column| (column.name.to_owned(), (column.value)(row)));
         let cells = cells.map(|(name, value)| (name, json_value(&value)));
         let mut object: serde_json::Map<String, serde_json::Value> = cells.collect();
-        object.insert("checks".to_owned(), row.outcome.checks.clone().into());
+        let checks = row.outcome.checks.iter().map(ToString::to_string);
+        object.insert("checks".to_owned(), checks.collect());
         if !row.outcome.recording.is_empty() {
             let frames = row.outcome.recording.iter().map(frame);
             object.insert("recording".to_owned(), frames.collect());

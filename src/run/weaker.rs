@@ -1,7 +1,7 @@
 //! Of a wall that is pushed both ways, the side that gives way first.
 
-use crate::answer::{Outcome, Status};
-use crate::scene::{Push, Scene};
+use crate::answer::{Outcome, SideFact, Status};
+use crate::scene::Scene;
 
 /// The judged answer of a method for one side of the push.
 pub(super) struct Answer<'a> {
@@ -40,24 +40,13 @@ pub(super) fn weaker(mut answers: Vec<Answer>) -> Answer {
     }
     let mut answer = answers.swap_remove(first);
     let alike = answers.iter().all(|other| !is_weaker(&answer, other));
-    let side = match answer.scene.push() {
-        Push::Right => "pushed right",
-        Push::Left => "pushed left",
+    let push = answer.scene.push();
+    let side = match answer.outcome.bracket {
+        Some(_) if alike => SideFact::Alike,
+        Some(_) => SideFact::Weaker(push),
+        None => SideFact::Unanswered(push),
     };
-    let reason = answer.outcome.reason();
-    let reason = match answer.outcome.bracket {
-        Some(_) => {
-            let which = if alike {
-                "alike when pushed right and left".to_owned()
-            } else {
-                format!("weaker when {side}")
-            };
-            let part = if reason.is_empty() { "" } else { "; " };
-            format!("{which}{part}{reason}")
-        }
-        None => format!("{side}: {reason}"),
-    };
-    answer.outcome.facts = vec![reason.into()];
+    answer.outcome.facts.insert(0, side.into());
     answer.outcome.work = work;
     Answer { seconds, ..answer }
 }
@@ -85,7 +74,7 @@ fn rank(answer: &Answer) -> (u8, f64) {
 mod tests {
     use super::*;
     use crate::answer::Bracket;
-    use crate::scene::{HeadJoints, Piece, Wall};
+    use crate::scene::{HeadJoints, Piece, Push, Wall};
 
     fn side(push: Push) -> Scene {
         let wall = Wall {

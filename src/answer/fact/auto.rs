@@ -3,7 +3,6 @@
 use std::fmt;
 
 use super::super::bracket::Bracket;
-use super::super::status::Status;
 use crate::number::short;
 
 /// What `auto` concludes from the other methods.
@@ -18,23 +17,12 @@ pub enum AutoFact {
     },
     /// How far the multiplier is from being unique.
     Uniqueness(Uniqueness),
-    /// The pushover's answer, run beside an answer that is not unique.
-    Pushover {
-        /// Last load at rest and first load that collapsed.
-        bracket: Bracket,
-        /// What they are worth.
-        status: Status,
-    },
-    /// The pushover gave no multiplier, for the reasons after this one.
-    NoPushover,
-    /// What was not needed.
+    /// What was not needed, beside the sequential method and the pushover, which never are.
     Saved {
         /// Blocks that were not modelled.
         blocks: usize,
         /// All blocks.
         of_blocks: usize,
-        /// Whether the pushover was not run; the sequential method never is.
-        pushover: bool,
     },
 }
 
@@ -55,8 +43,8 @@ pub struct Uniqueness {
 
 impl AutoFact {
     pub(super) fn introduces_next(&self) -> bool {
-        use AutoFact::{NoPushover, NoState, SettledByAssociative};
-        matches!(self, SettledByAssociative | NoState { .. } | NoPushover)
+        use AutoFact::{NoState, SettledByAssociative};
+        matches!(self, SettledByAssociative | NoState { .. })
     }
 }
 
@@ -71,23 +59,12 @@ impl fmt::Display for AutoFact {
                 write!(f, "no collapse state is proved below λ_A = {lambda}")
             }
             AutoFact::Uniqueness(ref gap) => gap.fmt(f),
-            AutoFact::Pushover { bracket, status } => {
-                let [lower, upper] = [bracket.lower, bracket.upper].map(|end| short(end, 5));
-                let status = status.name();
-                write!(f, "beside it the pushover: {lower} to {upper}, {status}")
-            }
-            AutoFact::NoPushover => write!(f, "beside it the pushover"),
-            AutoFact::Saved {
-                blocks,
-                of_blocks,
-                pushover,
-            } => {
+            AutoFact::Saved { blocks, of_blocks } => {
                 write!(f, "saved: ")?;
                 if blocks > 0 {
                     write!(f, "{blocks} of {of_blocks} blocks, ")?;
                 }
-                let others = if pushover { " and pushover" } else { "" };
-                write!(f, "sequential{others}")
+                write!(f, "sequential and pushover")
             }
         }
     }

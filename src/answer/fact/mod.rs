@@ -6,6 +6,7 @@ mod closed_form;
 mod judged;
 mod limit;
 mod program;
+mod pushover;
 mod search;
 mod sequential;
 mod side;
@@ -17,6 +18,7 @@ pub use closed_form::{InapplicableForm, Invalid};
 pub use judged::{CeilingSlack, JudgedFact, Residuals};
 pub use limit::{LimitFact, SolverEnding};
 pub use program::{ProgramEnding, ProgramFailure};
+pub use pushover::PushoverFact;
 pub use search::{SearchEnding, SearchFacts, SearchFailure, SearchStart, StartEnding};
 pub use sequential::{SequentialEnding, SequentialFacts};
 pub use side::SideFact;
@@ -34,6 +36,8 @@ pub enum Fact {
     Search(SearchFacts),
     /// How the sequential method ended.
     Sequential(SequentialFacts),
+    /// What the pushover ends with.
+    Pushover(PushoverFact),
     /// What `auto` concludes from the other methods.
     Auto(AutoFact),
     /// What the judge finds.
@@ -49,6 +53,7 @@ impl Fact {
     fn introduces_next(&self) -> bool {
         match self {
             Fact::Auto(fact) => fact.introduces_next(),
+            Fact::Pushover(fact) => fact.introduces_next(),
             Fact::Side(fact) => fact.introduces_next(),
             Fact::Words(_)
             | Fact::ClosedForm(_)
@@ -69,6 +74,7 @@ impl fmt::Display for Fact {
             Fact::Limit(fact) => fact.fmt(f),
             Fact::Search(fact) => fact.fmt(f),
             Fact::Sequential(fact) => fact.fmt(f),
+            Fact::Pushover(fact) => fact.fmt(f),
             Fact::Auto(fact) => fact.fmt(f),
             Fact::Judged(fact) => fact.fmt(f),
             Fact::Side(fact) => fact.fmt(f),
@@ -94,6 +100,7 @@ from! {
     Limit(LimitFact),
     Search(SearchFacts),
     Sequential(SequentialFacts),
+    Pushover(PushoverFact),
     Auto(AutoFact),
     Judged(JudgedFact),
     Side(SideFact),

@@ -3,13 +3,14 @@
 
 use super::ending::Ending;
 use super::own_weight::{own_weight, without_optimum};
-use super::program::{Margins, Program, TOLERANCE};
+use super::program::{Margins, Program};
 use super::reduction;
 use crate::answer::{
     Bracket, Claim, JointForce, LimitFact, Mechanism, Outcome, StaticResidual, Status,
     VELOCITY_THRESHOLDS, VERIFIED_RESIDUAL, Work, associative_violation, crack_slope,
     kinematic_multiplier,
 };
+use crate::method::settings::LP_TOLERANCE;
 use crate::method::{Method, Settings};
 use crate::scene::{HeadJoints, Scene};
 
@@ -30,7 +31,7 @@ impl Method for Associative {
         };
         // Dilatancy pushes head joints that are in contact far beyond the stagger line: on paper-3
         // even 920 of 1176 blocks give 3e-8 too much, and no smaller part saves time.
-        let reduce = scene.head_joints() == HeadJoints::Open && settings.reduction;
+        let reduce = scene.head_joints() == HeadJoints::Open && settings.programs.reduction;
         for part in reduction::parts(scene).into_iter().filter(|_| reduce) {
             if let Ok(mut answer) = optimum(&part.scene, settings, &mut work)
                 && let Some(forces) =
@@ -83,7 +84,7 @@ fn solved(
     user: &Settings,
     work: &mut Work,
 ) -> Result<Optimum, Ending> {
-    let mut program = Program::to_tolerance(scene, user.lp_tolerance, user.scaling);
+    let mut program = Program::to_tolerance(scene, user.programs.lp_tolerance);
     if let Some(margins) = margins {
         program.set_margins(margins);
     }
@@ -153,7 +154,7 @@ fn outcome(scene: &Scene, optimum: Optimum, user: &Settings, work: Work) -> Outc
 /// Whether a user asks for less than the margins need to be of use. At the default, ends that prove
 /// nothing are a defect, which the judge is to refute; here they are an estimate.
 fn loose(user: &Settings) -> bool {
-    user.lp_tolerance > TOLERANCE || !user.scaling
+    user.programs.lp_tolerance > LP_TOLERANCE
 }
 
 fn proves(scene: &Scene, optimum: &Optimum) -> bool {

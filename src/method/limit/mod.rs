@@ -16,5 +16,4 @@ pub use ending::{Ending, Solution};
 pub use interval::Interval;
 pub(crate) use interval::lowest;
 pub use program::Program;
-pub(crate) use program::TOLERANCE;
 pub use sequential::Sequential;

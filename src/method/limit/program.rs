@@ -20,6 +20,7 @@ use super::columns::{Entries, joint_columns, multiplier_column, right_side, slac
 use super::ending::{Ending, Solution};
 use super::scale::Scale;
 use crate::answer::{JointForce, Work};
+use crate::method::settings::LP_TOLERANCE;
 use crate::scene::Scene;
 
 /// Friction law of one joint: |t| ≤ slope · (n1 + n2) + intercept, the intercept in units of the
@@ -78,24 +79,15 @@ impl Goal {
 /// Cap on the slack, in mean block weights; without it scenes that lock are unbounded.
 const MAX_SLACK: f64 = 0.01;
 
-/// Relative tolerance of all programs, unless a user asks for another. 1e-8 leaves an error of 9e-8
-/// in λ on a wall of 915 blocks, 1e-10 less than 1e-9, for a fifth more iterations.
-pub const TOLERANCE: f64 = 1e-10;
-
 impl Program {
     /// Assembles the associative program of a scene: Coulomb's law in every joint, λ to be largest.
     pub fn new(scene: &Scene) -> Self {
         Self::assemble(scene, Scale::of(scene), Goal::Multiplier)
     }
 
-    /// The same to another tolerance than [`TOLERANCE`], or without scaling.
-    pub fn to_tolerance(scene: &Scene, tolerance: f64, scaling: bool) -> Self {
-        let scale = if scaling {
-            Scale::of(scene)
-        } else {
-            Scale::NONE
-        };
-        Self::assemble_to(scene, scale, Goal::Multiplier, tolerance)
+    /// The same to another tolerance than the default.
+    pub fn to_tolerance(scene: &Scene, tolerance: f64) -> Self {
+        Self::assemble_to(scene, Scale::of(scene), Goal::Multiplier, tolerance)
     }
 
     /// Assembles the program that only asks for forces at a given λ, in given units.
@@ -112,7 +104,7 @@ impl Program {
     }
 
     fn assemble(scene: &Scene, scale: Scale, goal: Goal) -> Self {
-        Self::assemble_to(scene, scale, goal, TOLERANCE)
+        Self::assemble_to(scene, scale, goal, LP_TOLERANCE)
     }
 
     fn assemble_to(scene: &Scene, scale: Scale, goal: Goal, tolerance: f64) -> Self {

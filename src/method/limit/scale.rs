@@ -15,12 +15,6 @@ pub(super) struct Scale {
 }
 
 impl Scale {
-    /// The case's own units, to show what scaling is good for.
-    pub(super) const NONE: Scale = Scale {
-        force: 1.0,
-        length: 1.0,
-    };
-
     /// The units of a scene.
     pub(super) fn of(scene: &Scene) -> Self {
         Self {

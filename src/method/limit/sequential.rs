@@ -8,59 +8,24 @@ use crate::answer::{
     Bracket, Outcome, SequentialEnding, SequentialFacts, Status, VELOCITY_THRESHOLDS, Work,
     crack_slope,
 };
-use crate::method::{Method, Settings};
+use crate::method::{Method, SequentialSettings, Settings};
 use crate::scene::Scene;
 
 /// `lower` and `upper` are both the last λ. It depends on the start and carries the bias of c0, so
 /// it is an estimate unless the judge proves the state; `reason` names the ending.
 pub struct Sequential;
 
-/// Every number of the procedure. Users of the published one differ in them, so they stand here.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct SequentialSettings {
-    /// α of the first step: how contractant the substitute friction law is.
-    first_alpha: f64,
-    /// α is halved every step down to this.
-    last_alpha: f64,
-    /// β: share of the new normal force in the next n̄.
-    renewal: f64,
-    /// c0 over the largest normal force: shear that every joint carries uncompressed.
-    cohesion: f64,
-    /// Largest |Δλ|/λ of a step that counts as settled.
-    settled: f64,
-    /// Settled steps in a row, α at its floor, that count as converged.
-    steps_settled: usize,
-    /// Steps after which the procedure is given up.
-    steps: usize,
-}
+/// α is halved every step down to this.
+const LAST_ALPHA: f64 = 0.001;
 
-impl Default for SequentialSettings {
-    fn default() -> Self {
-        Self {
-            first_alpha: 0.3,
-            last_alpha: 0.001,
-            renewal: 0.6,
-            // 1e-5, as published, lifts λ on a wall of 48 courses 0.04 % above λ_A; the bias is in
-            // proportion, and down to 1e-7 no more sub-programs become infeasible (measured).
-            cohesion: 1e-6,
-            settled: 1e-4,
-            steps_settled: 3,
-            steps: 60,
-        }
-    }
-}
+/// Largest |Δλ|/λ of a step that counts as settled.
+const SETTLED: f64 = 1e-4;
 
-impl SequentialSettings {
-    /// The defaults with what a user asks for.
-    fn of_user(user: &Settings) -> Self {
-        Self {
-            first_alpha: user.alpha,
-            renewal: user.beta,
-            cohesion: user.c0,
-            ..Self::default()
-        }
-    }
-}
+/// Settled steps in a row, α at its floor, that count as converged.
+const STEPS_SETTLED: usize = 3;
+
+/// Steps after which the procedure is given up.
+const STEPS: usize = 60;
 
 impl Method for Sequential {
     fn name(&self) -> &str {
@@ -68,18 +33,22 @@ impl Method for Sequential {
     }
 
     fn solve(&self, scene: &Scene, settings: &Settings) -> Outcome {
-        sequential(scene, &SequentialSettings::of_user(settings), settings)
+        sequential(scene, settings)
     }
 }
 
-/// Runs the procedure with settings of one's own; of `user`, only those of the program count.
-fn sequential(scene: &Scene, settings: &SequentialSettings, user: &Settings) -> Outcome {
+fn sequential(scene: &Scene, settings: &Settings) -> Outcome {
+    let SequentialSettings {
+        mut alpha,
+        beta,
+        c0,
+    } = settings.sequential;
     let mut work = Work::default();
     let at_rest = match own_weight(scene, &mut work) {
         Ok(forces) => forces,
         Err(outcome) => return *outcome,
     };
-    let mut program = Program::to_tolerance(scene, user.lp_tolerance, user.scaling);
+    let mut program = Program::to_tolerance(scene, settings.programs.lp_tolerance);
     let start = match program.solve_counted(&mut work) {
         Ending::Solved(solution) => solution,
         ending => return without_optimum(scene, &ending, at_rest, &mut work),
@@ -87,12 +56,11 @@ fn sequential(scene: &Scene, settings: &SequentialSettings, user: &Settings) -> 
     let mut frozen = normal_forces(&start);
     let mut lambdas = vec![start.lambda];
     let mut last = start;
-    let mut alpha = settings.first_alpha;
     let ending = loop {
-        if lambdas.len() > settings.steps {
+        if lambdas.len() > STEPS {
             break SequentialEnding::StepLimit;
         }
-        program.set_friction(&substitute_law(scene, &frozen, alpha, settings.cohesion));
+        program.set_friction(&substitute_law(scene, &frozen, alpha, c0));
         last = match program.solve_counted(&mut work) {
             Ending::Solved(solution) => solution,
             Ending::Infeasible(_) => break SequentialEnding::SubProgramInfeasible,
@@ -100,17 +68,17 @@ fn sequential(scene: &Scene, settings: &SequentialSettings, user: &Settings) -> 
             Ending::GaveUp(_) => break SequentialEnding::SubProgramUnsolved,
         };
         lambdas.push(last.lambda);
-        let at_floor = alpha <= settings.last_alpha;
-        if at_floor && has_settled(&lambdas, settings) {
+        let at_floor = alpha <= LAST_ALPHA;
+        if at_floor && has_settled(&lambdas) {
             break SequentialEnding::Converged;
         }
-        if at_floor && let Some(period) = cycle(&lambdas, settings.settled) {
+        if at_floor && let Some(period) = cycle(&lambdas, SETTLED) {
             break SequentialEnding::Cycling { period };
         }
         for (old, new) in frozen.iter_mut().zip(normal_forces(&last)) {
-            *old = settings.renewal * new + (1.0 - settings.renewal) * *old;
+            *old = beta * new + (1.0 - beta) * *old;
         }
-        alpha = (alpha / 2.0).max(settings.last_alpha);
+        alpha = (alpha / 2.0).max(LAST_ALPHA);
     };
     let facts = SequentialFacts {
         ending,
@@ -157,13 +125,13 @@ fn substitute_law(scene: &Scene, frozen: &[f64], alpha: f64, cohesion: f64) -> V
     laws.collect()
 }
 
-fn has_settled(lambdas: &[f64], settings: &SequentialSettings) -> bool {
+fn has_settled(lambdas: &[f64]) -> bool {
     let steps: Vec<f64> = lambdas
         .windows(2)
         .map(|w| (w[1] - w[0]).abs() / w[1].abs().max(1e-3))
         .collect();
-    let recent = steps.iter().rev().take(settings.steps_settled);
-    steps.len() >= settings.steps_settled && recent.copied().all(|step| step < settings.settled)
+    let recent = steps.iter().rev().take(STEPS_SETTLED);
+    steps.len() >= STEPS_SETTLED && recent.copied().all(|step| step < SETTLED)
 }
 
 /// Period p ≥ 2 with which the last 3p values repeat themselves far closer than they change.
@@ -189,19 +157,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_user_who_asks_for_nothing_gets_the_defaults() {
-        let asked = SequentialSettings::of_user(&Settings::default());
-        assert_eq!(asked, SequentialSettings::default());
-    }
-
-    #[test]
     fn a_repeating_tail_is_a_cycle_and_a_settled_one_is_not() {
         let repeating = [0.7, 0.5, 0.6, 0.5, 0.6, 0.5, 0.6];
         assert_eq!(cycle(&repeating, 1e-4), Some(2));
         assert_eq!(cycle(&[0.7, 0.5, 0.5, 0.5, 0.5, 0.5, 0.5], 1e-4), None);
-        assert!(has_settled(
-            &[0.7, 0.5, 0.5, 0.5, 0.5],
-            &SequentialSettings::default()
-        ));
+        assert!(has_settled(&[0.7, 0.5, 0.5, 0.5, 0.5]));
     }
 }

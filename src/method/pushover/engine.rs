@@ -15,7 +15,7 @@ use rapier2d::prelude::{
 
 use super::groups::{Groups, Surface};
 use super::model::{Body, Model};
-use super::settings::Settings;
+use super::parameters::Parameters;
 use crate::scene::Side;
 
 /// Where a block is and how fast it moves, in course heights and g = 1.
@@ -78,7 +78,7 @@ pub struct Engine<'a> {
 
 impl<'a> Engine<'a> {
     /// Puts the model's bodies where they belong, at rest. `None` where rapier refuses a shape.
-    pub fn new(model: &'a Model, settings: &Settings) -> Option<Self> {
+    pub fn new(model: &'a Model, parameters: &Parameters) -> Option<Self> {
         let mut world = World {
             islands: IslandManager::new(),
             broad_phase: BroadPhaseBvh::new(),
@@ -111,7 +111,7 @@ impl<'a> Engine<'a> {
         }
         Some(Self {
             model,
-            parameters: parameters(settings),
+            parameters: integration(parameters),
             pipeline: PhysicsPipeline::new(),
             world,
             blocks,
@@ -256,33 +256,33 @@ impl<'a> Engine<'a> {
 }
 
 /// Every parameter by name: none is left to a default that a later version might change.
-fn parameters(settings: &Settings) -> IntegrationParameters {
+fn integration(parameters: &Parameters) -> IntegrationParameters {
     let softness = SpringCoefficients {
-        natural_frequency: settings.contact_frequency,
-        damping_ratio: settings.damping_ratio,
+        natural_frequency: parameters.contact_frequency,
+        damping_ratio: parameters.damping_ratio,
     };
-    let dt = settings.substep * settings.substeps as f64;
+    let dt = parameters.time_step();
     IntegrationParameters {
         dt,
         min_ccd_dt: dt,
         contact_softness: softness,
         static_contact_softness: softness,
-        warmstart_coefficient: 1.0,
+        warmstart_coefficient: parameters.warm_start,
         length_unit: 1.0,
         // Never read: nothing here is soft.
         soft_bodies: SoftBodiesSettings::default(),
         // Only read by continuous collision detection, which is off.
-        normalized_allowed_linear_error: settings.prediction,
+        normalized_allowed_linear_error: parameters.prediction,
         normalized_max_corrective_velocity: 1.0,
-        normalized_prediction_distance: settings.prediction,
+        normalized_prediction_distance: parameters.prediction,
         normalized_max_linear_velocity: 1e3,
-        num_solver_iterations: settings.substeps,
-        num_internal_pgs_iterations: 1,
-        num_internal_stabilization_iterations: settings.stabilization,
+        num_solver_iterations: parameters.substeps,
+        num_internal_pgs_iterations: parameters.solver_sweeps,
+        num_internal_stabilization_iterations: parameters.stabilization,
         max_ccd_substeps: 0,
         contact_clustering: false,
-        contact_recycling: settings.recycle_distance > 0.0,
-        normalized_contact_recycle_distance: settings.recycle_distance,
+        contact_recycling: parameters.recycle_distance > 0.0,
+        normalized_contact_recycle_distance: parameters.recycle_distance,
         friction_in_bias_pass: false,
         warmstart_joints: false,
     }

@@ -4,7 +4,7 @@
 use super::engine::State;
 use super::measure::{displacement, farthest};
 use super::model::Model;
-use super::settings::TALL;
+use super::parameters::SWAYING;
 use crate::scene::{Push, Scene, Side};
 
 /// Overlaps between the stagger line and the frozen part: the strip that must stay still.
@@ -16,27 +16,27 @@ pub struct Freeze {
     /// Blocks held fixed, in the scene's order.
     pub frozen: Vec<bool>,
     /// Blocks between the stagger line and the frozen part.
-    pub beside: Vec<bool>,
+    pub strip: Vec<bool>,
 }
 
-/// Part of the largest displacement that counts as standing still beside moving blocks.
+/// Part of the largest displacement up to which a block counts as standing still.
 const STILL: f64 = 1e-2;
 
 impl Freeze {
     /// Whether a body is fixed: a support, or a block held fixed.
-    pub fn holds(&self, side: Side) -> bool {
+    pub fn is_fixed(&self, side: Side) -> bool {
         match side {
             Side::Support(_) => true,
             Side::Block(block) => self.frozen.get(block) == Some(&true),
         }
     }
 
-    /// Whether any block beside the frozen part moved between two states.
+    /// Whether any block of the strip moved between two states.
     pub fn moved(&self, model: &Model, from: &[State], to: &[State]) -> bool {
         let limit = STILL * displacement(model, from, to);
         (0..model.blocks.len()).any(|i| {
             let block = std::slice::from_ref(&model.blocks[i]);
-            self.beside.get(block[0].index) == Some(&true)
+            self.strip.get(block[0].index) == Some(&true)
                 && farthest(block, &from[i..=i], &to[i..=i]) > limit
         })
     }
@@ -49,7 +49,7 @@ pub fn beyond_stagger(scene: &Scene) -> Option<Freeze> {
     scene.regular().as_ref().ok()?;
     let wall = scene
         .coursing()
-        .filter(|wall| wall.courses as f64 >= TALL)?;
+        .filter(|wall| wall.courses as f64 >= SWAYING)?;
     let (low, high) = scene.bounds();
     let unit_height = wall.height / wall.courses as f64;
     // Overlaps between the stagger line and the block's near side.
@@ -64,10 +64,10 @@ pub fn beyond_stagger(scene: &Scene) -> Option<Freeze> {
     });
     let beyond: Vec<f64> = beyond.collect();
     let frozen: Vec<bool> = beyond.iter().map(|&by| by > MARGIN - 0.5).collect();
-    let beside = beyond
+    let strip = beyond
         .iter()
         .zip(&frozen)
         .map(|(&by, &f)| by > -0.5 && !f)
         .collect();
-    frozen.contains(&true).then_some(Freeze { frozen, beside })
+    frozen.contains(&true).then_some(Freeze { frozen, strip })
 }

@@ -5,6 +5,7 @@
 //! to bear on each other with the smallest slip. A block is in one group and collides with the
 //! groups of the blocks it has joints with; neighbours without a joint are in other groups.
 
+use crate::answer::PushoverFact;
 use crate::scene::{Joint, Point, Scene, Side};
 
 /// The highest group: of what supports show to joints of the first coefficient.
@@ -26,8 +27,8 @@ pub struct Groups {
     pub meets: u32,
 }
 
-/// The outline of a body once more for every coefficient of friction of its joints: the engine knows
-/// one coefficient a surface, a scene one a joint.
+/// One collider per friction coefficient of a body's joints: rapier stores friction per collider,
+/// scenes per joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Surface {
     /// Coefficient of friction.
@@ -49,15 +50,14 @@ pub struct Surfaces {
 /// `reach`.
 ///
 /// # Errors
-/// A sentence where collision groups cannot tell the joints from other neighbours.
-pub fn surfaces(scene: &Scene, reach: f64) -> Result<Surfaces, String> {
+/// Collision groups cannot tell the joints from other neighbours.
+pub fn surfaces(scene: &Scene, reach: f64) -> Result<Surfaces, PushoverFact> {
     let on_supports = coefficients(scene.joints().iter().filter(|joint| rests(joint)));
     if on_supports.len() > SUPPORT_COEFFICIENTS as usize {
-        return Err(format!(
-            "joints with supports have {} coefficients of friction, and the engine tells no more \
-             than {SUPPORT_COEFFICIENTS} apart",
-            on_supports.len()
-        ));
+        return Err(PushoverFact::SupportFrictions {
+            found: on_supports.len(),
+            most: SUPPORT_COEFFICIENTS as usize,
+        });
     }
     let mut joints_of: Vec<Vec<&Joint>> = vec![Vec::new(); scene.blocks().len()];
     for joint in scene.joints() {
@@ -72,7 +72,7 @@ pub fn surfaces(scene: &Scene, reach: f64) -> Result<Surfaces, String> {
     for (own, joints) in of_block.iter_mut().zip(&joints_of) {
         let joints = joints.iter().copied();
         if coefficients(joints.clone().filter(|joint| rests(joint))).len() > 1 {
-            return Err("a block rests on supports with two coefficients of friction".into());
+            return Err(PushoverFact::BlockOnTwoFrictions);
         }
         let mut all = coefficients(joints);
         if all.is_empty() {
@@ -112,8 +112,7 @@ pub fn surfaces(scene: &Scene, reach: f64) -> Result<Surfaces, String> {
             own.iter().map(move |_| others.clone())
         })
         .collect();
-    let group = colours(&joined, &near_surfaces)
-        .ok_or("blocks lie so close together that the engine's collision groups run out")?;
+    let group = colours(&joined, &near_surfaces).ok_or(PushoverFact::Crowded)?;
     for (one, joined) in joined.iter().enumerate() {
         for &other in joined {
             meets[one] |= 1 << group[other];

@@ -1,9 +1,9 @@
 //! Holding a load until the blocks rest or run away.
 
 use super::engine::{Engine, State};
-use super::measure::{displacement, kinetic_energy, speed};
+use super::measure::{displacement, speed, twice_kinetic_energy};
 use super::model::Model;
-use super::settings::{GRID, Settings};
+use super::parameters::{GRID, Parameters};
 
 /// How a hold at constant λ ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -22,7 +22,7 @@ pub enum Held {
 /// Holds loads on one model.
 pub struct Hold<'a> {
     model: &'a Model,
-    settings: &'a Settings,
+    parameters: &'a Parameters,
     /// The last hold, thinned to fewer than twice the frames asked for.
     pub frames: Vec<Vec<State>>,
     /// Time steps between two frames.
@@ -30,11 +30,11 @@ pub struct Hold<'a> {
 }
 
 impl<'a> Hold<'a> {
-    /// For a model and its settings.
-    pub fn new(model: &'a Model, settings: &'a Settings) -> Self {
+    /// For a model and its parameters.
+    pub fn new(model: &'a Model, parameters: &'a Parameters) -> Self {
         Self {
             model,
-            settings,
+            parameters,
             frames: Vec::new(),
             stride: 1,
         }
@@ -42,39 +42,50 @@ impl<'a> Hold<'a> {
 
     /// The scene under its weight alone.
     pub fn settle(&mut self, engine: &mut Engine) -> Held {
-        let settings = self.settings;
-        self.hold(engine, [0.0; 2], settings.settled_speed, settings.fall)
+        let parameters = self.parameters;
+        self.hold(engine, [0.0; 2], parameters.settled_speed, parameters.fall)
     }
 
     /// From rest at one load to another, in grid units. `last`: a collapse counts.
     pub fn step(&mut self, engine: &mut Engine, loads: [u64; 2], finest: u64, last: bool) -> Held {
-        let settings = self.settings;
-        let limit = match last {
-            true => settings.collapse,
-            false => settings.runaway,
+        let parameters = self.parameters;
+        let limit = if last {
+            parameters.collapse
+        } else {
+            parameters.runaway
         };
         // An unbalanced tenth of the smallest increment would reach this speed in a window.
-        let slow = 0.1 * finest as f64 / GRID * settings.window;
-        self.hold(engine, loads.map(|load| load as f64 / GRID), slow, limit)
+        let resting_speed = 0.1 * finest as f64 / GRID * parameters.window;
+        let loads = loads.map(|load| load as f64 / GRID);
+        self.hold(engine, loads, resting_speed, limit)
     }
 
-    /// Holds λ until the blocks rest at speeds below `slow`, or move further than `limit` without
-    /// slowing down. Kinetic damping: whenever the kinetic energy falls, all blocks are stopped,
-    /// so that a step is followed quasi-statically; the last window must stay at rest without it.
-    fn hold(&mut self, engine: &mut Engine, loads: [f64; 2], slow: f64, limit: f64) -> Held {
-        let settings = self.settings;
+    /// Holds λ until the blocks rest at no more than `resting_speed`, or move further than `limit`
+    /// without slowing down. Kinetic damping: whenever the kinetic energy falls, all blocks are
+    /// stopped, so that a step is followed quasi-statically; the last window must stay at rest
+    /// without it.
+    fn hold(
+        &mut self,
+        engine: &mut Engine,
+        loads: [f64; 2],
+        resting_speed: f64,
+        limit: f64,
+    ) -> Held {
+        let parameters = self.parameters;
         let from: Vec<State> = engine.states();
-        let steps = (settings.window / engine.dt()).ceil() as usize;
-        let windows = (settings.patience / settings.window).ceil() as usize;
-        let ramp = (settings.ramp / engine.dt()).ceil().max(1.0);
-        let mut before = f64::INFINITY;
+        let steps = (parameters.window / engine.dt()).ceil() as usize;
+        let windows = (parameters.patience / parameters.window).ceil() as usize;
+        let ramp = (parameters.ramp / engine.dt()).ceil().max(1.0);
+        // Largest speed of the window before.
+        let mut peak_before = f64::INFINITY;
+        // Twice the kinetic energy at its peak since the blocks were last stopped.
         let mut energy = 0.0;
-        let mut pace = None;
+        let mut pace_before = None;
         (self.frames, self.stride) = (Vec::new(), 1);
         for window in 0..windows {
             let ramping = ((window * steps) as f64) < ramp - 1.0;
-            let damped = ramping || before > slow;
-            let (mut peak, mut turned) = (0.0f64, false);
+            let damped = ramping || peak_before > resting_speed;
+            let (mut peak, mut stopped) = (0.0f64, false);
             for step in 0..steps {
                 let part = ((window * steps + step + 1) as f64 / ramp).min(1.0);
                 engine.multiplier = loads[0] + part * (loads[1] - loads[0]);
@@ -87,61 +98,70 @@ impl<'a> Hold<'a> {
                 let now = speed(self.model, &states);
                 peak = peak.max(now);
                 let moved = displacement(self.model, &from, &states);
-                if moved > limit && now >= before {
+                if moved > limit && now >= peak_before {
                     let acceleration = now * now / (2.0 * moved);
                     return Held::Collapse { acceleration };
                 }
-                let present = kinetic_energy(self.model, &states);
-                let falling = present < settings.damp_below * energy;
+                let present = twice_kinetic_energy(self.model, &states);
+                let falling = present < parameters.damp_below * energy;
                 if damped && falling {
                     engine.scale_velocities(0.0);
-                    turned = true;
+                    stopped = true;
                 }
                 energy = if falling { 0.0 } else { present.max(energy) };
             }
-            if !damped && peak <= slow {
+            if !damped && peak <= resting_speed {
                 return Held::Rest;
             }
-            before = peak;
-            pace = match damped && !ramping && !turned {
-                true => {
-                    let factor = self.hurry(engine, &from, pace);
-                    (energy, before) = (energy * factor * factor, before * factor.max(1.0));
-                    Some(kinetic_energy(self.model, &engine.states()).sqrt())
-                }
-                false => None,
-            };
+            peak_before = peak;
+            if damped && !ramping && !stopped {
+                let factor = self.extrapolate_drift(engine, &from, pace_before);
+                energy = energy * factor * factor;
+                peak_before *= factor.max(1.0);
+                pace_before = Some(self.pace(&engine.states()));
+            } else {
+                pace_before = None;
+            }
         }
         Held::Unclear
     }
 
-    /// Takes inertia from a slow motion: what all speeds gained or lost over a window, `pace` being
-    /// what they began it with, they gain or lose `hurry` times more. Near the limit the blocks drift
-    /// by many elastic deflections before they rest or run away, and inertia alone sets how long
-    /// that takes; it has no part in where they stop. Returns the factor on the speeds.
-    fn hurry(&self, engine: &mut Engine, from: &[State], pace: Option<f64>) -> f64 {
-        let settings = self.settings;
+    /// How fast all blocks are together: the root of twice their kinetic energy.
+    fn pace(&self, states: &[State]) -> f64 {
+        twice_kinetic_energy(self.model, states).sqrt()
+    }
+
+    /// Extrapolates slow drift: scales velocities by 1 + factor · (1 − before/now), `before` being
+    /// the [pace](Self::pace) at the end of the window before. Near the limit the blocks drift by
+    /// many elastic deflections before they rest or run away, and inertia alone sets how long that
+    /// takes; it has no part in where they stop. Returns the scale of the velocities.
+    fn extrapolate_drift(&self, engine: &mut Engine, from: &[State], before: Option<f64>) -> f64 {
+        let Parameters {
+            extrapolation,
+            slow_motion,
+            ..
+        } = *self.parameters;
         let states = engine.states();
         let fastest = speed(self.model, &states);
         let moved = displacement(self.model, from, &states);
-        let now = kinetic_energy(self.model, &states).sqrt();
-        let slow = fastest * fastest < 2.0 * moved * settings.slow_motion;
-        let Some(began) = pace.filter(|_| slow && now > 0.0 && settings.hurry > 0.0) else {
+        let now = self.pace(&states);
+        let slow = fastest * fastest < 2.0 * moved * slow_motion;
+        let Some(before) = before.filter(|_| slow && now > 0.0 && extrapolation > 0.0) else {
             return 1.0;
         };
-        let factor = 1.0 + settings.hurry * (1.0 - began / now);
-        let factor = factor.clamp(0.0, 1.0 + settings.hurry / 2.0);
-        engine.scale_velocities(factor);
-        factor
+        let scale = 1.0 + extrapolation * (1.0 - before / now);
+        let scale = scale.clamp(0.0, 1.0 + extrapolation / 2.0);
+        engine.scale_velocities(scale);
+        scale
     }
 
     /// Keeps every frame at first, and fewer as the hold grows longer.
     fn keep(&mut self, states: &[State], step: usize) {
-        if self.settings.frames == 0 || !step.is_multiple_of(self.stride) {
+        if self.parameters.frames == 0 || !step.is_multiple_of(self.stride) {
             return;
         }
         self.frames.push(states.to_vec());
-        if self.frames.len() >= 2 * self.settings.frames {
+        if self.frames.len() >= 2 * self.parameters.frames {
             let mut index = 0;
             self.frames.retain(|_| {
                 index += 1;

@@ -27,7 +27,7 @@ pub fn farthest(blocks: &[Body], from: &[State], to: &[State]) -> f64 {
 }
 
 /// Twice the kinetic energy.
-pub fn kinetic_energy(model: &Model, states: &[State]) -> f64 {
+pub fn twice_kinetic_energy(model: &Model, states: &[State]) -> f64 {
     let of = |(state, block): (&State, &Body)| {
         let [x, y] = state.velocity;
         block.mass * (x * x + y * y) + block.inertia * state.spin * state.spin

@@ -15,29 +15,22 @@ mod hint;
 mod hold;
 mod measure;
 mod model;
+mod parameters;
 mod range;
+mod run;
 mod search;
-mod settings;
 #[cfg(test)]
 mod tests;
 mod verify;
 
-pub use checks::Check;
-pub use settings::Settings;
-pub use verify::verify;
+pub use parameters::Parameters;
+pub use run::solve_with;
 
-use crate::answer::{Bracket, Claim, Mechanism, Motion, Outcome, Status, Work, crack_slope_by_gap};
-use crate::method::{self, Collapse, Method};
-use crate::scene::{HeadJoints, Joint, JointClass, Scene, Side, Vector};
-use engine::{Contact, Engine, State};
-use freeze::Freeze;
+use crate::answer::{Claim, Outcome, PushoverFact, Status};
+use crate::method::{Collapse, Method, PushoverSettings, Settings};
+use crate::scene::Scene;
 use model::Model;
-use search::{Found, Search, search};
-use settings::GRID;
-
-/// Natural frequency of the contacts times the substep beyond which walls jitter, with a margin
-/// for rounding.
-const MOST_STIFF: f64 = 0.2501;
+use parameters::FIRST_SLIP;
 
 /// The pushover method.
 #[derive(Clone, Copy, Debug, Default)]
@@ -48,19 +41,21 @@ impl Method for Pushover {
         "pushover"
     }
 
-    fn solve(&self, scene: &Scene, settings: &method::Settings) -> Outcome {
-        let outcome = if has_perpends(scene) {
+    fn solve(&self, scene: &Scene, settings: &Settings) -> Outcome {
+        let settings = &settings.pushover;
+        let outcome = if range::is_needed(scene) {
             range::over_variations(scene, settings)
         } else {
-            solve_with(scene, settings, |settings| settings)
-        };
-        let outcome = match settings.verify {
-            true => verify::confirmed(scene, settings, outcome),
-            false => outcome,
+            let outcome = solve_with(scene, settings, |own| own);
+            if settings.verify {
+                verify::confirmed(scene, settings, outcome)
+            } else {
+                outcome
+            }
         };
         let outcome = match settings.collapse {
             Collapse::FirstSlip if outcome.bracket.is_some() => first_slip(outcome),
-            _ if coarser(settings) => without_calibration(outcome),
+            _ if is_coarser(settings) => without_calibration(outcome),
             _ => outcome,
         };
         Outcome {
@@ -70,9 +65,8 @@ impl Method for Pushover {
     }
 }
 
-/// Whether the user asks for longer substeps or softer contacts than the stated error was measured
-/// with.
-fn coarser(settings: &method::Settings) -> bool {
+/// Whether substeps are longer or contacts softer than the stated error was measured with.
+fn is_coarser(settings: &PushoverSettings) -> bool {
     settings.substep > 1.0 || settings.stiffness < 1.0
 }
 
@@ -85,9 +79,21 @@ fn without_calibration(outcome: Outcome) -> Outcome {
         // Without an answer there is nothing to qualify.
         _ => return outcome,
     };
-    let why = "substeps longer or contacts softer than the stated error was measured with";
+    qualified(outcome, status, PushoverFact::Uncalibrated)
+}
+
+/// Says that the bracket is of the first slip. It states no error of the collapse multiplier, so
+/// that nobody compares it with one, and is an estimate: contacts give before they slip, so that it
+/// moves with the substep (paper-2: 0.4995, and 0.5443 with half the substep).
+fn first_slip(outcome: Outcome) -> Outcome {
+    let fact = PushoverFact::FirstSlip { slip: FIRST_SLIP };
+    qualified(outcome, Status::Estimate, fact)
+}
+
+/// The outcome as a status that states no error, and first of all why.
+fn qualified(outcome: Outcome, status: Status, fact: PushoverFact) -> Outcome {
     let mut facts = outcome.facts;
-    facts.insert(0, why.into());
+    facts.insert(0, fact.into());
     Outcome {
         status,
         stated_error: None,
@@ -96,36 +102,14 @@ fn without_calibration(outcome: Outcome) -> Outcome {
     }
 }
 
-/// Says that the bracket is of the first slip. It states no error of the collapse multiplier, so
-/// that nobody compares it with one, and is an estimate: contacts give before they slip, so that it
-/// moves with the substep (paper-2: 0.4995, and 0.5443 with half the substep).
-fn first_slip(outcome: Outcome) -> Outcome {
-    let definition = "first slip of a joint by 1e-3 course heights, not the collapse";
-    let mut facts = outcome.facts;
-    facts.insert(0, definition.into());
-    Outcome {
-        status: Status::Estimate,
-        stated_error: None,
-        facts,
-        ..outcome
-    }
-}
-
-/// Whether head joints are in contact: what they carry depends on how the wall came to be. An arch
-/// has none, as its radial joints carry the thrust.
-fn has_perpends(scene: &Scene) -> bool {
-    let head = |joint: &Joint| joint.class == JointClass::Head;
-    scene.head_joints() == HeadJoints::Contact && scene.joints().iter().any(head)
-}
-
 /// Every parameter with its unit, one a line, as the pushover of this scene begins with them.
 ///
 /// # Errors
-/// A sentence on what this method cannot honour in the scene.
-pub fn parameters(scene: &Scene, user: &method::Settings) -> Result<String, String> {
+/// What this method cannot honour in the scene.
+pub fn parameters(scene: &Scene, settings: &PushoverSettings) -> Result<String, PushoverFact> {
     let freeze = freeze::beyond_stagger(scene).unwrap_or_default();
     let model = Model::new(scene, &freeze.frozen)?;
-    let settings = Settings::new(&model, user.accuracy).asked(user);
+    let parameters = Parameters::new(&model, settings);
     let mut text = format!(
         "  {:<26} {:<12} case length\n  {:<26} {:<12}\n",
         "course height H_c",
@@ -133,194 +117,8 @@ pub fn parameters(scene: &Scene, user: &method::Settings) -> Result<String, Stri
         "blocks that may move",
         model.blocks.len()
     );
-    for (name, value, unit) in settings.listed() {
+    for (name, value, unit) in parameters.listed() {
         text.push_str(&format!("  {name:<26} {value:<12} {unit}\n"));
     }
     Ok(text)
-}
-
-/// The pushover with its own settings, which follow from the user's and the scene, changed.
-pub fn solve_with(
-    scene: &Scene,
-    user: &method::Settings,
-    change: impl Fn(Settings) -> Settings,
-) -> Outcome {
-    let settings = |model: &Model| change(Settings::new(model, user.accuracy).asked(user));
-    let Some(freeze) = freeze::beyond_stagger(scene) else {
-        return run(scene, &settings, &Freeze::default()).0;
-    };
-    let (outcome, moved) = run(scene, &settings, &freeze);
-    if !moved {
-        return outcome;
-    }
-    let spent = outcome.work.block_steps;
-    let mut outcome = run(scene, &settings, &Freeze::default()).0;
-    outcome.work.block_steps += spent;
-    outcome
-}
-
-/// One search with a part of the scene held fixed, and whether that part might have moved.
-fn run(scene: &Scene, settings: &impl Fn(&Model) -> Settings, freeze: &Freeze) -> (Outcome, bool) {
-    let undecided = |reason: String| Outcome::without_number(Status::Undecided, reason);
-    let model = match Model::new(scene, &freeze.frozen) {
-        Ok(model) => model,
-        Err(reason) => return (undecided(reason), false),
-    };
-    let settings = settings(&model);
-    if settings.contact_frequency * settings.substep > MOST_STIFF {
-        let reason = "the contacts are stiffer than the substep can hold";
-        return (undecided(reason.into()), false);
-    }
-    let Some(mut engine) = Engine::new(&model, &settings) else {
-        let reason = "the engine cannot take a shape of the scene";
-        return (undecided(reason.into()), false);
-    };
-    let laid = engine.states();
-    engine.step();
-    let fixed = |side| freeze.holds(side);
-    let sees = checks::sees_joints(scene.joints(), &engine.contacts(), fixed);
-    if !sees.passed {
-        return (undecided(sees.text), false);
-    }
-    let slip = |from: &[State], to: &[State]| {
-        let rates = mechanism(scene, &model, from, to).joint_rates(scene);
-        let slips = rates.iter().map(|rate| rate.slip.abs() / model.length);
-        slips.fold(0.0, f64::max)
-    };
-    let mut moved = !freeze.frozen.is_empty();
-    let mut outcome = match search(&mut engine, &model, &settings, slip) {
-        Search::Found(found) => {
-            moved &= freeze.moved(&model, &found.settled.states, &found.collapsed);
-            let mut checks = self_checks(scene, &model, &settings, freeze, &found);
-            let settlement = measure::displacement(&model, &laid, &found.settled.states);
-            checks.splice(
-                0..0,
-                [
-                    sees,
-                    checks::settles_little(settlement, settings.settlement),
-                ],
-            );
-            judged(scene, &model, &settings, &found, &checks)
-        }
-        Search::Undecided(reason) => undecided(reason),
-        Search::Falls(reason) => Outcome::without_number(Status::Falls, reason),
-    };
-    outcome.work = Work {
-        block_steps: engine.steps * settings.substeps * model.blocks.len(),
-        ..Work::default()
-    };
-    (outcome, moved)
-}
-
-/// The outcome of a bracket, after the self-checks.
-fn judged(
-    scene: &Scene,
-    model: &Model,
-    settings: &Settings,
-    found: &Found,
-    checks: &[Check],
-) -> Outcome {
-    let texts: Vec<String> = checks.iter().map(|check| check.text.clone()).collect();
-    if let Some(failed) = checks
-        .iter()
-        .find(|check| !check.passed && settings.self_checks)
-    {
-        let reason = format!("a self-check failed: {}", failed.text);
-        return Outcome {
-            checks: texts,
-            ..Outcome::without_number(Status::Undecided, reason)
-        };
-    }
-    let moved = |frame: &Vec<State>| mechanism(scene, model, &found.settled.states, frame);
-    let mechanism = mechanism(scene, model, &found.rest.states, &found.collapsed);
-    Outcome {
-        bracket: Some(Bracket {
-            lower: found.lower as f64 / GRID,
-            upper: found.upper as f64 / GRID,
-        }),
-        stated_error: Some(settings.stated_error),
-        crack: crack_slope_by_gap(scene, &mechanism),
-        mechanism: Some(mechanism),
-        recording: found.frames.iter().map(moved).collect(),
-        checks: texts,
-        ..Outcome::without_number(Status::Bracketed, "")
-    }
-}
-
-fn self_checks(
-    scene: &Scene,
-    model: &Model,
-    settings: &Settings,
-    freeze: &Freeze,
-    found: &Found,
-) -> Vec<Check> {
-    let [x, y] = model.dead;
-    let weight = (x * x + y * y).sqrt();
-    let lambda = found.lower as f64 / GRID;
-    let pushed = [x + lambda * model.live[0], y + lambda * model.live[1]];
-    let carried = |contacts: &[Contact]| reaction(contacts, |side| freeze.holds(side));
-    let drift = measure::displacement(model, &found.settled.states, &found.rest.states);
-    let closed = off_joints(scene, &found.rest.contacts);
-    vec![
-        checks::at_rest(measure::speed(model, &found.settled.states)),
-        checks::supports_carry(
-            model.dead,
-            carried(&found.settled.contacts),
-            weight,
-            "settled,",
-        ),
-        checks::supports_carry(
-            pushed,
-            carried(&found.rest.contacts),
-            weight,
-            "at the last rest",
-        ),
-        checks::open_stays_open(closed, weight),
-        checks::small_drift(drift, settings.drift),
-    ]
-}
-
-/// Force of everything fixed on the blocks that may move.
-fn reaction(contacts: &[Contact], fixed: impl Fn(Side) -> bool) -> [f64; 2] {
-    let mut sum = [0.0; 2];
-    for contact in contacts {
-        let sign = match contact.between.map(&fixed) {
-            [true, false] => 1.0,
-            [false, true] => -1.0,
-            _ => continue,
-        };
-        sum = [
-            sum[0] + sign * contact.force[0],
-            sum[1] + sign * contact.force[1],
-        ];
-    }
-    sum
-}
-
-/// Sum of normal forces between bodies that share no joint of the scene.
-fn off_joints(scene: &Scene, contacts: &[Contact]) -> f64 {
-    let ordered = |[a, b]: [Side; 2]| if a < b { [a, b] } else { [b, a] };
-    let joints = scene.joints().iter();
-    let mut joined: Vec<[Side; 2]> = joints
-        .map(|joint| ordered([joint.from, Side::Block(joint.to)]))
-        .collect();
-    joined.sort_unstable();
-    let off = contacts
-        .iter()
-        .filter(|contact| joined.binary_search(&ordered(contact.between)).is_err());
-    // Not `sum`, which makes −0 of nothing.
-    off.map(|contact| contact.pressure).fold(0.0, |a, b| a + b)
-}
-
-/// Displacements from one state to another, in the scene's length unit.
-fn mechanism(scene: &Scene, model: &Model, from: &[State], to: &[State]) -> Mechanism {
-    let mut motions = vec![Motion::default(); scene.blocks().len()];
-    for ((a, b), block) in from.iter().zip(to).zip(&model.blocks) {
-        let moved = Vector::new(b.position[0] - a.position[0], b.position[1] - a.position[1]);
-        motions[block.index] = Motion {
-            velocity: moved * model.length,
-            rotation: b.rotation - a.rotation,
-        };
-    }
-    Mechanism { motions }
 }

@@ -4,6 +4,7 @@
 //! or far from the origin would fail by construction; here every scene looks alike.
 
 use super::groups::{Surface, surfaces};
+use crate::answer::PushoverFact;
 use crate::scene::{Point, Polygon, Scene, Side, Vector};
 
 /// A force at a point that turns with its block.
@@ -65,7 +66,7 @@ pub struct Model {
     pub live: [f64; 2],
 }
 
-/// Mean masses below which a block's mass does not fall, and above which it does not rise.
+/// Range of a block's mass, in mean masses.
 const MASS_RANGE: [f64; 2] = [0.05, 20.0];
 
 /// Course heights within which blocks without a joint must be kept from colliding.
@@ -79,16 +80,16 @@ impl Model {
     /// Scales the scene. Blocks that are `frozen` become supports.
     ///
     /// # Errors
-    /// A sentence on what this method cannot honour in the scene.
-    pub fn new(scene: &Scene, frozen: &[bool]) -> Result<Self, String> {
+    /// What this method cannot honour in the scene.
+    pub fn new(scene: &Scene, frozen: &[bool]) -> Result<Self, PushoverFact> {
         if scene.blocks().is_empty() {
-            return Err("the scene has no blocks".into());
+            return Err(PushoverFact::NoBlocks);
         }
         let (low, high) = scene.bounds();
         let length = course_height(scene);
         let force = scene.total_weight() / scene.blocks().len() as f64;
         if force <= 0.0 {
-            return Err("no block has a weight".into());
+            return Err(PushoverFact::NoWeight);
         }
         let areas: f64 = scene.blocks().iter().map(|block| block.shape.area()).sum();
         let area = areas / scene.blocks().len() as f64;

@@ -4,33 +4,34 @@ use super::engine::{Contact, Engine, State};
 use super::hint::{Hint, finest_increment};
 use super::hold::{Held, Hold};
 use super::model::Model;
-use super::settings::{GRID, Settings};
+use super::parameters::{GRID, Parameters};
+use crate::answer::PushoverFact;
 
-/// A bracket and what the self-checks need to know about it.
-pub struct Found {
+/// A bracket as it was observed, and what the self-checks need to know about it.
+pub struct Observation {
     /// Last λ at rest, in grid units.
     pub lower: u64,
     /// First λ that collapsed, from rest at `lower`, in grid units.
     pub upper: u64,
     /// Blocks settled under their weight.
-    pub settled: Seen,
+    pub settled: RestState,
     /// Blocks at rest at `lower`.
-    pub rest: Seen,
+    pub rest: RestState,
     /// Blocks when the collapse at `upper` was called.
     pub collapsed: Vec<State>,
     /// The collapse, where frames are asked for.
     pub frames: Vec<Vec<State>>,
 }
 
-/// What a rest state looked like.
-pub struct Seen {
+/// Blocks and contacts at rest.
+pub struct RestState {
     /// Blocks.
     pub states: Vec<State>,
     /// Contacts.
     pub contacts: Vec<Contact>,
 }
 
-impl Seen {
+impl RestState {
     fn now(engine: &Engine) -> Self {
         Self {
             states: engine.states(),
@@ -40,13 +41,13 @@ impl Seen {
 }
 
 /// How a search ended.
-pub enum Search {
+pub enum SearchEnd {
     /// With a bracket.
-    Found(Box<Found>),
+    Bracketed(Box<Observation>),
     /// Without one; why.
-    Undecided(String),
+    Undecided(PushoverFact),
     /// Under the own weight alone; the evidence.
-    Falls(String),
+    Falls(PushoverFact),
 }
 
 /// Raises λ from rest to rest: by doubling until a step runs away, then to where the runaways
@@ -55,57 +56,49 @@ pub enum Search {
 /// collapse says no more than that the limit is near.
 ///
 /// `slip` gives the largest slip of a joint between two states; a rest with more of it than the
-/// settings allow is a collapse too.
+/// parameters allow is a collapse too.
 pub fn search(
     engine: &mut Engine,
     model: &Model,
-    settings: &Settings,
+    parameters: &Parameters,
     slip: impl Fn(&[State], &[State]) -> f64,
-) -> Search {
-    let mut hold = Hold::new(model, settings);
+) -> SearchEnd {
+    let mut hold = Hold::new(model, parameters);
     match hold.settle(engine) {
         Held::Rest => {}
         Held::Collapse { .. } => {
-            let distance = settings.fall;
-            return Search::Falls(format!(
-                "under its weight alone a block moved by more than {distance} course heights and \
-                 was not slowing down"
-            ));
+            let distance = parameters.fall;
+            return SearchEnd::Falls(PushoverFact::Fell { distance });
         }
         Held::Unclear => {
-            let time = settings.patience;
-            return Search::Undecided(format!(
-                "under its weight alone the scene did not come to rest within t = {time} √(H_c/g)"
-            ));
+            let time = parameters.patience;
+            return SearchEnd::Undecided(PushoverFact::NotSettled { time });
         }
     }
-    let settled = Seen::now(engine);
+    let settled = RestState::now(engine);
     let mut rest = engine.checkpoint();
-    let mut seen = Seen::now(engine);
-    let mut hint = Hint::new(settings.first_increment);
+    let mut seen = RestState::now(engine);
+    let mut hint = Hint::new(parameters.first_increment);
     let mut lower: u64 = 0;
     let mut unclear = false;
     loop {
-        let finest = finest_increment(hint.near(lower), settings.tolerance);
-        let target = match unclear {
-            true => lower + 2 * finest,
-            false => hint.next(lower, finest),
+        let finest = finest_increment(hint.near(lower), parameters.tolerance);
+        let target = if unclear {
+            lower + 2 * finest
+        } else {
+            hint.next(lower, finest)
         };
         let last = unclear || target - lower <= finest;
-        if engine.steps > settings.budget {
+        if engine.steps > parameters.budget {
             let lambda = lower as f64 / GRID;
-            return Search::Undecided(format!(
-                "gave up after the time steps allowed; last at rest at λ = {lambda}"
-            ));
+            return SearchEnd::Undecided(PushoverFact::OutOfSteps { lambda });
         }
-        if target > settings.largest {
+        if target > parameters.largest {
             let lambda = lower as f64 / GRID;
-            return Search::Undecided(format!(
-                "the scene still stands at λ = {lambda}; nothing larger is tried"
-            ));
+            return SearchEnd::Undecided(PushoverFact::StillStands { lambda });
         }
         let held = match hold.step(engine, [lower, target], finest, last) {
-            Held::Rest if slip(&settled.states, &engine.states()) > settings.slip => {
+            Held::Rest if slip(&settled.states, &engine.states()) > parameters.slip => {
                 Held::Collapse { acceleration: 0.0 }
             }
             held => held,
@@ -113,13 +106,13 @@ pub fn search(
         match held {
             Held::Rest => {
                 rest = engine.checkpoint();
-                seen = Seen::now(engine);
+                seen = RestState::now(engine);
                 lower = target;
                 unclear = false;
                 hint.rested(lower, finest);
             }
             Held::Collapse { .. } if last => {
-                return Search::Found(Box::new(Found {
+                return SearchEnd::Bracketed(Box::new(Observation {
                     lower,
                     upper: target,
                     settled,
@@ -134,9 +127,7 @@ pub fn search(
             }
             Held::Unclear if unclear => {
                 let lambda = engine.multiplier;
-                return Search::Undecided(format!(
-                    "at λ = {lambda} the scene neither rests nor collapses within the time allowed"
-                ));
+                return SearchEnd::Undecided(PushoverFact::Unclear { lambda });
             }
             Held::Unclear => {
                 // Perhaps too close to the limit to tell; a step twice as long may still tell.

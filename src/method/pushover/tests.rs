@@ -1,7 +1,9 @@
 //! Small scenes with known multipliers (sources with each test). All figures are dimensionless.
 
+use super::verify::verify;
 use super::*;
-use crate::scene::{Course, Piece, Polygon, Push, SceneParts, Wall};
+use crate::answer::Bracket;
+use crate::scene::{Course, HeadJoints, Piece, Polygon, Push, SceneParts, Vector, Wall};
 
 fn wall(unit: [f64; 2], friction: f64, courses: &[&str]) -> Wall {
     let course = |text: &&str| -> Course {
@@ -29,7 +31,7 @@ fn paper_1() -> Wall {
 }
 
 fn pushover(scene: &Scene) -> Outcome {
-    Pushover.solve(scene, &method::Settings::default())
+    Pushover.solve(scene, &Settings::default())
 }
 
 fn pushed(wall: &Wall) -> Outcome {
@@ -173,11 +175,9 @@ fn a_wall_let_down_by_soft_contacts_is_undecided() {
     let scene = wall([4.0, 1.75], 0.65, &["h1h", "11"])
         .scene(HeadJoints::Open)
         .unwrap();
-    let soft = method::Settings {
-        substep: 64.0,
-        stiffness: 1.0 / 256.0,
-        ..method::Settings::default()
-    };
+    let mut soft = Settings::default();
+    soft.pushover.substep = 64.0;
+    soft.pushover.stiffness = 1.0 / 256.0;
     let outcome = Pushover.solve(&scene, &soft);
     assert_eq!(outcome.status, Status::Undecided, "{}", outcome.reason());
 }
@@ -189,14 +189,14 @@ fn verification_passes_on_a_column_and_fails_on_a_foreign_bracket() {
         .unwrap();
     let mut outcome = pushover(&scene);
     assert!(
-        verify(&scene, &method::Settings::default(), &outcome)
+        verify(&scene, &PushoverSettings::default(), &outcome)
             .iter()
-            .all(|check| check.passed)
+            .all(|check| check.passed())
     );
     outcome.bracket = Some(Bracket::point(0.41));
     assert!(
-        verify(&scene, &method::Settings::default(), &outcome)
+        verify(&scene, &PushoverSettings::default(), &outcome)
             .iter()
-            .all(|check| !check.passed)
+            .all(|check| !check.passed())
     );
 }

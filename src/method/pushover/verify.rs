@@ -1,72 +1,54 @@
 //! Checks that cost further runs: half the substep, the mirrored scene, no kinetic damping.
 
-use super::checks::{Check, agree};
-use super::settings::Settings;
-use super::solve_with;
-use crate::answer::{Outcome, Status};
-use crate::method;
-use crate::scene::{PolygonError, Scene};
+use super::checks::repetition_agrees;
+use super::parameters::Parameters;
+use super::run::solve_with;
+use crate::answer::{Fact, Outcome, PushoverFact, Repetition, SelfCheck, Status};
+use crate::method::PushoverSettings;
+use crate::scene::Scene;
 
 /// An outcome after [`verify`]: the figures join its checks, and without agreement it loses its
-/// number. A range over variations is compared with nothing, it is a comparison already.
-pub fn confirmed(scene: &Scene, user: &method::Settings, outcome: Outcome) -> Outcome {
-    let (Some(_), false) = (outcome.bracket, super::has_perpends(scene)) else {
+/// number.
+pub fn confirmed(scene: &Scene, settings: &PushoverSettings, outcome: Outcome) -> Outcome {
+    if outcome.bracket.is_none() {
         return outcome;
-    };
-    let checks = verify(scene, user, &outcome);
-    let mut texts = outcome.checks.clone();
-    texts.extend(checks.iter().map(|check| check.text.clone()));
-    if let Some(failed) = checks.iter().find(|check| !check.passed) {
-        let reason = format!("a check under --verify failed: {}", failed.text);
+    }
+    let repeated = verify(scene, settings, &outcome);
+    let checks = [&outcome.checks[..], &repeated].concat();
+    if let Some(failed) = repeated.iter().find(|check| !check.passed()) {
+        let fact = PushoverFact::VerificationFailed(failed.clone());
         return Outcome {
-            checks: texts,
+            checks,
             work: outcome.work,
-            ..Outcome::without_number(Status::Undecided, reason)
+            ..Outcome::without_number(Status::Undecided, fact)
         };
     }
-    let figures: Vec<&str> = checks.iter().map(|check| check.text.as_str()).collect();
+    let facts = repeated.into_iter().map(PushoverFact::Checked);
     Outcome {
-        facts: vec![figures.join("; ").into()],
-        checks: texts,
+        facts: facts.map(Fact::from).collect(),
+        checks,
         ..outcome
     }
 }
 
 /// Repeats a bracketed pushover with half the substep, on the mirrored scene and without kinetic
 /// damping. Empty where `outcome` has no bracket.
-pub fn verify(scene: &Scene, user: &method::Settings, outcome: &Outcome) -> Vec<Check> {
+pub fn verify(scene: &Scene, settings: &PushoverSettings, outcome: &Outcome) -> Vec<SelfCheck> {
     let (Some(bracket), Some(error)) = (outcome.bracket, outcome.stated_error) else {
         return Vec::new();
     };
-    let undamped = |settings| Settings {
-        damp_below: 0.0,
-        hurry: 0.0,
-        ..settings
+    let repeated = |with: Repetition| {
+        let run = match with {
+            Repetition::HalfSubstep => solve_with(scene, settings, Parameters::halved),
+            Repetition::Undamped => solve_with(scene, settings, Parameters::undamped),
+            Repetition::Mirrored => match scene.mirrored() {
+                Ok(mirror) => solve_with(&mirror, settings, |own| own),
+                Err(error) => Outcome::without_number(Status::Undecided, error.to_string()),
+            },
+        };
+        let answer = run.bracket.ok_or_else(|| run.reason());
+        repetition_agrees(bracket, with, answer, error)
     };
-    let runs = [
-        (
-            "half the substep",
-            Ok(solve_with(scene, user, Settings::halved)),
-        ),
-        (
-            "mirrored",
-            scene.mirrored().map(|m| solve_with(&m, user, |s| s)),
-        ),
-        ("undamped", Ok(solve_with(scene, user, undamped))),
-    ];
-    let check = |(what, run): (&str, Result<Outcome, PolygonError>)| match run {
-        Ok(run) => match run.bracket {
-            Some(other) => agree(bracket, other, error, what),
-            None => failed(what, &run.reason()),
-        },
-        Err(e) => failed(what, &e.to_string()),
-    };
-    runs.into_iter().map(check).collect()
-}
-
-fn failed(what: &str, reason: &str) -> Check {
-    Check {
-        passed: false,
-        text: format!("{what}: {reason}"),
-    }
+    use Repetition::{HalfSubstep, Mirrored, Undamped};
+    [HalfSubstep, Mirrored, Undamped].map(repeated).to_vec()
 }

@@ -131,7 +131,7 @@ pub fn certificates(result: &CaseResult) -> Option<Markup> {
             }
             @for row in checked {
                 h4 { "Self-checks of " (row.method) ", " (row.head_joints.name()) " head joints" }
-                ul.checks { @for check in &row.outcome.checks { li { (check) } } }
+                ul.checks { @for check in &row.outcome.checks { li { (check.to_string()) } } }
             }
         }
     })

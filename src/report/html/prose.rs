@@ -2,7 +2,7 @@
 
 use maud::{Markup, PreEscaped, html};
 
-use crate::method::Settings;
+use crate::method::{Setting, Settings};
 use crate::picture::legend;
 
 /// What the words and marks mean.
@@ -91,10 +91,8 @@ const PACKAGES: [&str; 3] = ["clarabel", "rapier2d-f64", "nalgebra"];
 /// Versions, machine, settings.
 pub fn made_with(settings: &Settings) -> Markup {
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
-    let settings = format!("{settings:?}");
-    let settings = settings
-        .trim_start_matches("Settings { ")
-        .trim_end_matches(" }");
+    let written = |setting: &Setting| format!("{} = {}", setting.name, setting.of(settings));
+    let settings: Vec<String> = Setting::all().iter().map(written).collect();
     html! {
         dl.facts {
             dt { "trilith" } dd { (env!("CARGO_PKG_VERSION")) }
@@ -102,7 +100,7 @@ pub fn made_with(settings: &Settings) -> Markup {
             dt { "machine" }
             dd { (std::env::consts::ARCH) ", " (std::env::consts::OS) ", " (cores) " cores" }
             dt { "settings" }
-            dd { (settings) }
+            dd { (settings.join(", ")) }
             dt { "times" }
             dd { "CPU seconds of one thread on this machine; everything else is the same on every run" }
         }

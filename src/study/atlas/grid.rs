@@ -55,7 +55,7 @@ pub fn grids(large: bool) -> Vec<Grid> {
         courses_and_overburden(large),
         courses_and_gap(large),
         unit_and_distance(large),
-        tolerance_and_scaling(large),
+        tolerance_of_programs(large),
         substep_and_stiffness(large),
     ]
 }
@@ -283,7 +283,7 @@ fn unit_and_distance(large: bool) -> Grid {
     }
 }
 
-fn tolerance_and_scaling(large: bool) -> Grid {
+fn tolerance_of_programs(large: bool) -> Grid {
     let tolerances = [
         (1e-1, false),
         (1e-2, true),
@@ -295,34 +295,28 @@ fn tolerance_and_scaling(large: bool) -> Grid {
     ];
     let mut cells = Vec::new();
     for (courses, reference) in WALLS {
-        for scaling in [true, false] {
-            for tolerance in chosen(&tolerances, large) {
-                let settings = Settings {
-                    lp_tolerance: tolerance,
-                    scaling,
-                    ..Settings::default()
-                };
-                let word = if scaling { "scaled" } else { "unscaled" };
-                cells.push(Place {
-                    x: format!("{tolerance:e}"),
-                    y: format!("{courses} courses {word}"),
-                    scene: Box::new(move || running_bond(courses)),
-                    blocks: 5 * courses + courses / 2,
-                    settings,
-                    reference,
-                    accuracy: OF_WALLS,
-                });
-            }
+        for tolerance in chosen(&tolerances, large) {
+            let mut settings = Settings::default();
+            settings.programs.lp_tolerance = tolerance;
+            cells.push(Place {
+                x: format!("{tolerance:e}"),
+                y: format!("{courses} courses"),
+                scene: Box::new(move || running_bond(courses)),
+                blocks: 5 * courses + courses / 2,
+                settings,
+                reference,
+                accuracy: OF_WALLS,
+            });
         }
     }
     Grid {
-        name: "tolerance-scaling",
+        name: "tolerance",
         x: "tolerance of the linear programs",
-        y: "courses, and scaling of weight and height to 1",
+        y: "courses",
         kinds: &[Kind::AssociativeBounds, Kind::CollapseState],
         causes: "paper-1 and paper-2 with open head joints; HiGHS: 0.639969 and 0.562786. An \
                  interior-point solver stopped early reports success away from the optimum, the \
-                 further the larger and the worse scaled the wall. Its forces and velocities then \
+                 further the larger the wall. Its forces and velocities then \
                  prove nothing, and the answer is an estimate. sequential: a loose program stops its \
                  steps from settling.",
         cells,
@@ -349,11 +343,9 @@ fn substep_and_stiffness(large: bool) -> Grid {
     let (courses, reference) = WALLS[0];
     for stiffness in chosen(&stiffnesses, large) {
         for substep in chosen(&substeps, large) {
-            let settings = Settings {
-                substep,
-                stiffness,
-                ..Settings::default()
-            };
+            let mut settings = Settings::default();
+            settings.pushover.substep = substep;
+            settings.pushover.stiffness = stiffness;
             cells.push(Place {
                 x: substep.to_string(),
                 y: stiffness.to_string(),

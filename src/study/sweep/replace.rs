@@ -20,8 +20,29 @@ impl Rank {
     }
 }
 
+/// Why a key of a case cannot vary, or not so.
+#[derive(Debug, PartialEq)]
+pub(super) struct Unvaried {
+    pub what: String,
+    /// What to write instead; without it, any key that can vary.
+    pub help: Option<&'static str>,
+}
+
+impl<T: Into<String>> From<T> for Unvaried {
+    fn from(what: T) -> Self {
+        let what = what.into();
+        Self { what, help: None }
+    }
+}
+
+fn instead(what: &str, help: &'static str) -> Unvaried {
+    let what = what.to_owned();
+    let help = Some(help);
+    Unvaried { what, help }
+}
+
 /// Puts a value into a case.
-pub(super) fn replace(table: &mut Table, key: &str, value: &Value) -> Result<(), String> {
+pub(super) fn replace(table: &mut Table, key: &str, value: &Value) -> Result<(), Unvaried> {
     match key {
         "aspect" => {
             let aspect = as_number(value).ok_or("the aspect of a unit is a number")?;
@@ -30,9 +51,10 @@ pub(super) fn replace(table: &mut Table, key: &str, value: &Value) -> Result<(),
         }
         "refine" => refine(table, value),
         "title" | "source" | "references" => Err("it says nothing about the wall".into()),
-        "head_joints" => {
-            Err("it is a column of its own; write `head_joints = \"both\"` at the top".into())
-        }
+        "head_joints" => Err(instead(
+            "it is a column of its own",
+            "write `head_joints = \"both\"` at the top",
+        )),
         _ => {
             let (parents, last) = key.rsplit_once('.').unwrap_or(("", key));
             let mut inside = table;
@@ -46,18 +68,21 @@ pub(super) fn replace(table: &mut Table, key: &str, value: &Value) -> Result<(),
     }
 }
 
-const NO_BOND: &str = "the case has no bond; write the case as `bond = \"running\"`, `courses = 6`, \
-                       `units = 5`";
+const A_BOND: &str = "write the case as `bond = \"running\"`, `courses = 6`, `units = 5`";
 
 /// Cuts every unit of a bond into n by n of them: more courses in a wall of the same size.
-fn refine(table: &mut Table, value: &Value) -> Result<(), String> {
+fn refine(table: &mut Table, value: &Value) -> Result<(), Unvaried> {
     let times = value
         .as_integer()
         .filter(|times| (1..=1000).contains(times));
-    let times = times.ok_or("it cuts a unit into n by n; write whole numbers from 1 to 1000")?;
+    let (what, help) = (
+        "it cuts a unit into n by n",
+        "write whole numbers from 1 to 1000",
+    );
+    let times = times.ok_or_else(|| instead(what, help))?;
     for key in ["courses", "units"] {
         let count = table.get(key).and_then(Value::as_integer);
-        let count = count.ok_or(NO_BOND)?;
+        let count = count.ok_or_else(|| instead("the case has no bond", A_BOND))?;
         let count = count.checked_mul(times).ok_or("too many courses")?;
         table.insert(key.to_owned(), Value::Integer(count));
     }
@@ -79,13 +104,13 @@ fn as_number(value: &Value) -> Option<f64> {
 }
 
 /// A number of the table `unit`.
-fn number_of(table: &Table, key: &str) -> Result<f64, String> {
+fn number_of(table: &Table, key: &str) -> Result<f64, Unvaried> {
     let unit = table.get("unit").and_then(Value::as_table);
     let number = unit.and_then(|unit| unit.get(key)).and_then(as_number);
-    number.ok_or_else(|| format!("the case has no `unit` with a `{key}`"))
+    number.ok_or_else(|| format!("the case has no `unit` with a `{key}`").into())
 }
 
-fn set_unit(table: &mut Table, key: &str, number: f64) -> Result<(), String> {
+fn set_unit(table: &mut Table, key: &str, number: f64) -> Result<(), Unvaried> {
     let unit = table.get_mut("unit").and_then(Value::as_table_mut);
     let unit = unit.ok_or("the case has no `unit`")?;
     unit.insert(key.to_owned(), Value::Float(number));

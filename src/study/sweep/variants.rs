@@ -191,17 +191,18 @@ impl<'a> Replaced<'a> {
         let mut table = base.table.clone();
         for rank in [Rank::Plain, Rank::Aspect, Rank::Refine] {
             for (key, (value, span)) in &self.values {
-                let done = match key.strip_prefix("settings.") {
-                    Some(name) if rank == Rank::Plain => settings.set(name, &text(value)),
-                    None if rank == Rank::of(key) => replace(&mut table, key, value),
-                    _ => Ok(()),
+                let refused = |what: String, help: &str| {
+                    let title = format!("`{key}` cannot vary: {what}");
+                    document.complain(span.clone(), title, "here").help(help)
                 };
-                done.map_err(|error| {
-                    let (what, help) = error.split_once("; ").unwrap_or((&error, VARIES));
-                    document
-                        .complain(span.clone(), format!("`{key}` cannot vary: {what}"), "here")
-                        .help(help)
-                })?;
+                match key.strip_prefix("settings.") {
+                    Some(name) if rank == Rank::Plain => settings
+                        .set(name, &text(value))
+                        .map_err(|error| refused(error.to_string(), &error.advice()))?,
+                    None if rank == Rank::of(key) => replace(&mut table, key, value)
+                        .map_err(|error| refused(error.what, error.help.unwrap_or(VARIES)))?,
+                    _ => {}
+                }
             }
         }
         let written = toml::to_string(&table).map_err(|e| Complaint::new(e.to_string()))?;
@@ -271,8 +272,8 @@ pub(super) fn settings(document: &Document, file: &File) -> Result<Settings, Com
         let set = settings.set(name.get_ref(), &text(&value.get_ref().0));
         set.map_err(|error| {
             let span = Spanned::span(value);
-            let (title, help) = error.split_once("; ").unwrap_or((&error, ""));
-            document.complain(span, title, "here").help(help)
+            let complaint = document.complain(span, error.to_string(), "here");
+            complaint.help(error.advice())
         })?;
     }
     Ok(settings)

@@ -77,7 +77,7 @@ fn solve(scene: &Scene, request: &Request) -> Outcome {
         Ok(forces) => forces,
         Err(outcome) => return *outcome,
     };
-    let reduce = request.settings.reduction;
+    let reduce = request.settings.programs.reduction;
     for part in reduction::parts(scene).into_iter().filter(|_| reduce) {
         let Ok(ends) = search(scene, Some(&part), request, &mut work) else {
             continue;
@@ -133,7 +133,7 @@ fn search(
     let searched = part.map_or(scene, |part| &part.scene);
     let mut search = Search::new(searched);
     let mut ends = Vec::new();
-    let own = starts::starts(searched, &mut search, request.settings.starts)?;
+    let own = starts::starts(searched, &mut search, request.settings.interval.starts)?;
     let further = request
         .further
         .iter()
@@ -141,7 +141,12 @@ fn search(
     for start in own.into_iter().chain(further) {
         let kind = start.kind;
         let settings = request.settings;
-        let branch = descend(&mut search, start, settings.starts, request.stop_below);
+        let branch = descend(
+            &mut search,
+            start,
+            settings.interval.starts,
+            request.stop_below,
+        );
         let scale = search.program().scale();
         let states = branch.and_then(|branch| {
             let mut whole = |state| collapse_state(scene, part, scale, state, work);

@@ -1,0 +1,160 @@
+//! Facts of the pushover.
+
+use std::fmt;
+
+use super::super::self_check::{SelfCheck, Variation};
+
+/// What a pushover ends with, or why it has no answer.
+#[derive(Clone, Debug, PartialEq)]
+pub enum PushoverFact {
+    /// The bracket is of the first slip of a joint, not of the collapse.
+    FirstSlip {
+        /// Slip that counts, in course heights.
+        slip: f64,
+    },
+    /// Substeps or contacts are coarser than the stated error was measured with.
+    Uncalibrated,
+    /// A check that every answer needs, or one that a user asked for, with its figures.
+    Checked(SelfCheck),
+    /// A self-check takes the number away.
+    SelfCheckFailed(SelfCheck),
+    /// A repetition under `verify` takes the number away.
+    VerificationFailed(SelfCheck),
+    /// The scene has no blocks.
+    NoBlocks,
+    /// No block has a weight.
+    NoWeight,
+    /// Joints with supports have more coefficients of friction than the engine tells apart.
+    SupportFrictions {
+        /// Coefficients in the scene.
+        found: usize,
+        /// Coefficients that the engine tells apart.
+        most: usize,
+    },
+    /// A block rests on supports with two coefficients of friction.
+    BlockOnTwoFrictions,
+    /// There are more neighbours without a joint than the engine can keep from colliding.
+    Crowded,
+    /// The contacts are stiffer than the substep can hold.
+    TooStiff,
+    /// The engine cannot take a shape of the scene.
+    ShapeRefused,
+    /// The scene fell under its weight alone.
+    Fell {
+        /// Displacement that it exceeded, in course heights.
+        distance: f64,
+    },
+    /// The scene did not come to rest under its weight alone.
+    NotSettled {
+        /// Time that it had, in √(H_c/g).
+        time: f64,
+    },
+    /// The time steps allowed were used up.
+    OutOfSteps {
+        /// Last multiplier at rest.
+        lambda: f64,
+    },
+    /// The scene stands at the largest multiplier that is tried.
+    StillStands {
+        /// Last multiplier at rest.
+        lambda: f64,
+    },
+    /// The scene neither rests nor collapses within the time allowed.
+    Unclear {
+        /// The multiplier.
+        lambda: f64,
+    },
+    /// A range over variations would take too long, and was not asked for.
+    RangeNotRun {
+        /// Pushovers that it is made of.
+        pushovers: usize,
+        /// Blocks of the scene.
+        blocks: usize,
+    },
+    /// The scene cannot be mirrored, which a range needs.
+    NoMirror,
+    /// The bracket is a range over both directions and several contact stiffnesses.
+    Range {
+        /// The softest contacts, as a multiple of what the substep allows.
+        softest: f64,
+    },
+    /// One variation of a range has no answer, for the reasons after this one.
+    Without(Variation),
+}
+
+impl PushoverFact {
+    pub(super) fn introduces_next(&self) -> bool {
+        matches!(self, PushoverFact::Without(_))
+    }
+}
+
+impl fmt::Display for PushoverFact {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::FirstSlip { slip } => write!(
+                f,
+                "first slip of a joint by {slip:e} course heights, not the collapse"
+            ),
+            Self::Uncalibrated => write!(
+                f,
+                "substeps longer or contacts softer than the stated error was measured with"
+            ),
+            Self::Checked(check) => check.fmt(f),
+            Self::SelfCheckFailed(check) => write!(f, "a self-check failed: {check}"),
+            Self::VerificationFailed(check) => {
+                write!(f, "a check under --verify failed: {check}")
+            }
+            Self::NoBlocks => write!(f, "the scene has no blocks"),
+            Self::NoWeight => write!(f, "no block has a weight"),
+            Self::SupportFrictions { found, most } => write!(
+                f,
+                "joints with supports have {found} coefficients of friction, and the engine tells \
+                 no more than {most} apart"
+            ),
+            Self::BlockOnTwoFrictions => write!(
+                f,
+                "a block rests on supports with two coefficients of friction"
+            ),
+            Self::Crowded => write!(
+                f,
+                "blocks lie so close together that the engine's collision groups run out"
+            ),
+            Self::TooStiff => write!(f, "the contacts are stiffer than the substep can hold"),
+            Self::ShapeRefused => write!(f, "the engine cannot take a shape of the scene"),
+            Self::Fell { distance } => write!(
+                f,
+                "under its weight alone a block moved by more than {distance} course heights and \
+                 was not slowing down"
+            ),
+            Self::NotSettled { time } => write!(
+                f,
+                "under its weight alone the scene did not come to rest within t = {time} √(H_c/g)"
+            ),
+            Self::OutOfSteps { lambda } => write!(
+                f,
+                "gave up after the time steps allowed; last at rest at λ = {lambda}"
+            ),
+            Self::StillStands { lambda } => write!(
+                f,
+                "the scene still stands at λ = {lambda}; nothing larger is tried"
+            ),
+            Self::Unclear { lambda } => write!(
+                f,
+                "at λ = {lambda} the scene neither rests nor collapses within the time allowed"
+            ),
+            Self::RangeNotRun { pushovers, blocks } => write!(
+                f,
+                "not run: with head joints in contact the answer is a range over {pushovers} \
+                 pushovers, which {blocks} blocks make long"
+            ),
+            Self::NoMirror => write!(f, "the scene cannot be mirrored"),
+            Self::Range { softest } => write!(
+                f,
+                "a range over both directions and contact stiffnesses 1 to 1/{:.0}: with head \
+                 joints in contact the answer is not unique",
+                1.0 / softest
+            ),
+            Self::Without(variation) => variation.fmt(f),
+        }
+    }
+}

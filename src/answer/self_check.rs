@@ -1,0 +1,170 @@
+//! Self-checks of a pushover, as data.
+
+use std::fmt;
+
+use super::bracket::Bracket;
+
+/// A self-check that ran: a figure, and what it must not exceed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SelfCheck {
+    /// The variation that it is about, where an answer rests on several.
+    pub variation: Option<Variation>,
+    /// What is checked, and in which unit.
+    pub what: Checked,
+    /// The figure.
+    pub value: f64,
+    /// The largest figure that passes.
+    pub limit: f64,
+}
+
+/// What a self-check is about, and the unit of its figure.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Checked {
+    /// Joints for which the engine has no contact with the right normal.
+    UnseenJoints {
+        /// Joints that the engine needs.
+        of: usize,
+    },
+    /// Displacement under the own weight alone, in course heights.
+    Settlement,
+    /// Speed of the settled scene, in √(g·H_c).
+    SettledSpeed,
+    /// Sum of all loads and of what the supports carry, over the weight, once settled.
+    SettledBalance,
+    /// The same at the last load at rest.
+    LastBalance,
+    /// Normal force between bodies that share no joint, over the weight.
+    OpenJoints,
+    /// Displacement from the settled scene to the last load at rest, in course heights.
+    Drift,
+    /// Distance to the bracket of a pushover that must agree, over λ; infinite where that has none.
+    Repetition {
+        /// What differs in it.
+        with: Repetition,
+        /// Its bracket, or in words why it has none.
+        answer: Result<Bracket, String>,
+    },
+}
+
+/// What differs in a pushover that must agree with the first.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Repetition {
+    /// Half the substep.
+    HalfSubstep,
+    /// Left and right exchanged.
+    Mirrored,
+    /// Neither kinetic damping nor extrapolation.
+    Undamped,
+}
+
+/// One of the pushovers over which an answer is a range.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Variation {
+    /// Contact stiffness, as a multiple of what the substep allows.
+    pub stiffness: f64,
+    /// Whether left and right are exchanged.
+    pub mirrored: bool,
+}
+
+impl SelfCheck {
+    /// Whether the figure is as it must be; one that is no number is not.
+    pub fn passed(&self) -> bool {
+        self.value <= self.limit
+    }
+}
+
+impl fmt::Display for SelfCheck {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { value, limit, .. } = self;
+        if let Some(variation) = self.variation {
+            write!(f, "{variation}: ")?;
+        }
+        let supports_miss = format_args!(
+            "the supports miss {value:.1e} of the weight in carrying the loads, at most {limit:.0e}"
+        );
+        match &self.what {
+            Checked::UnseenJoints { of } => {
+                let seen = *of as f64 - value;
+                write!(f, "the engine sees {seen} of {of} joints")
+            }
+            Checked::Settlement => write!(f, "settled by {value:.1e} H_c, at most {limit:.1e}"),
+            Checked::SettledSpeed => write!(
+                f,
+                "settled at a speed of {value:.1e} √(g·H_c), at most {limit:.0e}"
+            ),
+            Checked::SettledBalance => write!(f, "settled, {supports_miss}"),
+            Checked::LastBalance => write!(f, "at the last rest {supports_miss}"),
+            Checked::OpenJoints => write!(
+                f,
+                "open joints carry {value:.1e} of the weight, at most {limit:.0e}"
+            ),
+            Checked::Drift => write!(
+                f,
+                "drift up to the last load at rest: {value:.1e} H_c, at most {limit:.2}"
+            ),
+            Checked::Repetition {
+                with,
+                answer: Ok(Bracket { lower, upper }),
+            } => write!(
+                f,
+                "{with}: [{lower:.5}, {upper:.5}], {value:.1e} of λ away, at most {limit:.0e}"
+            ),
+            Checked::Repetition {
+                with,
+                answer: Err(reason),
+            } => write!(f, "{with}: {reason}"),
+        }
+    }
+}
+
+impl fmt::Display for Repetition {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Repetition::HalfSubstep => "half the substep",
+            Repetition::Mirrored => "mirrored",
+            Repetition::Undamped => "undamped",
+        })
+    }
+}
+
+impl fmt::Display for Variation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let side = if self.mirrored {
+            "mirrored"
+        } else {
+            "as it is"
+        };
+        write!(f, "stiffness × {}, {side}", self.stiffness)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn figures_stand_in_the_words() {
+        let check = |what, value, limit| SelfCheck {
+            variation: None,
+            what,
+            value,
+            limit,
+        };
+        let unseen = check(Checked::UnseenJoints { of: 56 }, 2.0, 0.0);
+        assert_eq!(unseen.to_string(), "the engine sees 54 of 56 joints");
+        assert!(!unseen.passed());
+        let balance = SelfCheck {
+            variation: Some(Variation {
+                stiffness: 0.5,
+                mirrored: true,
+            }),
+            ..check(Checked::SettledBalance, 1.25e-6, 1e-4)
+        };
+        assert_eq!(
+            balance.to_string(),
+            "stiffness × 0.5, mirrored: settled, the supports miss 1.2e-6 of the weight in carrying \
+             the loads, at most 1e-4"
+        );
+        assert!(balance.passed() && !check(Checked::Drift, f64::NAN, 0.1).passed());
+    }
+}

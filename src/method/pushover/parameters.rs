@@ -1,0 +1,257 @@
+//! Every tuned number of a pushover in one table, without dimensions: lengths in course heights H_c,
+//! g = 1, so times are in √(H_c/g) and speeds in √(g·H_c).
+
+use super::model::Model;
+use crate::method::{Accuracy, Collapse, PushoverSettings};
+
+/// λ is a whole number of these; brackets then print exactly with five decimals.
+pub const GRID: f64 = 1e5;
+
+/// Courses from which on a wall sways: it leans further before it falls, settles more slowly and
+/// is costlier, so that other tolerances hold for it, and a part of it is held fixed.
+pub const SWAYING: f64 = 20.0;
+
+/// Courses above which a bracket states a larger error.
+const LESS_ACCURATE: f64 = 30.0;
+
+/// Slip of a joint that counts as the first, where a user asks for that, in course heights.
+pub const FIRST_SLIP: f64 = 1e-3;
+
+const LENGTH: &str = "H_c";
+const TIME: &str = "√(H_c/g)";
+const SPEED: &str = "√(g·H_c)";
+const FREQUENCY: &str = "1/√(H_c/g)";
+const LAMBDA: &str = "of λ";
+
+/// What the parameters of one pushover follow from.
+struct Basis {
+    accuracy: Accuracy,
+    courses: f64,
+    sways: bool,
+    /// How many times finer than at normal accuracy.
+    finer: f64,
+    /// Substep times courses.
+    product: f64,
+    /// Factor on the displacements that count as running away.
+    sway: f64,
+    stated_error: f64,
+}
+
+impl Basis {
+    fn new(model: &Model, accuracy: Accuracy) -> Self {
+        let finer = match accuracy {
+            Accuracy::Coarse => 0.5,
+            Accuracy::Normal => 1.0,
+            Accuracy::Fine => 2.0,
+        };
+        let sways = model.courses >= SWAYING;
+        // Elastic deflections, and with them all drift up to the limit, fall with the square of the
+        // substep at the same number of substeps: a wall that sways has to be kept from leaning.
+        let product = if sways { 0.015 } else { 0.025 } / finer;
+        Self {
+            accuracy,
+            courses: model.courses,
+            sways,
+            finer,
+            product,
+            sway: if sways {
+                (product / 0.025).powi(2)
+            } else {
+                1.0
+            },
+            stated_error: stated_error(accuracy, model.courses),
+        }
+    }
+
+    fn substep(&self) -> f64 {
+        // Fewer courses than 8 still need the substep of 8: it also resolves a block's rocking.
+        self.product / self.courses.max(8.0)
+    }
+
+    fn window(&self) -> f64 {
+        if self.sways { 0.2 } else { 0.5 }
+    }
+}
+
+/// The error that a bracket states, relative to λ: of either end against the limit.
+fn stated_error(accuracy: Accuracy, courses: f64) -> f64 {
+    let larger = courses > LESS_ACCURATE;
+    match accuracy {
+        Accuracy::Coarse if larger => 2e-2,
+        Accuracy::Coarse => 1e-2,
+        Accuracy::Normal if larger => 4e-3,
+        Accuracy::Normal => 2e-3,
+        Accuracy::Fine if larger => 2e-3,
+        Accuracy::Fine => 5e-4,
+    }
+}
+
+/// Makes [`Parameters`] from entries `field: type = value, printed name, unit;`. An entry without a
+/// name is not printed.
+macro_rules! parameters {
+    ($of:ident: $(
+        $(#[doc = $meaning:literal])+
+        $field:ident: $Type:ty = $value:expr $(, $name:literal, $unit:expr)?;
+    )+) => {
+        /// Parameters of one pushover, which follow from accuracy and scene.
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct Parameters {$(
+            $(#[doc = $meaning])+
+            pub $field: $Type,
+        )+}
+
+        impl Parameters {
+            fn of($of: &Basis) -> Self {
+                Self { $($field: $value),+ }
+            }
+
+            /// Name, value and unit of each that is printed.
+            pub fn listed(&self) -> Vec<(&'static str, f64, &'static str)> {
+                vec![
+                    ("time step", self.time_step(), TIME),
+                    $($(($name, self.$field.figure(), $unit),)?)+
+                ]
+            }
+        }
+    };
+}
+
+parameters! { of:
+    /// Substep τ. The error of λ falls with τ and grows with the number of courses.
+    substep: f64 = of.substep(), "substep", TIME;
+    /// Substeps in a time step; collision detection runs and forces turn once a time step.
+    substeps: usize = (32.0 * of.finer) as usize, "substeps", "a time step";
+    /// Natural frequency of the contacts; times τ at most 0.25, beyond which walls jitter.
+    contact_frequency: f64 = 0.25 / of.substep(), "contact frequency", FREQUENCY;
+    /// Damping ratio of the contacts.
+    damping_ratio: f64 = 10.0, "contact damping ratio", "";
+    /// Relaxation sweeps a substep; friction is solved in these only.
+    stabilization: usize = 1, "relaxation sweeps", "a substep";
+    /// Sweeps a substep that also push bodies apart.
+    solver_sweeps: usize = 1, "solver sweeps", "a substep";
+    /// Part of the last substep's impulses that a substep begins with.
+    warm_start: f64 = 1.0, "warm start", "";
+    /// Distance at which contacts are foreseen; not below `recycle_distance`, or a corner that is
+    /// open when a pair's contact points are renewed would be missing when it closes.
+    prediction: f64 = 0.02, "prediction distance", LENGTH;
+    /// Relative drift up to which a pair keeps its contact points. That keeps the geometry of the
+    /// scene as laid; renewed at every step, points follow the small movements before collapse,
+    /// which costs λ 0.1 to 0.4 % in small walls and 4 % in a slender arch.
+    recycle_distance: f64 = 0.02, "contact recycle distance", LENGTH;
+    /// Time over which a step of λ is applied; at once, it would overshoot.
+    ramp: f64 = of.window(), "ramp", TIME;
+    /// Time over which rest or collapse must show.
+    window: f64 = of.window(), "window", TIME;
+    /// Time after which a state that neither rests nor collapses is unclear.
+    patience: f64 = 200.0, "patience", TIME;
+    /// Kinetic damping: blocks are stopped when their kinetic energy has fallen to this part of
+    /// its last peak. Stopping at every dip follows a step most gently, but keeps the slow modes of
+    /// a wall that sways from ever settling.
+    damp_below: f64 = if of.sways { 0.5 } else { 1.0 }, "kinetic damping below", "of its peak";
+    /// Factor of the extrapolation of slow drift: what speeds gain or lose over a window, they gain
+    /// or lose this many times more. None where it is 0.
+    extrapolation: f64 = 16.0, "hurry", "";
+    /// Acceleration, in g, below which a motion is slow.
+    slow_motion: f64 = if of.sways { 0.02 } else { 0.01 }, "slow motion", "g";
+    /// Speed below which the settled scene is at rest under its own weight.
+    settled_speed: f64 = 1e-7, "settled speed", SPEED;
+    /// Displacement beyond which a large step is given up.
+    runaway: f64 = of.sway * if of.sways { 6e-3 } else { 2e-3 } * of.courses.max(10.0),
+        "runaway", LENGTH;
+    /// Displacement beyond which the last, small step has collapsed.
+    collapse: f64 = of.sway * if of.sways { 7.5e-3 } else { 6e-3 } * of.courses.max(6.0),
+        "collapse", LENGTH;
+    /// Slip of a joint since the scene settled beyond which it counts as collapse.
+    slip: f64 = f64::INFINITY, "first slip", LENGTH;
+    /// Time steps of a collapse that are kept.
+    frames: usize = 0, "frames", "at least";
+    /// Displacement under the own weight alone beyond which the contacts are too soft for the
+    /// scene: paper-1 settles by 1.4e-4 and loses nothing up to 6e-4, but 2.7 % of λ at 2.2e-3.
+    settlement: f64 = if of.accuracy == Accuracy::Coarse { 6e-3 } else { 1.5e-3 },
+        "settlement limit", LENGTH;
+    /// Displacement under the own weight alone beyond which the scene falls.
+    fall: f64 = 1.0, "fall", LENGTH;
+    /// Displacement up to the last load at rest beyond which that is no longer the scene as laid.
+    drift: f64 = 0.02 * of.courses.max(5.0), "drift limit", LENGTH;
+    /// First increment of λ, in `GRID` units.
+    first_increment: u64 = if of.sways { 20_000 } else { 5_000 }, "first increment", LAMBDA;
+    /// Largest λ that is tried, in `GRID` units.
+    largest: u64 = 10_000_000, "largest", LAMBDA;
+    /// Width of the bracket relative to λ.
+    tolerance: f64 = if of.courses > LESS_ACCURATE { 0.5 } else { 0.4 } * of.stated_error,
+        "tolerance", LAMBDA;
+    /// Error that is stated for the bracket, relative to λ.
+    stated_error: f64 = of.stated_error, "stated error", LAMBDA;
+    /// Time steps after which the search gives up.
+    budget: usize = 200_000, "budget", "time steps";
+    /// Whether a self-check that fails takes the number away. Off only to show what they are worth.
+    self_checks: bool = true;
+}
+
+/// A value as it is printed.
+trait Figure {
+    fn figure(self) -> f64;
+}
+
+impl Figure for f64 {
+    fn figure(self) -> f64 {
+        self
+    }
+}
+
+impl Figure for usize {
+    fn figure(self) -> f64 {
+        self as f64
+    }
+}
+
+/// A multiplier in `GRID` units.
+impl Figure for u64 {
+    fn figure(self) -> f64 {
+        self as f64 / GRID
+    }
+}
+
+impl Parameters {
+    /// Parameters for a model, with the definition of collapse, the recording, the substep and the
+    /// stiffness that the settings ask for. Contacts soften with a longer substep; stiffness goes
+    /// with the square of their frequency.
+    pub fn new(model: &Model, settings: &PushoverSettings) -> Self {
+        let own = Self::of(&Basis::new(model, settings.accuracy));
+        Self {
+            substep: own.substep * settings.substep,
+            substeps: ((own.substeps as f64 / settings.substep).round() as usize).max(1),
+            contact_frequency: own.contact_frequency / settings.substep * settings.stiffness.sqrt(),
+            slip: match settings.collapse {
+                Collapse::Runaway => f64::INFINITY,
+                Collapse::FirstSlip => FIRST_SLIP,
+            },
+            frames: if settings.recording { 100 } else { 0 },
+            ..own
+        }
+    }
+
+    /// Length of a time step.
+    pub fn time_step(&self) -> f64 {
+        self.substep * self.substeps as f64
+    }
+
+    /// The same with half the substep.
+    pub fn halved(self) -> Self {
+        Self {
+            substep: self.substep / 2.0,
+            contact_frequency: 2.0 * self.contact_frequency,
+            substeps: 2 * self.substeps,
+            ..self
+        }
+    }
+
+    /// The same without kinetic damping and without extrapolation.
+    pub fn undamped(self) -> Self {
+        Self {
+            damp_below: 0.0,
+            extrapolation: 0.0,
+            ..self
+        }
+    }
+}

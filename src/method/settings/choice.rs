@@ -1,0 +1,24 @@
+//! Settings that are one of a few words.
+
+use clap::ValueEnum;
+
+/// How accurate the pushover has to be; everything else about it follows. The error is of either end
+/// of its bracket against the limit, relative to λ.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Accuracy {
+    /// 1 %; 2 % above 30 courses.
+    Coarse,
+    /// 0.2 %; 0.4 % above 30 courses.
+    Normal,
+    /// 0.05 %; 0.2 % above 30 courses.
+    Fine,
+}
+
+/// What a pushover calls collapse.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Collapse {
+    /// Blocks run away and do not slow down.
+    Runaway,
+    /// A joint has slipped by a thousandth of the course height, though it may come to rest.
+    FirstSlip,
+}
