@@ -58,14 +58,3 @@ pub const METHODS: [&dyn Method; 6] = [
 pub fn defaults() -> &'static [&'static dyn Method] {
     const { METHODS.split_at(METHODS.len() - 1).0 }
 }
-
-#[cfg(test)]
-mod tests {
-    /// A case may name methods that are planned, but every method here can be named.
-    #[test]
-    fn every_method_can_have_references() {
-        for method in super::METHODS {
-            assert!(crate::case::METHOD_NAMES.contains(&method.name()));
-        }
-    }
-}

@@ -2,16 +2,16 @@
 
 use toml::Spanned;
 
-use super::check::{LARGEST, choose, within};
-use super::complaint::{Complaint, Document, listed, nearest};
-use super::file::{File, Load};
-use super::values::{Number, Pair};
+use super::checks::{choose, coordinates, unknown_block};
+use super::file::{CaseFile, LoadTable};
+use super::values::Pair;
+use crate::case::complaint::{Complaint, Document};
 use crate::scene::{Assembly, Force, Forces, Point, Polygon, Vector};
 
 /// The forces of a file on the blocks of `assembly`.
 pub(super) fn forces(
     document: &Document,
-    file: &File,
+    file: &CaseFile,
     assembly: &Assembly,
 ) -> Result<Forces, Complaint> {
     let weight_is_live = match &file.live {
@@ -40,16 +40,16 @@ pub(super) fn forces(
 
 fn force(
     document: &Document,
-    load: &Spanned<Load>,
+    load: &Spanned<LoadTable>,
     assembly: &Assembly,
 ) -> Result<Force, Complaint> {
-    let written = load.get_ref();
-    let block = named(document, &written.block, assembly)?;
+    let table = load.get_ref();
+    let block = named(document, &table.block, assembly)?;
     let vector = |pair: &Option<Spanned<Pair>>| match pair {
         None => Ok(Vector::zeros()),
         Some(pair) => coordinates(document, pair, "a force").map(|p| p.coords),
     };
-    let (dead, live) = (vector(&written.dead)?, vector(&written.live)?);
+    let (dead, live) = (vector(&table.dead)?, vector(&table.live)?);
     if dead == Vector::zeros() && live == Vector::zeros() {
         return Err(document
             .complain(
@@ -62,18 +62,15 @@ fn force(
     let shape = &assembly.blocks[block].shape;
     let on = |pair: &Spanned<Pair>| {
         let point = coordinates(document, pair, "a point")?;
-        match inside(shape, point) {
-            true => Ok(point),
-            false => Err(document
-                .complain(
-                    pair.span(),
-                    format!("the load is not on block `{}`", written.block.get_ref()),
-                    "outside of its outline",
-                )
-                .help(extent_of(shape))),
+        if inside(shape, point) {
+            return Ok(point);
         }
+        let title = format!("the load is not on block `{}`", table.block.get_ref());
+        Err(document
+            .complain(pair.span(), title, "outside of its outline")
+            .help(extent_of(shape)))
     };
-    let (point, length) = match (&written.at, &written.along) {
+    let (point, length) = match (&table.at, &table.along) {
         (Some(at), None) => (on(at)?, 1.0),
         (None, Some(along)) => {
             let [from, to] = along.get_ref().as_slice() else {
@@ -141,45 +138,6 @@ fn named(
             .help("put the load on a block that can move"));
     }
     Err(unknown_block(document, word, known()))
-}
-
-/// A name that no block has.
-pub(super) fn unknown_block<'a>(
-    document: &Document,
-    word: &Spanned<String>,
-    known: impl Iterator<Item = &'a str> + Clone,
-) -> Complaint {
-    let name = super::complaint::shorten(word.get_ref(), 60);
-    // Every short name is near every other.
-    let near = nearest(&name, known.clone()).filter(|near| near.chars().count() > 2);
-    let help = match near {
-        Some(near) => format!("did you mean `{near}`?"),
-        None => format!("the blocks are {}", listed(known.take(20))),
-    };
-    document
-        .complain(
-            word.span(),
-            format!("unknown block `{name}`"),
-            "no such block",
-        )
-        .help(help)
-}
-
-/// `[x, y]` as a point.
-pub(super) fn coordinates(
-    document: &Document,
-    pair: &Spanned<Pair>,
-    what: &str,
-) -> Result<Point, Complaint> {
-    let [x, y] = pair.get_ref().0.as_slice() else {
-        return Err(document
-            .complain(pair.span(), format!("{what} is two numbers"), "here")
-            .help("write `[x, y]`, such as `[1.5, 0.0]`"));
-    };
-    let number = |key: &str, value: &Spanned<Number>| {
-        within(document, key, value, -LARGEST..=LARGEST).map(|number| number + 0.0)
-    };
-    Ok(Point::new(number("x", x)?, number("y", y)?))
 }
 
 /// Whether a point lies in a convex shape or on its edge.

@@ -1,20 +1,20 @@
-//! The bodies of a file: gathered from the CSV and from inline tables, each named once.
+//! The blocks and supports of a file: gathered from the CSV and from inline tables, each named once.
 
 use toml::Spanned;
 
-use super::Beside;
-use super::bodies::{Outline, Place};
-use super::check::positive;
-use super::complaint::{Complaint, Document};
-use super::corners::outlines;
-use super::course::MOST_BLOCKS;
+use super::checks::{MOST_BLOCKS, coordinates, positive, unknown_block};
+use super::csv::outlines;
 use super::explain::missing_key;
-use super::file::{Blocks, Body, File};
-use super::forces::{coordinates, unknown_block};
+use super::file::{BlocksTable, BodyTable, CaseFile};
+use super::outline::Outline;
+use crate::case::complaint::{Complaint, Document, Place};
 use crate::scene::Point;
 
-/// A body as written, and what it is.
-pub(super) struct Written {
+/// Reads the file of this name in the folder of a case; the error says in words why it cannot.
+pub type ReadFile<'a> = &'a dyn Fn(&str) -> Result<Vec<u8>, String>;
+
+/// A block or a support.
+pub(super) struct Body {
     pub outline: Outline,
     /// The weight and its place, where it is given.
     pub weight: Option<(f64, Place)>,
@@ -24,15 +24,15 @@ pub(super) struct Written {
 /// All bodies, those of the CSV first; at least one moves and one does not.
 pub(super) fn bodies(
     document: &Document,
-    file: &File,
-    beside: Beside,
-) -> Result<Vec<Written>, Complaint> {
+    file: &CaseFile,
+    read_file: ReadFile,
+) -> Result<Vec<Body>, Complaint> {
     let table = file.blocks.as_ref();
-    let mut bodies: Vec<Written> = Vec::new();
+    let mut bodies: Vec<Body> = Vec::new();
     let csv = table.and_then(|table| table.get_ref().csv.as_ref());
     if let Some(csv) = csv {
-        let outlines = outlines(&neighbour(document, csv, beside)?)?;
-        bodies.extend(outlines.into_iter().map(|outline| Written {
+        let outlines = outlines(&csv_beside(document, csv, read_file)?)?;
+        bodies.extend(outlines.into_iter().map(|outline| Body {
             outline,
             weight: None,
             moves: true,
@@ -95,10 +95,10 @@ pub(super) fn bodies(
 }
 
 /// The CSV beside the case.
-fn neighbour(
+fn csv_beside(
     document: &Document,
     csv: &Spanned<String>,
-    beside: Beside,
+    read_file: ReadFile,
 ) -> Result<Document, Complaint> {
     let name = csv.get_ref().as_str();
     let complain = |title: String, help: &str| {
@@ -116,7 +116,7 @@ fn neighbour(
         Some(folder) => format!("{}{name}", &document.path[..=folder]),
         None => name.to_owned(),
     };
-    match beside(name) {
+    match read_file(name) {
         Ok(bytes) => Document::read(&path, &bytes),
         Err(why) => complain(
             format!("cannot read {path}: {why}"),
@@ -128,8 +128,8 @@ fn neighbour(
 /// Adds an inline body, or its weight to the one of the CSV, where there is a `csv`.
 fn add(
     document: &Document,
-    bodies: &mut Vec<Written>,
-    body: &Body,
+    bodies: &mut Vec<Body>,
+    body: &BodyTable,
     moves: bool,
     csv: bool,
 ) -> Result<(), Complaint> {
@@ -180,7 +180,7 @@ fn add(
                 .clone()
                 .map(|pair| coordinates(document, pair, "a corner"))
                 .collect::<Result<_, _>>()?;
-            bodies.push(Written {
+            bodies.push(Body {
                 outline: Outline {
                     name: name.to_owned(),
                     place: Place::new(document, body.name.span()),
@@ -198,9 +198,9 @@ fn add(
 }
 
 /// Turns the blocks of `supports` into supports.
-fn hold(document: &Document, bodies: &mut [Written], table: &Blocks) -> Result<(), Complaint> {
+fn hold(document: &Document, bodies: &mut [Body], table: &BlocksTable) -> Result<(), Complaint> {
     for word in &table.supports {
-        let named = |body: &Written| body.outline.name == *word.get_ref();
+        let named = |body: &Body| body.outline.name == *word.get_ref();
         let Some(body) = bodies.iter().position(named) else {
             let known = bodies.iter().map(|body| body.outline.name.as_str());
             return Err(unknown_block(document, word, known));

@@ -2,14 +2,14 @@
 
 use toml::Spanned;
 
-use super::Beside;
-use super::bodies::Outline;
-use super::check::{friction, positive, within};
-use super::complaint::{Complaint, Document};
-use super::file::File;
+use super::bodies::{ReadFile, bodies};
+use super::checks::{positive, within};
+use super::file::CaseFile;
 use super::forces::forces;
+use super::friction::friction;
+use super::outline::Outline;
 use super::values::Number;
-use super::written::bodies;
+use crate::case::complaint::{Complaint, Document};
 use crate::scene::{
     Assembly, Forces, NamedBlock, Point, Polygon, Side, Support, TOUCHING, Unsound,
 };
@@ -24,11 +24,11 @@ const FARTHEST: f64 = 1e7;
 /// The blocks of a file, their joints possible and every one held.
 pub(super) fn assembly(
     document: &Document,
-    file: &File,
-    beside: Beside,
+    file: &CaseFile,
+    read_file: ReadFile,
 ) -> Result<Assembly, Complaint> {
     let table = file.blocks.as_ref().map(Spanned::get_ref);
-    let bodies = bodies(document, file, beside)?;
+    let bodies = bodies(document, file, read_file)?;
     let value = |key, default: f64, value: Option<&Spanned<Number>>| match value {
         None => Ok(default),
         Some(value) => positive(document, key, value),
