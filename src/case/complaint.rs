@@ -54,7 +54,7 @@ impl Complaint {
     }
 
     /// What is wrong, in one line.
-    pub fn title(&self) -> &str {
+    pub(crate) fn title(&self) -> &str {
         &self.title
     }
 
@@ -63,14 +63,11 @@ impl Complaint {
         let (place, _) = self.marked.as_deref()?;
         Some((&place.document.path, place.line()))
     }
+}
 
-    /// The complaint as the terminal shows it, without a final newline.
-    pub fn render(&self, colour: bool) -> String {
-        let renderer = if colour {
-            Renderer::styled()
-        } else {
-            Renderer::plain()
-        };
+/// As the terminal shows it, without a final newline.
+impl fmt::Display for Complaint {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let printable = |text: &str| normalize_untrusted_str(&shorten(text, LONGEST));
         let mut report = Group::with_title(Level::ERROR.primary_title(printable(&self.title)));
         if let Some((place, label)) = self.marked.as_deref() {
@@ -86,13 +83,7 @@ impl Complaint {
         if let Some(help) = &self.help {
             report = report.element(Level::HELP.message(printable(help)));
         }
-        renderer.render(&[report])
-    }
-}
-
-impl fmt::Display for Complaint {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.render(false))
+        f.write_str(&Renderer::plain().render(&[report]))
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::geometry::Geometry;
 use super::reference::Reference;
-use crate::scene::{HeadJoints, Push, Scene, Wall};
+use crate::scene::{HeadJoints, Push, Scene};
 
 /// A wall, how it runs, and what its results are compared with.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,13 +39,5 @@ impl Case {
     /// As [`Geometry::scene`], and where `pushes` is empty.
     pub fn scene(&self, head_joints: HeadJoints) -> Scene {
         self.geometry.scene(head_joints, self.pushes[0])
-    }
-
-    /// The coursed wall, where the case is one.
-    pub fn wall(&self) -> Option<&Wall> {
-        match &self.geometry {
-            Geometry::Wall(wall) => Some(wall),
-            Geometry::Blocks(_) | Geometry::Arch(_) => None,
-        }
     }
 }

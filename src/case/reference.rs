@@ -52,7 +52,7 @@ pub enum Quantity {
 
 impl Quantity {
     /// Every quantity.
-    pub const ALL: [Quantity; 7] = [
+    pub(crate) const ALL: [Quantity; 7] = [
         Quantity::Lambda,
         Quantity::Lower,
         Quantity::Upper,
@@ -89,7 +89,7 @@ pub enum Kind {
 
 impl Kind {
     /// Every kind.
-    pub const ALL: [Kind; 3] = [Kind::Published, Kind::Analytic, Kind::Independent];
+    pub(crate) const ALL: [Kind; 3] = [Kind::Published, Kind::Analytic, Kind::Independent];
 
     /// The word in case files.
     pub fn name(self) -> &'static str {

@@ -122,15 +122,13 @@ fn sound(
     Err(match unsound {
         Unsound::Overlap { one, other, depth } => {
             let (one, other) = (outline(one), outline(Side::Block(other)));
+            let title = format!(
+                "`{}` and `{}` overlap, {depth:.3e} deep",
+                one.name, other.name
+            );
             other
                 .place
-                .complain(
-                    format!(
-                        "`{}` and `{}` overlap, {depth:.3e} deep",
-                        one.name, other.name
-                    ),
-                    format!("the other is at {}", one.rows()),
-                )
+                .complain(title, format!("the other is at {}", one.rows()))
                 .help("move or cut one of the two; where they only touch, correct the last digits")
         }
         Unsound::NearMiss { one, other, needed } => {
@@ -149,19 +147,21 @@ fn sound(
                 ))
         }
         Unsound::Floating { block, touches } => {
-            let floating = outline(Side::Block(block));
-            let name = &floating.name;
-            let title = match touches.map(outline) {
-                Some(other) => format!(
-                    "`{name}` touches `{}` at a corner alone, and floats",
-                    other.name
-                ),
-                None => format!("`{name}` floats: no joints lead from it to a support"),
-            };
-            floating
-                .place
-                .complain(title, "here")
-                .help("let an edge of it lie on an edge of a block that is held")
+            floating(outline(Side::Block(block)), touches.map(outline))
         }
     })
+}
+
+/// A block that is not held, and the one that it touches at a corner.
+fn floating(block: &Outline, touches: Option<&Outline>) -> Complaint {
+    let name = &block.name;
+    let title = match touches {
+        Some(other) => format!(
+            "`{name}` touches `{}` at a corner alone, and floats",
+            other.name
+        ),
+        None => format!("`{name}` floats: no joints lead from it to a support"),
+    };
+    let complaint = block.place.complain(title, "here");
+    complaint.help("let an edge of it lie on an edge of a block that is held")
 }

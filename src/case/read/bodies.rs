@@ -7,8 +7,8 @@ use super::csv::outlines;
 use super::explain::missing_key;
 use super::file::{BlocksTable, BodyTable, CaseFile};
 use super::outline::Outline;
+use super::values::Pair;
 use crate::case::complaint::{Complaint, Document, Place};
-use crate::scene::Point;
 
 /// Reads the file of this name in the folder of a case; the error says in words why it cannot.
 pub type ReadFile<'a> = &'a dyn Fn(&str) -> Result<Vec<u8>, String>;
@@ -46,45 +46,13 @@ pub(super) fn bodies(
     if let Some(table) = table {
         hold(document, &mut bodies, table.get_ref())?;
     }
-    if bodies.len() > MOST_BLOCKS {
-        return Err(bodies[MOST_BLOCKS]
-            .outline
-            .place
-            .complain(
-                format!("more than {MOST_BLOCKS} blocks"),
-                "the first too many",
-            )
-            .help("write fewer blocks"));
-    }
-    for body in &bodies {
-        if let (false, Some((_, place))) = (body.moves, &body.weight) {
-            return Err(place
-                .complain(
-                    format!("`{}` is a support", body.outline.name),
-                    "its weight is never used",
-                )
-                .help("remove the weight"));
-        }
-    }
+    not_too_many(&bodies)?;
+    no_weight_of_a_support(&bodies)?;
     let place = |moves: bool| bodies.iter().find(|body| body.moves == moves);
     match (place(true), place(false)) {
         (Some(_), Some(_)) => Ok(bodies),
-        (Some(body), None) => Err(body
-            .outline
-            .place
-            .complain("no support", "this block, as all others, may move")
-            .help(
-                "add a `[[support]]` with corners, or name blocks that never move: \
-                 `supports = [\"ground\"]` in `[blocks]`",
-            )),
-        (None, Some(body)) => Err(body
-            .outline
-            .place
-            .complain(
-                "no block may move",
-                "this body, as all others, is a support",
-            )
-            .help("add a `[[block]]`, or take one out of `supports`")),
+        (Some(body), None) => Err(no_support(&body.outline.place)),
+        (None, Some(body)) => Err(nothing_moves(&body.outline.place)),
         (None, None) => {
             let place = table.map_or(0..0, Spanned::span);
             Err(document
@@ -92,6 +60,43 @@ pub(super) fn bodies(
                 .help("add `csv = \"blocks.csv\"` to `[blocks]`, or a `[[block]]` with corners"))
         }
     }
+}
+
+fn not_too_many(bodies: &[Body]) -> Result<(), Complaint> {
+    let Some(body) = bodies.get(MOST_BLOCKS) else {
+        return Ok(());
+    };
+    let title = format!("more than {MOST_BLOCKS} blocks");
+    let complaint = body.outline.place.complain(title, "the first too many");
+    Err(complaint.help("write fewer blocks"))
+}
+
+fn no_weight_of_a_support(bodies: &[Body]) -> Result<(), Complaint> {
+    for body in bodies.iter().filter(|body| !body.moves) {
+        if let Some((_, place)) = &body.weight {
+            let title = format!("`{}` is a support", body.outline.name);
+            return Err(place
+                .complain(title, "its weight is never used")
+                .help("remove the weight"));
+        }
+    }
+    Ok(())
+}
+
+fn no_support(block: &Place) -> Complaint {
+    block
+        .complain("no support", "this block, as all others, may move")
+        .help(
+            "add a `[[support]]` with corners, or name blocks that never move: \
+             `supports = [\"ground\"]` in `[blocks]`",
+        )
+}
+
+fn nothing_moves(support: &Place) -> Complaint {
+    let label = "this body, as all others, is a support";
+    support
+        .complain("no block may move", label)
+        .help("add a `[[block]]`, or take one out of `supports`")
 }
 
 /// The CSV beside the case.
@@ -133,12 +138,7 @@ fn add(
     moves: bool,
     csv: bool,
 ) -> Result<(), Complaint> {
-    let name = body.name.get_ref().trim();
-    if name.is_empty() || name.chars().any(char::is_control) || name.chars().count() > 60 {
-        return Err(document
-            .complain(body.name.span(), "a name that names nothing", "here")
-            .help("write a short name, such as `\"A\"`"));
-    }
+    let name = short_name(document, &body.name)?;
     let weight = match &body.weight {
         None => None,
         Some(value) => {
@@ -146,55 +146,62 @@ fn add(
             Some((weight, Place::new(document, value.span())))
         }
     };
+    let again = |title: String| document.complain(body.name.span(), title, "here again");
     let known = bodies.iter().position(|known| known.outline.name == name);
     match (&body.corners, known) {
+        (Some(corners), None) => bodies.push(Body {
+            outline: inline_outline(document, &body.name, corners.get_ref())?,
+            weight,
+            moves,
+        }),
         (Some(_), Some(known)) => {
             let rows = bodies[known].outline.rows();
-            Err(document
-                .complain(
-                    body.name.span(),
-                    format!("two bodies are named `{name}`"),
-                    "here again",
-                )
-                .help(format!("rename one; the other is at {rows}")))
+            return Err(again(format!("two bodies are named `{name}`"))
+                .help(format!("rename one; the other is at {rows}")));
         }
         (None, Some(known)) if bodies[known].weight.is_none() && weight.is_some() => {
             bodies[known].weight = weight;
-            Ok(())
         }
-        (None, Some(_)) => Err(document
-            .complain(
-                body.name.span(),
-                format!("`{name}` is there already"),
-                "here again",
-            )
-            .help("without corners this table may give the block of the CSV its weight, once")),
-        (None, None) if !csv => Err(missing_key(document, body.name.span(), "corners")),
+        (None, Some(_)) => {
+            return Err(again(format!("`{name}` is there already")).help(
+                "without corners this table may give the block of the CSV its weight, once",
+            ));
+        }
+        (None, None) if !csv => return Err(missing_key(document, body.name.span(), "corners")),
         (None, None) => {
             let known = bodies.iter().map(|body| body.outline.name.as_str());
-            Err(unknown_block(document, &body.name, known))
-        }
-        (Some(corners), None) => {
-            let points = corners.get_ref().iter();
-            let corners: Vec<Point> = points
-                .clone()
-                .map(|pair| coordinates(document, pair, "a corner"))
-                .collect::<Result<_, _>>()?;
-            bodies.push(Body {
-                outline: Outline {
-                    name: name.to_owned(),
-                    place: Place::new(document, body.name.span()),
-                    corners,
-                    places: points
-                        .map(|pair| Place::new(document, pair.span()))
-                        .collect(),
-                },
-                weight,
-                moves,
-            });
-            Ok(())
+            return Err(unknown_block(document, &body.name, known));
         }
     }
+    Ok(())
+}
+
+/// The name without spaces around it.
+fn short_name<'a>(document: &Document, name: &'a Spanned<String>) -> Result<&'a str, Complaint> {
+    let trimmed = name.get_ref().trim();
+    let count = trimmed.chars().count();
+    if (1..=60).contains(&count) && !trimmed.chars().any(char::is_control) {
+        return Ok(trimmed);
+    }
+    Err(document
+        .complain(name.span(), "a name that names nothing", "here")
+        .help("write a short name, such as `\"A\"`"))
+}
+
+/// The outline of the corners in a `[[block]]` or `[[support]]`.
+fn inline_outline(
+    document: &Document,
+    name: &Spanned<String>,
+    corners: &[Spanned<Pair>],
+) -> Result<Outline, Complaint> {
+    let corner = |pair| coordinates(document, pair, "a corner");
+    let place = |pair: &Spanned<Pair>| Place::new(document, pair.span());
+    Ok(Outline {
+        name: name.get_ref().trim().to_owned(),
+        place: Place::new(document, name.span()),
+        corners: corners.iter().map(corner).collect::<Result<_, _>>()?,
+        places: corners.iter().map(place).collect(),
+    })
 }
 
 /// Turns the blocks of `supports` into supports.

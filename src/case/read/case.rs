@@ -118,7 +118,9 @@ kind = \"independent\"
     fn defaults_are_the_documented_ones() {
         let case = Case::read("walls/a.toml", SMALL.as_bytes()).unwrap();
         assert_eq!((case.name.as_str(), case.title.as_str()), ("a", "a"));
-        let wall = case.wall().unwrap();
+        let Geometry::Wall(wall) = &case.geometry else {
+            panic!("{case:?}");
+        };
         assert_eq!((wall.thickness, wall.overburden), (1.0, 0.0));
         assert_eq!(wall.courses.len(), 4);
         assert_eq!(case.head_joints, [HeadJoints::Contact, HeadJoints::Open]);

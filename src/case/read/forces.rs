@@ -59,8 +59,24 @@ fn force(
             )
             .help("add `dead = [0.0, -1.0]`, or `live = [1.0, 0.0]`"));
     }
-    let shape = &assembly.blocks[block].shape;
-    let on = |pair: &Spanned<Pair>| {
+    let (point, length) = application(document, load, &assembly.blocks[block].shape)?;
+    Ok(Force {
+        block,
+        point,
+        dead: dead * length,
+        live: live * length,
+    })
+}
+
+/// Where the resultant of a load acts on its block, and the length that its forces are multiplied
+/// by: 1 for a load at a point.
+fn application(
+    document: &Document,
+    load: &Spanned<LoadTable>,
+    shape: &Polygon,
+) -> Result<(Point, f64), Complaint> {
+    let table = load.get_ref();
+    let on_block = |pair: &Spanned<Pair>| {
         let point = coordinates(document, pair, "a point")?;
         if inside(shape, point) {
             return Ok(point);
@@ -70,51 +86,38 @@ fn force(
             .complain(pair.span(), title, "outside of its outline")
             .help(extent_of(shape)))
     };
-    let (point, length) = match (&table.at, &table.along) {
-        (Some(at), None) => (on(at)?, 1.0),
+    let wrong = |span, title, label, help| Err(document.complain(span, title, label).help(help));
+    match (&table.at, &table.along) {
+        (Some(at), None) => Ok((on_block(at)?, 1.0)),
         (None, Some(along)) => {
             let [from, to] = along.get_ref().as_slice() else {
-                return Err(document
-                    .complain(along.span(), "a line load has two ends", "here")
-                    .help("write `along = [[0.0, 1.0], [2.0, 1.0]]`"));
+                let help = "write `along = [[0.0, 1.0], [2.0, 1.0]]`";
+                return wrong(along.span(), "a line load has two ends", "here", help);
             };
-            let (from, to) = (on(from)?, on(to)?);
+            let (from, to) = (on_block(from)?, on_block(to)?);
             if from == to {
-                return Err(document
-                    .complain(
-                        along.span(),
-                        "a line load without length",
-                        "both ends are one point",
-                    )
-                    .help("write two points, or `at` with a force"));
-            }
-            (nalgebra::center(&from, &to), (to - from).norm())
-        }
-        (Some(_), Some(along)) => {
-            return Err(document
-                .complain(
+                return wrong(
                     along.span(),
-                    "`along` beside `at`",
-                    "a load is one or the other",
-                )
-                .help("remove `at` for a line load, or `along` for a point load"));
+                    "a line load without length",
+                    "both ends are one point",
+                    "write two points, or `at` with a force",
+                );
+            }
+            Ok((nalgebra::center(&from, &to), (to - from).norm()))
         }
-        (None, None) => {
-            return Err(document
-                .complain(
-                    load.span(),
-                    "a load that acts nowhere",
-                    "neither `at` nor `along`",
-                )
-                .help("add `at = [0.5, 2.0]`, or `along` with two points for a force per length"));
-        }
-    };
-    Ok(Force {
-        block,
-        point,
-        dead: dead * length,
-        live: live * length,
-    })
+        (Some(_), Some(along)) => wrong(
+            along.span(),
+            "`along` beside `at`",
+            "a load is one or the other",
+            "remove `at` for a line load, or `along` for a point load",
+        ),
+        (None, None) => wrong(
+            load.span(),
+            "a load that acts nowhere",
+            "neither `at` nor `along`",
+            "add `at = [0.5, 2.0]`, or `along` with two points for a force per length",
+        ),
+    }
 }
 
 /// The block of a name; a support carries no load.
