@@ -13,7 +13,7 @@ mod wall;
 
 pub use arch::Arch;
 pub use assembly::{Assembly, Force, Forces, NamedBlock, Support};
-pub use bond::{Bond, BondError};
+pub(crate) use bond::{BONDS, Bond, LowestCourse};
 pub use friction::Friction;
 pub use joints::{Joint, JointClass, Side, TOUCHING};
 pub use parts::{SceneError, SceneParts};
