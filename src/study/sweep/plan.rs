@@ -6,6 +6,7 @@ use std::path::Path;
 use toml::Spanned;
 
 use super::file::{self, CaseSource, File};
+use super::name::sweep_name;
 use super::neighbours::FromNeighbours;
 use super::variants::{Axis, Base, Variant, axes, settings, variants};
 use crate::case::{self, Complaint, Document, UnreadCase, listed, nearest};
@@ -36,7 +37,7 @@ impl Sweep {
     /// What is wrong, where, and what to write instead: the first mistake of the file, or of a case
     /// that it makes.
     pub fn read(path: &str, bytes: &[u8]) -> Result<Self, Complaint> {
-        let name = super::library::sweep_name(path)?;
+        let name = sweep_name(path)?;
         let document = Document::read(path, bytes)?;
         let file = file::parse(&document)?;
         let methods = methods(&document, &file)?;
