@@ -1,7 +1,7 @@
 //! Fingerprint of everything the program is compiled from, so that a sweep never takes an answer of
 //! another program for its own.
 
-#[path = "study/sweep/fingerprint.rs"]
+#[path = "fingerprint.rs"]
 mod fingerprint;
 
 use std::fs;

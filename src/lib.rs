@@ -18,6 +18,7 @@ pub mod answer;
 pub mod case;
 pub mod external;
 pub mod files;
+mod fingerprint;
 pub mod judge;
 pub mod method;
 pub mod number;

@@ -3,7 +3,7 @@
 use trilith::answer::{Bracket, Claim, Outcome, Status};
 use trilith::method::limit::{Ending, Program};
 use trilith::method::pushover::{Parameters, solve_with};
-use trilith::method::{METHODS, Method, Settings};
+use trilith::method::{Method, Settings, methods};
 use trilith::scene::Scene;
 use trilith::study::atlas::{self, Cell, Verdict, grids};
 
@@ -17,7 +17,7 @@ fn of(cells: &[Cell], verdict: Verdict) -> Vec<&Cell> {
 #[test]
 fn no_cell_of_the_small_atlas_is_wrong() {
     let grids = grids(false);
-    let cells = atlas::run(&grids, &METHODS, |_, _| {});
+    let cells = atlas::run(&grids, &methods(), &());
     assert!(
         grids.len() >= 4 && cells.len() >= 60,
         "{} cells",
@@ -29,7 +29,7 @@ fn no_cell_of_the_small_atlas_is_wrong() {
     for method in ["associative", "interval", "pushover", "auto"] {
         let own: Vec<Cell> = cells
             .iter()
-            .filter(|c| c.method == method)
+            .filter(|c| c.row.method == method)
             .cloned()
             .collect();
         let right = of(&own, Verdict::Right).len();
@@ -39,8 +39,8 @@ fn no_cell_of_the_small_atlas_is_wrong() {
             own.len()
         );
     }
-    let loose = |c: &&Cell| c.grid == "tolerance" && c.method == "associative";
-    let statuses: Vec<Status> = cells.iter().filter(loose).map(|c| c.status).collect();
+    let loose = |c: &&Cell| c.grid == "tolerance" && c.row.method == "associative";
+    let statuses: Vec<Status> = cells.iter().filter(loose).map(|c| c.row.status()).collect();
     assert!(statuses.contains(&Status::Estimate) && statuses.contains(&Status::Verified));
     for grid in &grids {
         let picture = atlas::picture(grid, &cells);
@@ -110,7 +110,7 @@ fn planted_faults_are_wrong_cells() {
         .filter(|grid| ["courses-friction", "unit-distance"].contains(&grid.name))
         .collect();
     for (method, at_least) in [(&StopsEarly as &dyn Method, 3), (&Uncalibrated, 3)] {
-        let cells = atlas::run(&walls, &[method], |_, _| {});
+        let cells = atlas::run(&walls, &[method], &());
         let wrong = of(&cells, Verdict::Wrong);
         assert!(wrong.len() >= at_least, "{}: {cells:#?}", method.name());
     }

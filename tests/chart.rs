@@ -8,16 +8,16 @@ use trilith::study::chart::{self, Entry};
 #[test]
 fn a_chart_shows_every_rung_with_its_error() {
     let cases = find("stack").unwrap();
-    let entries = chart::run(&cases, None, &[], |_, _| {}).unwrap();
+    let entries = chart::run(&cases, None, &[], &()).unwrap();
     assert_eq!(entries.len(), chart::ladder(5, &[]).len());
-    let of = |method: &str| -> &Entry { entries.iter().find(|e| e.method == method).unwrap() };
+    let of = |method: &str| -> &Entry { entries.iter().find(|e| e.row.method == method).unwrap() };
     assert_eq!(of("macro-block").error(), None, "it does not apply");
     assert!(of("associative").error().unwrap() < 1e-6);
     assert!(of("pushover").error().unwrap() < 2e-3);
     assert!(of("associative").runs > 1, "quick ones are repeated");
     for entry in &entries {
         let wrong = entry.error().is_some_and(|error| error > 0.01);
-        let claims = matches!(entry.status, Status::Verified | Status::Bracketed);
+        let claims = matches!(entry.row.status(), Status::Verified | Status::Bracketed);
         assert!(!(wrong && claims), "{entry:?}");
     }
     let text = chart::csv(&entries).unwrap();

@@ -5,26 +5,13 @@ mod scenes;
 use trilith::answer::{Outcome, Status};
 use trilith::case::find;
 use trilith::method::limit::{Associative, Interval};
-use trilith::method::macro_block::MacroBlock;
-use trilith::method::{Method, Settings};
+use trilith::method::{MacroBlock, Method, Settings};
 use trilith::picture::{Options, View, figure, parts, threshold};
-use trilith::run::{Row, Task, solve};
+use trilith::run::{Row, answer};
 use trilith::scene::{HeadJoints, Push, Scene};
 
 fn row(scene: &Scene, method: &dyn Method) -> Row {
-    let answer = solve(&Task {
-        sides: std::slice::from_ref(scene),
-        method,
-        settings: Settings::default(),
-    });
-    Row {
-        head_joints: scene.head_joints(),
-        method: method.name().to_owned(),
-        side: 0,
-        outcome: answer.outcome,
-        residual: answer.residual,
-        seconds: answer.seconds,
-    }
+    answer(std::slice::from_ref(scene), method, Settings::default())
 }
 
 fn drawn(scene: &Scene, row: &Row, macro_slope: Option<f64>) -> String {

@@ -8,11 +8,11 @@ use std::process::Command;
 use std::time::{Duration, Instant};
 
 use serde_json::{Value, json};
-use trilith::answer::{JointForce, Outcome, Status};
+use trilith::answer::{Fact, JointForce, Outcome, ProgramEnding, ProgramFailure, Status};
 use trilith::external::{External, SceneFile, answer_schema, export, parse, scene_schema};
 use trilith::method::limit::{Associative, Interval};
 use trilith::method::{Method, Settings};
-use trilith::run::{Answer, Task, solve};
+use trilith::run::{Row, answer};
 use trilith::scene::{HeadJoints, Scene};
 
 fn program(command: &[&str], limit: f64) -> External {
@@ -24,20 +24,24 @@ fn program(command: &[&str], limit: f64) -> External {
     }
 }
 
-fn ask(method: &dyn Method, scene: &Scene) -> Answer {
-    solve(&Task {
-        sides: std::slice::from_ref(scene),
-        method,
-        settings: Settings::default(),
-    })
+fn ask(method: &dyn Method, scene: &Scene) -> Row {
+    answer(std::slice::from_ref(scene), method, Settings::default())
 }
 
 fn paper_1(head_joints: HeadJoints) -> Scene {
     scenes::laid(&scenes::small_walls()[0].1, head_joints)
 }
 
+/// Why a program gave no answer.
+fn failure(outcome: &Outcome) -> &ProgramFailure {
+    match outcome.facts.as_slice() {
+        [Fact::Program(failure)] => failure,
+        facts => panic!("{facts:?}"),
+    }
+}
+
 /// What a program answers that writes this.
-fn told(scene: &Scene, answer: &Value) -> Answer {
+fn answered(scene: &Scene, answer: &Value) -> Row {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("answer.json");
     std::fs::write(&path, answer.to_string()).unwrap();
@@ -103,13 +107,13 @@ fn proofs_are_judged_whoever_brings_them() {
     let state = Interval.solve(&scene, &Settings::default());
     for (outcome, kind) in [(&bound, "associative"), (&state, "collapse-state")] {
         let right = written(outcome, kind);
-        let answer = told(&scene, &right);
+        let answer = answered(&scene, &right);
         assert_eq!(answer.outcome.status, Status::Verified, "{kind}");
         assert!(answer.residual.unwrap() <= 1e-8);
         // The same as an estimate: a collapse state is found out to be one, bounds are none.
         let mut modest = right.clone();
         modest["kind"] = "estimate".into();
-        let status = told(&scene, &modest).outcome.status;
+        let status = answered(&scene, &modest).outcome.status;
         let expected = match kind {
             "associative" => Status::Estimate,
             _ => Status::Verified,
@@ -121,32 +125,32 @@ fn proofs_are_judged_whoever_brings_them() {
         let mut spoiled = right.clone();
         spoiled["velocities"][3][2] = 1e3.into();
         for wrong in [high, spoiled] {
-            let answer = told(&scene, &wrong);
+            let answer = answered(&scene, &wrong);
             assert_eq!(answer.outcome.status, Status::Failed, "{kind}");
             assert_eq!(answer.outcome.bracket, None);
         }
     }
     // One kind of proof is not the other.
-    let swapped = told(&scene, &written(&state, "associative"));
+    let swapped = answered(&scene, &written(&state, "associative"));
     assert_eq!(swapped.outcome.status, Status::Failed);
 }
 
 #[test]
 fn numbers_alone_are_estimates_and_nonsense_fails() {
     let scene = paper_1(HeadJoints::Open);
-    let number = told(
+    let number = answered(
         &scene,
         &json!({"kind": "estimate", "lambda": 0.6, "upper": 0.7}),
     );
     assert_eq!(number.outcome.status, Status::Estimate);
     assert_eq!(number.outcome.bracket.unwrap().upper, 0.7);
-    let declined = told(
+    let declined = answered(
         &scene,
         &json!({"kind": "not-applicable", "reason": "too tall"}),
     );
     assert_eq!(declined.outcome.status, Status::NotApplicable);
     assert_eq!(declined.outcome.reason(), "too tall");
-    let claims = told(&scene, &json!({"kind": "falls"}));
+    let claims = answered(&scene, &json!({"kind": "falls"}));
     assert_eq!(claims.outcome.status, Status::Undecided);
     let short = json!({
         "kind": "associative", "lambda": 0.6, "forces": [[1.0, 1.0, 0.0]], "velocities": []
@@ -171,12 +175,20 @@ fn numbers_alone_are_estimates_and_nonsense_fails() {
         ),
         (json!({"kind": "estimate", "lambda": "0.7"}), "invalid type"),
         (json!([1, 2]), "no answer"),
-        (short, "has 0 entries, the scene has 33 blocks"),
     ] {
-        let outcome = told(&scene, &answer).outcome;
+        let outcome = answered(&scene, &answer).outcome;
         assert_eq!(outcome.status, Status::Failed, "{answer}");
         assert!(outcome.reason().contains(expected), "{}", outcome.reason());
     }
+    let outcome = answered(&scene, &short).outcome;
+    assert_eq!(outcome.status, Status::Failed);
+    let expected = ProgramFailure::WrongLength {
+        key: "velocities",
+        entries: 0,
+        expected: 33,
+        of: "blocks",
+    };
+    assert_eq!(failure(&outcome), &expected);
 }
 
 #[test]
@@ -184,11 +196,6 @@ fn programs_that_break_are_rows() {
     let scene = paper_1(HeadJoints::Open);
     for (command, expected) in [
         (vec!["/nowhere/at/all"], "cannot start"),
-        (
-            vec!["sh", "-c", "echo lost >&2; exit 3"],
-            "exit status 3: lost",
-        ),
-        (vec!["sh", "-c", "kill -SEGV $$"], "signal 11"),
         (vec!["sh", "-c", "echo NaN"], "no answer"),
         (
             vec!["sh", "-c", r#"echo '{"kind":"estimate","lambda":NaN}'"#],
@@ -206,6 +213,23 @@ fn programs_that_break_are_rows() {
         assert!(outcome.reason().contains(expected), "{}", outcome.reason());
         assert_eq!(outcome.bracket, None);
     }
+    for (script, ending, messages) in [
+        (
+            "echo lost >&2; exit 3",
+            ProgramEnding::ExitStatus(3),
+            "lost",
+        ),
+        ("kill -SEGV $$", ProgramEnding::Signal(11), ""),
+    ] {
+        let outcome = ask(&program(&["sh", "-c", script], 10.0), &scene).outcome;
+        assert_eq!(outcome.status, Status::Failed, "{script}");
+        let messages = messages.to_owned();
+        assert_eq!(
+            failure(&outcome),
+            &ProgramFailure::Ended { ending, messages }
+        );
+        assert_eq!(outcome.bracket, None);
+    }
 }
 
 /// The limit ends the program and its children; one that works until then is charged for it.
@@ -214,7 +238,12 @@ fn programs_that_hang_are_stopped_with_their_children() {
     let scene = paper_1(HeadJoints::Open);
     let began = Instant::now();
     let sleeps = ask(&program(&["sh", "-c", "sleep 60 & sleep 60"], 0.3), &scene);
-    assert!(sleeps.outcome.reason().contains("time limit of 0.3 s"));
+    let ending = ProgramEnding::TimeLimit { seconds: 0.3 };
+    let messages = String::new();
+    assert_eq!(
+        failure(&sleeps.outcome),
+        &ProgramFailure::Ended { ending, messages }
+    );
     assert!(began.elapsed() < Duration::from_secs(5));
     assert!(
         sleeps.seconds < 0.2,
@@ -247,7 +276,7 @@ fn the_schemas_describe_what_is_written_and_read() {
     assert_eq!(schema.as_value()["required"], json!(["kind"]));
     let falls = json!({"kind": "falls", "velocity": []});
     assert!(
-        told(&scene, &falls)
+        answered(&scene, &falls)
             .outcome
             .reason()
             .contains("unknown field")

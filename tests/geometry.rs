@@ -9,7 +9,7 @@ use trilith::answer::Status;
 use trilith::case::{Case, find};
 use trilith::method::limit::{Associative, Interval};
 use trilith::method::{Method, Settings};
-use trilith::run::{Task, solve};
+use trilith::run::answer;
 use trilith::scene::{Arch, Forces, HeadJoints, JointClass, Push, Scene};
 
 const BOTH: [HeadJoints; 2] = [HeadJoints::Contact, HeadJoints::Open];
@@ -175,18 +175,12 @@ fn the_weaker_of_both_sides_is_the_answer() {
                     [sides[0].push(), sides[1].push()],
                     [Push::Right, Push::Left]
                 );
-                let solved = |sides: &[Scene]| {
-                    solve(&Task {
-                        sides,
-                        method,
-                        settings,
-                    })
-                };
+                let solved = |sides: &[Scene]| answer(sides, method, settings);
                 let both = solved(&sides);
                 let one = [solved(&sides[..1]), solved(&sides[1..])];
                 let lower = |k: usize| one[k].outcome.bracket.unwrap().lower;
                 let weaker = usize::from(lower(1) < lower(0));
-                assert_eq!(both.side, weaker, "{name}");
+                assert_eq!(both.push, one[weaker].push, "{name}");
                 assert_eq!(both.outcome.bracket, one[weaker].outcome.bracket, "{name}");
                 assert_eq!(
                     both.outcome.mechanism, one[weaker].outcome.mechanism,

@@ -3,22 +3,13 @@
 mod scenes;
 
 use scenes::{laid, small_walls};
-use trilith::answer::Status;
+use trilith::answer::{SearchEnding, SearchFailure, Status};
 use trilith::judge::judge;
 use trilith::method::limit::Interval;
 use trilith::method::{Method, Settings};
 use trilith::scene::{HeadJoints, Scene};
 
-/// Endings that are no state, by name.
-const NAMED: [&str; 5] = [
-    "gap stayed open",
-    "program infeasible",
-    "program unbounded",
-    "program unsolved",
-    "no state of the whole scene",
-];
-
-/// Verified starts, counted in the outcome's own words; all others must be named ones.
+/// Verified starts, each at a λ above zero; all others must end with a name.
 fn verified_starts(scene: &Scene, starts: usize) -> usize {
     let mut settings = Settings::default();
     settings.interval.starts = starts;
@@ -26,24 +17,16 @@ fn verified_starts(scene: &Scene, starts: usize) -> usize {
     let residual = judge(scene, &mut outcome);
     assert_eq!(outcome.status, Status::Verified, "{}", outcome.reason());
     assert!(residual.is_some_and(|residual| residual <= 1e-8));
-    let reason = outcome.reason();
-    let (_, endings) = reason.split_once("; ").expect("starts are told");
-    let (mut verified, mut failed) = (0, 0);
-    for ending in endings.split(", ") {
-        let name = ending.rsplit(": ").next().expect("never empty");
-        let count = |text: &str| text.split(' ').next().and_then(|n| n.parse::<usize>().ok());
-        let is_named = NAMED.iter().any(|known| name.ends_with(known));
-        match count(name) {
-            Some(more) if name.ends_with(" verified") => verified += more,
-            Some(more) if is_named => failed += more,
-            None if is_named => failed += 1,
-            _ => {
-                assert!(name.starts_with("0."), "{ending}");
-                verified += 1;
-            }
+    let search = outcome.search().expect("starts are reported");
+    for start in &search.starts {
+        if let SearchEnding::Verified { lowest, .. } = start.ending {
+            assert!((0.0..1.0).contains(&lowest), "{start}");
         }
     }
-    assert_eq!(verified + failed, starts, "{endings}");
+    let failed = SearchFailure::ALL.map(|failure| search.failed(failure));
+    let (verified, failed) = (search.verified(), failed.iter().sum::<usize>());
+    assert_eq!(search.starts.len(), starts, "{search}");
+    assert_eq!(verified + failed, starts, "{search}");
     verified
 }
 

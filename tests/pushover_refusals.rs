@@ -171,7 +171,8 @@ fn little_and_much_friction() {
     let associative = trilith::method::METHODS
         .iter()
         .find(|m| m.name() == "associative");
-    let highest = associative.and_then(|m| m.solve(&open(&rough), &Settings::default()).bracket);
+    let highest =
+        associative.and_then(|m| m.method.solve(&open(&rough), &Settings::default()).bracket);
     let highest = highest.expect("associative answers").upper;
     let sound = outcome
         .bracket
@@ -195,7 +196,7 @@ fn a_heavy_top_course() {
         let associative = trilith::method::METHODS
             .iter()
             .find(|m| m.name() == "associative");
-        let exact = associative.and_then(|m| m.solve(&scene, &Settings::default()).bracket);
+        let exact = associative.and_then(|m| m.method.solve(&scene, &Settings::default()).bracket);
         let exact = exact.expect("associative answers").upper;
         assert_honest(
             &format!("top × {factor} ({exact})"),

@@ -4,14 +4,16 @@ use std::path::Path;
 
 use cpu_time::ProcessTime;
 use trilith::case::find;
-use trilith::method::{METHODS, Settings};
+use trilith::method::{Settings, methods as all_methods};
 use trilith::report::html::{Report, SweepTable, page};
 use trilith::run::{CaseResult, Plan, run};
 use trilith::scene::HeadJoints;
 
 fn results(cases: &[&str], methods: &[&str]) -> Vec<CaseResult> {
     let cases: Vec<_> = cases.iter().flat_map(|name| find(name).unwrap()).collect();
-    let wanted = METHODS.into_iter().filter(|m| methods.contains(&m.name()));
+    let wanted = all_methods()
+        .into_iter()
+        .filter(|m| methods.contains(&m.name()));
     let mut settings = Settings::default();
     settings.pushover.recording = true;
     let plan = Plan {
@@ -19,7 +21,7 @@ fn results(cases: &[&str], methods: &[&str]) -> Vec<CaseResult> {
         settings,
         head_joints: Some(HeadJoints::Open),
     };
-    run(&cases, &plan, |_, _| {})
+    run(&cases, &plan, &())
 }
 
 fn written(results: &[CaseResult], sweeps: Vec<SweepTable>) -> String {

@@ -3,12 +3,11 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use trilith::method::METHODS;
+use trilith::method::methods;
 use trilith::study::atlas::{self, Verdict};
 
 use super::chart::{keeping_rows, write};
 use super::plan::externals;
-use super::progress::Progress;
 use super::{REFUTED, Stop, print};
 
 #[derive(Args)]
@@ -26,20 +25,11 @@ pub(super) struct AtlasArguments {
 
 pub(super) fn atlas(arguments: &AtlasArguments) -> Result<u8, Stop> {
     let externals = externals(&arguments.external)?;
-    let methods = [METHODS.as_slice(), &externals].concat();
+    let methods = [methods().as_slice(), &externals].concat();
     let grids = atlas::grids(arguments.large);
-    let runs = grids.iter().map(|grid| {
-        let methods = match grid.methods {
-            [] => methods.len(),
-            some => some.len(),
-        };
-        methods * grid.cells.len()
+    let cells = keeping_rows(&arguments.out, |progress| {
+        atlas::run(&grids, &methods, progress)
     });
-    let progress = Progress::new(runs.sum());
-    let cells = keeping_rows(&arguments.out, &progress, |finished| {
-        atlas::run(&grids, &methods, finished)
-    });
-    progress.clear();
     let broken = |e| Stop::bad_input(format!("error: cannot write CSV: {e}"));
     let mut files = vec![("atlas.csv".to_owned(), atlas::csv(&cells).map_err(broken)?)];
     for grid in &grids {

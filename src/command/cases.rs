@@ -23,8 +23,8 @@ pub(super) fn list() -> Result<u8, Stop> {
         let _ = writeln!(text, "  {:<16} {:<32} {}", sweep.name, path, sweep.title);
     }
     text.push_str("\nmethods:\n");
-    for method in METHODS {
-        let _ = writeln!(text, "  {}", method.name());
+    for entry in METHODS {
+        let _ = writeln!(text, "  {:<12} {}", entry.name(), entry.summary);
     }
     print(&text)?;
     Ok(0)

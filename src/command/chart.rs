@@ -4,14 +4,15 @@ use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
 use clap::Args;
+use trilith::run::{Progress, Row, Task};
 
 use trilith::files::write_whole;
 use trilith::study::chart;
-use trilith::study::sweep::{Point, Row, sweep_csv, times_csv};
+use trilith::study::sweep::{sweep_csv, times_csv};
 
 use super::plan::HeadJointsArgument;
 use super::plan::{collect, externals};
-use super::progress::Progress;
+use super::progress::Bar;
 use super::{Stop, interrupt, print};
 
 #[derive(Args)]
@@ -50,11 +51,9 @@ pub(super) fn chart(arguments: &ChartArguments) -> Result<u8, Stop> {
         }
     }
     let externals = externals(&arguments.external)?;
-    let progress = Progress::new(0);
-    let entries = keeping_rows(&arguments.out, &progress, |finished| {
-        chart::run(&cases, head_joints, &externals, finished)
+    let entries = keeping_rows(&arguments.out, |progress| {
+        chart::run(&cases, head_joints, &externals, progress)
     });
-    progress.clear();
     let entries = entries.map_err(|e| Stop::bad_input(format!("error: {e}")))?;
     if entries.is_empty() {
         let text = "error: nothing to draw\nhelp: name a case with a reference; `trilith show CASE` \
@@ -79,25 +78,39 @@ pub(super) fn chart(arguments: &ChartArguments) -> Result<u8, Stop> {
     Ok(0)
 }
 
-/// Runs points with progress. On Ctrl-C the rows that are finished go to `finished.csv` and their
+/// A bar that also keeps the finished rows.
+struct Kept {
+    bar: Bar,
+    rows: Mutex<Vec<Row>>,
+}
+
+impl Progress for Kept {
+    fn expected(&self, seconds: f64) {
+        self.bar.expected(seconds);
+    }
+
+    fn done(&self, task: &Task, row: &Row) {
+        self.bar.done(task, row);
+        let mut rows = self.rows.lock().expect("no other thread panicked");
+        rows.push(row.clone());
+    }
+}
+
+/// Runs tasks with progress. On Ctrl-C the rows that are finished go to `finished.csv` and their
 /// times to `finished-times.csv` in the folder, and standard error says so.
 pub(super) fn keeping_rows<T: Send>(
     folder: &Path,
-    progress: &Progress,
-    work: impl FnOnce(&(dyn Fn(&Point, &Row) + Sync)) -> T + Send,
+    work: impl FnOnce(&dyn Progress) -> T + Send,
 ) -> T {
-    let rows: Mutex<Vec<Row>> = Mutex::new(Vec::new());
-    let finished = |point: &Point, row: &Row| {
-        progress.done(point.describe());
-        rows.lock()
-            .expect("no other thread panicked")
-            .push(row.clone());
+    let kept = Kept {
+        bar: Bar::new(),
+        rows: Mutex::default(),
     };
-    interrupt::or_leave(
-        || work(&finished),
+    let done = interrupt::or_leave(
+        || work(&kept),
         || {
-            progress.clear();
-            let rows = rows.lock().expect("no other thread panicked").clone();
+            kept.bar.clear();
+            let rows = kept.rows.lock().expect("no other thread panicked").clone();
             let texts = sweep_csv(&rows).and_then(|csv| Ok((csv, times_csv(&rows)?)));
             let written = match texts {
                 Err(e) => Err(Stop::bad_input(format!("error: cannot write CSV: {e}"))),
@@ -115,7 +128,9 @@ pub(super) fn keeping_rows<T: Send>(
                 Err(stop) => eprintln!("interrupted: {}", stop.text.trim_end()),
             }
         },
-    )
+    );
+    kept.bar.clear();
+    done
 }
 
 /// Writes files into a folder.

@@ -10,10 +10,12 @@ use super::{CheckArguments, REFUTED, Stop, print};
 
 pub(super) fn check(arguments: &CheckArguments) -> Result<u8, Stop> {
     let (cases, plan) = arguments.plan.read(&arguments.cases, case::library)?;
-    let results = solve(&cases, &plan, |complete| {
+    print(&report::library_heading())?;
+    let show = |result: &CaseResult| print(&report::library_case(result));
+    let results = solve(&cases, &plan, show, |complete| {
         hand_out(arguments, complete)?;
         Ok(handed_out(arguments.out.as_deref()))
-    });
+    })?;
     hand_out(arguments, &results)?;
     Ok(if refuted(&results) { REFUTED } else { 0 })
 }
@@ -22,5 +24,5 @@ fn hand_out(arguments: &CheckArguments, results: &[CaseResult]) -> Result<(), St
     if let Some(folder) = &arguments.out {
         write(folder, results)?;
     }
-    print(&report::library(results))
+    print(&report::library_closing(results))
 }

@@ -2,23 +2,13 @@
 
 use trilith::case;
 use trilith::files::write_whole;
-use trilith::method::{METHODS, Method};
+use trilith::method::{Entry, Kind, METHODS, Method, kind, methods};
 use trilith::picture::{Options, View, figure};
-use trilith::run::CaseResult;
+use trilith::run::{CaseResult, Plan};
 use trilith::scene::HeadJoints;
 
 use super::solve::solve;
 use super::{DrawArguments, Stop, print};
-
-/// The method that closes the gap between the closed form and the blocks is always run: its crack
-/// is drawn over every mechanism.
-const MACRO_BLOCK: &str = "macro-block";
-
-/// What is drawn unless methods are named.
-const ONE: [&str; 1] = ["interval"];
-
-/// What `--side-by-side` draws unless methods are named: the paper's Figs. 4 and 5.
-const SIDE_BY_SIDE: [&str; 3] = [MACRO_BLOCK, "interval", "pushover"];
 
 pub(super) fn draw(arguments: &DrawArguments) -> Result<u8, Stop> {
     if arguments.output.extension().is_none_or(|end| end != "svg") {
@@ -40,30 +30,18 @@ pub(super) fn draw(arguments: &DrawArguments) -> Result<u8, Stop> {
         );
         return Err(Stop::bad_input(text));
     }
-    let known = |name: &str| METHODS.iter().any(|method| method.name() == name);
-    let named = plan.methods.iter().map(|method| method.name().to_owned());
-    let drawn: Vec<String> = match arguments.plan.names_methods() {
-        true => named.collect(),
-        false => {
-            let own: &[&str] = match arguments.side_by_side {
-                true => &SIDE_BY_SIDE,
-                false => &ONE,
-            };
-            let external = named.filter(|name| !known(name));
-            own.iter()
-                .map(|&name| name.to_owned())
-                .chain(external)
-                .collect()
-        }
-    };
+    let drawn = drawn(arguments, &plan);
+    // The closed form always runs: its crack is drawn over every mechanism.
     let wanted = |method: &&dyn Method| {
-        method.name() == MACRO_BLOCK || drawn.iter().any(|name| name == method.name())
+        kind(method.name()) == Kind::ClosedForm || drawn.iter().any(|name| name == method.name())
     };
-    let external = plan
-        .methods
+    let outside = plan.methods.into_iter();
+    let outside = outside.filter(|method| kind(method.name()) == Kind::Outside);
+    plan.methods = methods()
         .into_iter()
-        .filter(|method| !known(method.name()));
-    plan.methods = METHODS.into_iter().chain(external).filter(wanted).collect();
+        .chain(outside)
+        .filter(wanted)
+        .collect();
     let case = &mut cases[0];
     // One setting a drawing: open head joints where the case has them, which the published
     // mechanisms are of.
@@ -74,7 +52,7 @@ pub(super) fn draw(arguments: &DrawArguments) -> Result<u8, Stop> {
         case.head_joints[0]
     };
     plan.head_joints = plan.head_joints.or(Some(one));
-    let results = solve(&cases, &plan, |_| Ok("not drawn".to_owned()));
+    let results = solve(&cases, &plan, |_| Ok(()), |_| Ok("not drawn".to_owned()))?;
     let [result] = results.as_slice() else {
         return Err(Stop::bad_input("error: there is nothing to draw"));
     };
@@ -93,11 +71,37 @@ pub(super) fn draw(arguments: &DrawArguments) -> Result<u8, Stop> {
     Ok(0)
 }
 
+/// Names of the methods that are drawn: those that were named, or the collapse states found; side by
+/// side, the paper's Figs. 4 and 5. Outside programs are drawn in any case.
+fn drawn(arguments: &DrawArguments, plan: &Plan) -> Vec<String> {
+    let named = plan.methods.iter().map(|method| method.name().to_owned());
+    if arguments.plan.names_methods() {
+        return named.collect();
+    }
+    let first = |entry: &&Entry| {
+        if arguments.side_by_side {
+            entry.drawn_first
+        } else {
+            entry.kind == Kind::CollapseStates
+        }
+    };
+    let own = METHODS
+        .iter()
+        .filter(first)
+        .map(|entry| entry.name().to_owned());
+    let outside = named.filter(|name| kind(name) == Kind::Outside);
+    own.chain(outside).collect()
+}
+
 /// The answers of these methods, in this order, with the macro-block's crack.
 fn views<'a>(result: &'a CaseResult, methods: &[String]) -> Vec<View<'a>> {
-    let row = |name: &str| result.rows.iter().find(|row| row.method == name);
-    let slope = row(MACRO_BLOCK).and_then(|row| row.outcome.crack);
-    let rows = methods.iter().filter_map(|name| row(name));
+    let closed = result
+        .rows
+        .iter()
+        .find(|row| row.kind() == Kind::ClosedForm);
+    let slope = closed.and_then(|row| row.outcome.crack);
+    let row = |name: &String| result.rows.iter().find(|row| row.method == *name);
+    let rows = methods.iter().filter_map(row);
     rows.map(|row| View {
         scene: result.scene(row),
         row,

@@ -3,7 +3,7 @@
 use clap::{Args, ValueEnum};
 use trilith::case::{self, Case};
 use trilith::external;
-use trilith::method::{self, Collapse, METHODS, Method};
+use trilith::method::{self, Collapse, Kind, Method, kind};
 use trilith::run::Plan;
 use trilith::scene::HeadJoints;
 
@@ -59,7 +59,7 @@ impl PlanArguments {
             // References of the pushover are of the collapse, which is not what it was asked for.
             for case in &mut cases {
                 case.references
-                    .retain(|reference| reference.method != "pushover");
+                    .retain(|reference| kind(&reference.method) != Kind::Observed);
             }
         }
         let plan = Plan {
@@ -111,7 +111,7 @@ fn methods(
     names: &[String],
     externals: &[&'static dyn Method],
 ) -> Result<(Vec<&'static dyn Method>, Vec<String>), Stop> {
-    let all = [METHODS.as_slice(), externals].concat();
+    let all = [method::methods().as_slice(), externals].concat();
     let known = |name: &str| all.iter().any(|method| method.name() == name);
     let (names, others): (Vec<String>, Vec<String>) =
         names.iter().cloned().partition(|name| known(name));
@@ -122,11 +122,11 @@ fn methods(
         return Err(Stop::bad_input(text));
     }
     if names.is_empty() {
-        return Ok(([method::defaults(), externals].concat(), others));
+        return Ok(([method::defaults().as_slice(), externals].concat(), others));
     }
     let wanted = |method: &&dyn Method| names.iter().any(|name| name == method.name());
     // Whoever names a program wants it to run, whichever of our own methods run beside it.
-    let own = METHODS.into_iter().filter(wanted);
+    let own = method::methods().into_iter().filter(wanted);
     Ok((own.chain(externals.iter().copied()).collect(), others))
 }
 

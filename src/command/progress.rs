@@ -3,25 +3,16 @@
 use std::time::Duration;
 
 use indicatif::{ProgressBar, ProgressStyle};
+use trilith::run::{Progress, Row, Task};
 
-/// A bar that fills task by task.
-pub(super) struct Progress(ProgressBar);
+/// A bar that fills with the seconds expected of what is done: tasks differ much in length. In a
+/// pipe, nothing is ever printed.
+pub(super) struct Bar(ProgressBar);
 
-impl Progress {
-    /// A bar of `tasks` tasks. In a pipe, nothing is ever printed.
-    pub(super) fn new(tasks: usize) -> Self {
-        let bar = ProgressBar::new(tasks as u64);
-        let template = "{bar:30} {pos}/{len} {elapsed} (left: {eta}) {wide_msg}";
-        let style = ProgressStyle::with_template(template);
-        bar.set_style(style.expect("the template is valid"));
-        bar.enable_steady_tick(Duration::from_millis(200));
-        Self(bar)
-    }
-
-    /// A bar of tasks that differ much in length, `seconds` in total: the time left follows the
-    /// seconds expected of what is done, not the number of tasks.
-    pub(super) fn weighted(seconds: f64) -> Self {
-        let bar = ProgressBar::new(milliseconds(seconds));
+impl Bar {
+    /// An empty bar.
+    pub(super) fn new() -> Self {
+        let bar = ProgressBar::new(0);
         let template = "{bar:30} {percent}% {elapsed} (left: {eta}) {wide_msg}";
         let style = ProgressStyle::with_template(template);
         bar.set_style(style.expect("the template is valid"));
@@ -29,21 +20,25 @@ impl Progress {
         Self(bar)
     }
 
-    /// A task is done that was expected to take so many seconds.
-    pub(super) fn advance(&self, seconds: f64, what: impl Into<String>) {
-        self.0.set_message(what.into());
-        self.0.inc(milliseconds(seconds));
-    }
-
-    /// One task more is done, and what it was.
-    pub(super) fn done(&self, what: impl Into<String>) {
-        self.0.set_message(what.into());
-        self.0.inc(1);
+    /// Does something that prints, with the bar off the screen.
+    pub(super) fn aside<T>(&self, work: impl FnOnce() -> T) -> T {
+        self.0.suspend(work)
     }
 
     /// Takes the bar off the screen, before anything else is printed.
     pub(super) fn clear(&self) {
         self.0.finish_and_clear();
+    }
+}
+
+impl Progress for Bar {
+    fn expected(&self, seconds: f64) {
+        self.0.inc_length(milliseconds(seconds));
+    }
+
+    fn done(&self, task: &Task, _row: &Row) {
+        self.0.set_message(task.describe());
+        self.0.inc(milliseconds(task.expected_seconds()));
     }
 }
 

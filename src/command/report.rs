@@ -18,15 +18,20 @@ pub(super) fn report(arguments: &ReportArguments) -> Result<u8, Stop> {
     // Before the long work: a file that cannot be read is known now.
     let extras = Extras::read(arguments)?;
     let settings = plan.settings;
-    let results = solve(&cases, &plan, |complete| {
-        let path = hand_out(
-            &arguments.out,
-            complete,
-            &settings,
-            Extras::read(arguments)?,
-        )?;
-        Ok(format!("reported in {path}"))
-    });
+    let results = solve(
+        &cases,
+        &plan,
+        |_| Ok(()),
+        |complete| {
+            let path = hand_out(
+                &arguments.out,
+                complete,
+                &settings,
+                Extras::read(arguments)?,
+            )?;
+            Ok(format!("reported in {path}"))
+        },
+    )?;
     let path = hand_out(&arguments.out, &results, &settings, extras)?;
     print(&format!("wrote {path}\n"))?;
     Ok(if refuted(&results) { REFUTED } else { 0 })

@@ -15,10 +15,13 @@ use super::{Format, REFUTED, RunArguments, Stop, print};
 
 pub(super) fn run(arguments: &RunArguments) -> Result<u8, Stop> {
     let (cases, plan) = arguments.plan.read(&arguments.cases, case::paper)?;
-    let results = solve(&cases, &plan, |complete| {
+    let format = arguments.format;
+    print(&format.heading()?)?;
+    let show = |result: &CaseResult| print(&format.case(result)?);
+    let results = solve(&cases, &plan, show, |complete| {
         hand_out(arguments, complete)?;
         Ok(handed_out(arguments.out.as_deref()))
-    });
+    })?;
     hand_out(arguments, &results)?;
     let changed = match &arguments.record {
         Some(folder) => compare(folder, &results)?,
@@ -31,17 +34,44 @@ pub(super) fn run(arguments: &RunArguments) -> Result<u8, Stop> {
     })
 }
 
-/// Writes the files that were asked for, and prints.
+/// Each case is printed as soon as those before it are; a JSON document only as a whole.
+impl Format {
+    /// What comes before the first case.
+    fn heading(self) -> Result<String, Stop> {
+        match self {
+            Format::Table | Format::Json => Ok(String::new()),
+            Format::Csv => csv(&[]),
+        }
+    }
+
+    fn case(self, result: &CaseResult) -> Result<String, Stop> {
+        match self {
+            Format::Table => Ok(report::case_table(result)),
+            Format::Csv => {
+                let text = csv(std::slice::from_ref(result))?;
+                let rows = text.split_once('\n').map(|(_, rows)| rows);
+                Ok(rows.unwrap_or_default().to_owned())
+            }
+            Format::Json => Ok(String::new()),
+        }
+    }
+
+    /// What comes behind the last case.
+    fn closing(self, results: &[CaseResult]) -> Result<String, Stop> {
+        match self {
+            Format::Table => Ok(report::legend()),
+            Format::Csv => Ok(String::new()),
+            Format::Json => json(results),
+        }
+    }
+}
+
+/// Writes the files that were asked for, and prints what is left to print.
 fn hand_out(arguments: &RunArguments, results: &[CaseResult]) -> Result<(), Stop> {
-    let text = match arguments.format {
-        Format::Table => report::table(results),
-        Format::Csv => csv(results)?,
-        Format::Json => json(results)?,
-    };
     if let Some(folder) = &arguments.out {
         write(folder, results)?;
     }
-    print(&text)
+    print(&arguments.format.closing(results)?)
 }
 
 /// What became of finished results, in words.

@@ -1,62 +1,64 @@
-//! Running a plan with progress and Ctrl-C.
+//! Running a plan with progress and Ctrl-C, results shown as they come.
 
 use std::sync::Mutex;
 
 use trilith::case::Case;
-use trilith::run::{CaseResult, Plan, run_each};
+use trilith::run::{CaseResult, Plan, Results, run_into};
 
-use super::progress::Progress;
+use super::progress::Bar;
 use super::{Stop, interrupt};
 
-/// Runs the plan with progress. On Ctrl-C `keep` prints or writes the results of the cases that are
-/// complete, and says where; standard error names those and the missing ones.
+/// Runs the plan with progress and shows each case's result as soon as those before it are shown. On
+/// Ctrl-C the results of all complete cases are shown, `keep` writes what else is to be left of them
+/// and says where; standard error names those cases and the missing ones.
+///
+/// # Errors
+/// Where a result cannot be shown.
 pub(super) fn solve(
     cases: &[Case],
     plan: &Plan,
+    show: impl Fn(&CaseResult) -> Result<(), Stop> + Sync,
     keep: impl FnOnce(&[CaseResult]) -> Result<String, Stop>,
-) -> Vec<CaseResult> {
-    let progress = Progress::new(plan.runs(cases));
-    let complete: Mutex<Vec<Option<CaseResult>>> = Mutex::new(vec![None; cases.len()]);
-    let take = || -> Vec<Option<CaseResult>> {
-        std::mem::take(&mut *complete.lock().expect("no other thread panicked"))
+) -> Result<Vec<CaseResult>, Stop> {
+    let bar = Bar::new();
+    let results = Results::default();
+    let failed: Mutex<Option<Stop>> = Mutex::new(None);
+    // The first result that cannot be shown is the last that is tried.
+    let show = |result: &CaseResult| {
+        let mut failed = failed.lock().expect("showing does not panic");
+        if failed.is_none() {
+            *failed = bar.aside(|| show(result)).err();
+        }
     };
-    let work = || {
-        run_each(
-            cases,
-            plan,
-            |case, method| progress.done(format!("{case} {method}")),
-            |index, result| {
-                // Empty once `leave` has taken what was there.
-                let mut complete = complete.lock().expect("no other thread panicked");
-                if let Some(place) = complete.get_mut(index) {
-                    *place = Some(result);
-                }
-            },
-        );
-    };
+    let work = || run_into(&results, cases, plan, &bar, &show);
     interrupt::or_leave(work, || {
-        progress.clear();
-        let (mut kept, mut missing) = (Vec::new(), Vec::new());
-        for (case, result) in cases.iter().zip(take()) {
-            match result {
-                Some(result) => kept.push(result),
-                None => missing.push(case.name.as_str()),
-            }
+        bar.clear();
+        let (mut complete, rest) = results.take();
+        for (_, result) in rest {
+            show(&result);
+            complete.push(result);
         }
-        let missing = missing.join(", ");
-        if kept.is_empty() {
-            eprintln!("interrupted: no case is complete; missing: {missing}");
-            return;
-        }
-        let names: Vec<&str> = kept.iter().map(|kept| kept.case.name.as_str()).collect();
-        match keep(&kept) {
-            Ok(how) => eprintln!(
-                "interrupted: {how}: {}; missing: {missing}",
-                names.join(", ")
-            ),
-            Err(stop) => eprintln!("interrupted: {}", stop.text.trim_end()),
-        }
+        told(cases, &complete, || keep(&complete));
     });
-    progress.clear();
-    take().into_iter().flatten().collect()
+    bar.clear();
+    let failed = failed.lock().expect("showing does not panic").take();
+    failed.map_or_else(|| Ok(results.take().0), Err)
+}
+
+/// Says on standard error which cases are complete and what became of them, and which are missing.
+fn told(cases: &[Case], complete: &[CaseResult], keep: impl FnOnce() -> Result<String, Stop>) {
+    let is_complete = |case: &&Case| complete.iter().any(|result| result.case.name == case.name);
+    let (complete, missing): (Vec<&Case>, Vec<&Case>) = cases.iter().partition(is_complete);
+    let [complete, missing] = [complete, missing].map(|cases| {
+        let names: Vec<&str> = cases.iter().map(|case| case.name.as_str()).collect();
+        names.join(", ")
+    });
+    if complete.is_empty() {
+        eprintln!("interrupted: no case is complete; missing: {missing}");
+        return;
+    }
+    match keep() {
+        Ok(how) => eprintln!("interrupted: {how}: {complete}; missing: {missing}"),
+        Err(stop) => eprintln!("interrupted: {}", stop.text.trim_end()),
+    }
 }

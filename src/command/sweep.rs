@@ -5,13 +5,15 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use clap::Args;
+use indexmap::IndexSet;
 use trilith::answer::Status;
 use trilith::case::Complaint;
 use trilith::files::write_whole;
 use trilith::number::number;
-use trilith::study::sweep::{self, Journal, MOST_SHARDS, Point, Row, Shard, Sweep};
+use trilith::run::{Progress, Row, Task};
+use trilith::study::sweep::{self, Journal, MOST_SHARDS, Shard, Sweep};
 
-use super::progress::Progress;
+use super::progress::Bar;
 use super::{REFUTED, Stop, interrupt, print, slurm};
 
 /// What a sweep file looks like, below the help.
@@ -94,12 +96,12 @@ pub(super) fn sweep(arguments: &SweepArguments) -> Result<u8, Stop> {
         )?)?;
         return Ok(0);
     }
-    let (points, journal) = match arguments.shard {
-        None => (sweep.points(), "sweep.journal".to_owned()),
-        Some(shard) => (shard.deal(sweep.points()), shard.journal()),
+    let (tasks, journal) = match arguments.shard {
+        None => (sweep.tasks(), "sweep.journal".to_owned()),
+        Some(shard) => (shard.deal(sweep.tasks()), shard.journal()),
     };
     let journal = Journal::open(&folder.join(journal)).map_err(complained)?;
-    let rows = run(&points, &journal)?;
+    let rows = run(&tasks, &journal)?;
     match arguments.shard {
         None => hand_out(&sweep, &rows, &folder),
         Some(shard) => {
@@ -117,41 +119,53 @@ pub(super) fn sweep(arguments: &SweepArguments) -> Result<u8, Stop> {
 
 pub(super) fn merge(arguments: &MergeArguments) -> Result<u8, Stop> {
     let (sweep, folder) = find(&arguments.file, arguments.out.as_deref())?;
-    let rows = sweep::merge(&sweep.points(), &folder).map_err(complained)?;
+    let rows = sweep::merge(&sweep.tasks(), &folder).map_err(complained)?;
     hand_out(&sweep, &rows, &folder)
 }
 
-/// Runs what the journal does not know, with progress; Ctrl-C leaves the journal.
-fn run(points: &[Point], journal: &Journal) -> Result<Vec<Row>, Stop> {
-    let kept = points
-        .iter()
-        .filter(|p| journal.get(p.id()).is_some())
-        .count();
-    if kept > 0 {
-        eprintln!("{kept} of {} points are finished already", points.len());
+/// A bar that counts what the journal did not know.
+struct Counted<'a> {
+    bar: Bar,
+    journal: &'a Journal,
+    finished: AtomicUsize,
+}
+
+impl Progress for Counted<'_> {
+    fn expected(&self, seconds: f64) {
+        self.bar.expected(seconds);
     }
-    let open = points.iter().filter(|p| journal.get(p.id()).is_none());
-    let progress = Progress::weighted(open.map(Point::expected_seconds).sum());
-    let finished = AtomicUsize::new(kept);
-    let work = || {
-        sweep::run(points, Some(journal), |point, _| {
-            if journal.get(point.id()).is_none() {
-                let count = finished.fetch_add(1, Ordering::Relaxed) + 1;
-                let message = format!("{count}/{} {}", points.len(), point.describe());
-                progress.advance(point.expected_seconds(), message);
-            }
-        })
+
+    fn done(&self, task: &Task, row: &Row) {
+        if self.journal.get(task.id()).is_none() {
+            self.finished.fetch_add(1, Ordering::Relaxed);
+            self.bar.done(task, row);
+        }
+    }
+}
+
+/// Runs what the journal does not know, with progress; Ctrl-C leaves the journal.
+fn run(tasks: &[Task], journal: &Journal) -> Result<Vec<Row>, Stop> {
+    let kept = tasks.iter().filter(|t| journal.get(t.id()).is_some());
+    let kept = kept.count();
+    if kept > 0 {
+        eprintln!("{kept} of {} points are finished already", tasks.len());
+    }
+    let counted = Counted {
+        bar: Bar::new(),
+        journal,
+        finished: AtomicUsize::new(kept),
     };
+    let work = || sweep::run(tasks, Some(journal), &counted);
     let rows = interrupt::or_leave(work, || {
-        progress.clear();
+        counted.bar.clear();
         eprintln!(
             "interrupted: {} of {} points are in {}; run the same command again to go on",
-            finished.load(Ordering::Relaxed),
-            points.len(),
+            counted.finished.load(Ordering::Relaxed),
+            tasks.len(),
             journal.path().display()
         );
     });
-    progress.clear();
+    counted.bar.clear();
     rows.map_err(not_written)
 }
 
@@ -174,7 +188,7 @@ fn hand_out(sweep: &Sweep, rows: &[Row], folder: &Path) -> Result<u8, Stop> {
 }
 
 fn status(rows: &[Row]) -> u8 {
-    match rows.iter().any(|row| row.status == Status::Failed) {
+    match rows.iter().any(|row| row.status() == Status::Failed) {
         true => REFUTED,
         false => 0,
     }
@@ -182,13 +196,8 @@ fn status(rows: &[Row]) -> u8 {
 
 /// A line a case and method: how far λ goes over all points, and how many points ended how.
 fn summary(rows: &[Row]) -> String {
-    let mut groups: Vec<(&str, &str)> = Vec::new();
-    for row in rows {
-        let group = (row.case.as_str(), row.method.as_str());
-        if !groups.contains(&group) {
-            groups.push(group);
-        }
-    }
+    let group = |row: &Row| (row.scene_name(), row.method.clone());
+    let groups: IndexSet<(String, String)> = rows.iter().map(group).collect();
     let mut text = String::new();
     let width = groups.iter().map(|(case, _)| case.chars().count()).max();
     let width = width.unwrap_or(0).max(4);
@@ -198,12 +207,19 @@ fn summary(rows: &[Row]) -> String {
         "case", "method", "lowest λ", "highest λ"
     );
     for (case, method) in groups {
-        let of_group = || rows.iter().filter(|r| r.case == case && r.method == method);
-        let lowest = of_group().filter_map(|r| r.lower).reduce(f64::min);
-        let highest = of_group().filter_map(|r| r.upper).reduce(f64::max);
+        let of_group = || {
+            rows.iter()
+                .filter(|r| r.scene_name() == case && r.method == method)
+        };
+        let lowest = of_group()
+            .filter_map(|r| Some(r.bracket()?.lower))
+            .reduce(f64::min);
+        let highest = of_group()
+            .filter_map(|r| Some(r.bracket()?.upper))
+            .reduce(f64::max);
         let shown = |value: Option<f64>| value.map_or("-".to_owned(), |v| number(v, 5));
         let ended = Status::ALL.iter().filter_map(|status| {
-            let count = of_group().filter(|row| row.status == *status).count();
+            let count = of_group().filter(|row| row.status() == *status).count();
             (count > 0).then(|| format!("{count} {}", status.name()))
         });
         let ended: Vec<String> = ended.collect();

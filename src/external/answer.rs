@@ -3,9 +3,10 @@
 use schemars::JsonSchema;
 use serde::Deserialize;
 
+use super::text::shortened;
 use crate::answer::{
-    Bracket, Claim, JointForce, Mechanism, Motion, Outcome, Status, VELOCITY_THRESHOLDS,
-    crack_slope, kinematic_multiplier,
+    Bracket, Claim, Fact, JointForce, Mechanism, Motion, Outcome, ProgramFailure, Status,
+    VELOCITY_THRESHOLDS, crack_slope, kinematic_multiplier,
 };
 use crate::scene::{Scene, Vector};
 
@@ -16,7 +17,7 @@ use crate::scene::{Scene, Vector};
 #[schemars(title = "trilith answer")]
 pub struct AnswerFile {
     /// What the answer is.
-    pub kind: Kind,
+    pub kind: AnswerKind,
     /// The multiplier; with `upper`, the lower end of a bracket.
     pub lambda: Option<f64>,
     /// The upper end of a bracket; only with the kind "estimate".
@@ -37,7 +38,8 @@ pub struct AnswerFile {
 /// What an answer is, and which of the other keys it needs.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
-pub enum Kind {
+#[schemars(rename = "Kind")]
+pub enum AnswerKind {
     /// Bounds of the multiplier by associative friction: `forces` admissible at `lambda`, and
     /// `velocities` that open every joint by at least the coefficient of friction times its slip.
     /// The upper end is the multiplier of the velocities.
@@ -58,53 +60,66 @@ pub enum Kind {
     NotApplicable,
 }
 
+/// JSON schema of the answer that a program writes.
+pub fn answer_schema() -> schemars::Schema {
+    schemars::schema_for!(AnswerFile)
+}
+
 /// Longest reason that is kept, in characters.
-const LONGEST: usize = 300;
+const REASON_LENGTH: usize = 300;
+
+/// Characters of an output that is no answer, which a failure shows.
+const BEGINNING: usize = 60;
 
 /// The outcome of an answer.
 ///
 /// # Errors
-/// What is wrong with it, in words.
-pub(super) fn outcome(scene: &Scene, output: &[u8]) -> Result<Outcome, String> {
-    let answer: AnswerFile = serde_json::from_slice(output).map_err(|error| {
-        let text = String::from_utf8_lossy(output);
-        let begins = super::process::shown(text.trim(), 60);
-        match begins.is_empty() {
-            true => "wrote nothing to standard output".to_owned(),
-            false => format!("its output is no answer: {error}; it begins with `{begins}`"),
-        }
-    })?;
-    let forces = answer
-        .forces
-        .as_deref()
-        .map(|list| forces(scene, list, "forces"));
-    let ray = answer.ray.as_deref().map(|list| forces_of_ray(scene, list));
+/// What is wrong with it.
+pub(super) fn outcome(scene: &Scene, output: &[u8]) -> Result<Outcome, ProgramFailure> {
+    let answer: AnswerFile =
+        serde_json::from_slice(output).map_err(|error| no_answer(&error, output))?;
+    let of_joints = |list: &Option<Vec<[f64; 3]>>, key| {
+        let list = list.as_deref();
+        list.map(|list| forces(scene, list, key))
+    };
+    let forces = of_joints(&answer.forces, "forces");
+    let ray = of_joints(&answer.ray, "ray");
     let velocities = answer.velocities.as_deref();
     let mechanism = velocities.map(|list| mechanism(scene, list)).transpose()?;
-    let reason = super::process::shown(answer.reason.as_deref().unwrap_or_default(), LONGEST);
-    let whole = Outcome {
-        claim: match answer.kind {
-            Kind::Associative => Claim::Associative,
-            _ => Claim::CollapseState,
-        },
+    let reason = shortened(answer.reason.as_deref().unwrap_or_default(), REASON_LENGTH);
+    let claim = match answer.kind {
+        AnswerKind::Associative => Claim::Associative,
+        _ => Claim::CollapseState,
+    };
+    Ok(Outcome {
+        claim,
         bracket: bracket(scene, &answer, mechanism.as_ref())?,
         crack: (mechanism.as_ref()).and_then(|m| crack_slope(scene, m, VELOCITY_THRESHOLDS)),
         mechanism,
         forces: forces.transpose()?,
         ray: ray.transpose()?,
-        ..Outcome::without_number(status(answer.kind), reason)
-    };
-    Ok(whole)
+        ..Outcome::without_number(status(answer.kind), Fact::Words(reason))
+    })
 }
 
-fn status(kind: Kind) -> Status {
+fn no_answer(error: &serde_json::Error, output: &[u8]) -> ProgramFailure {
+    let text = String::from_utf8_lossy(output);
+    let begins = shortened(text.trim(), BEGINNING);
+    if begins.is_empty() {
+        return ProgramFailure::NoOutput;
+    }
+    let error = error.to_string();
+    ProgramFailure::NotAnAnswer { error, begins }
+}
+
+fn status(kind: AnswerKind) -> Status {
     match kind {
-        Kind::Associative | Kind::CollapseState => Status::Verified,
-        Kind::Estimate => Status::Estimate,
-        Kind::Stands => Status::Stands,
-        Kind::Falls => Status::Falls,
-        Kind::Undecided => Status::Undecided,
-        Kind::NotApplicable => Status::NotApplicable,
+        AnswerKind::Associative | AnswerKind::CollapseState => Status::Verified,
+        AnswerKind::Estimate => Status::Estimate,
+        AnswerKind::Stands => Status::Stands,
+        AnswerKind::Falls => Status::Falls,
+        AnswerKind::Undecided => Status::Undecided,
+        AnswerKind::NotApplicable => Status::NotApplicable,
     }
 }
 
@@ -113,18 +128,18 @@ fn bracket(
     scene: &Scene,
     answer: &AnswerFile,
     mechanism: Option<&Mechanism>,
-) -> Result<Option<Bracket>, String> {
-    let needs = |what: &str| format!("an answer of this kind needs {what}");
-    let one = answer.lambda.ok_or_else(|| needs("`lambda`"));
-    if answer.upper.is_some() && answer.kind != Kind::Estimate {
-        return Err("`upper` goes with the kind `estimate` only".to_owned());
+) -> Result<Option<Bracket>, ProgramFailure> {
+    let needs = |keys| ProgramFailure::MissingKeys { keys };
+    let one = answer.lambda.ok_or(needs("`lambda`"));
+    if answer.upper.is_some() && answer.kind != AnswerKind::Estimate {
+        return Err(ProgramFailure::UpperOfAProof);
     }
     let proof = answer.forces.is_some() && mechanism.is_some();
     match answer.kind {
-        Kind::Associative | Kind::CollapseState if !proof => Err(needs(
+        AnswerKind::Associative | AnswerKind::CollapseState if !proof => Err(needs(
             "`forces` and `velocities`; a number alone is an `estimate`",
         )),
-        Kind::Associative => {
+        AnswerKind::Associative => {
             let lower = one?;
             let upper = mechanism.map_or(f64::NAN, |m| kinematic_multiplier(scene, m));
             // Ends that cross by rounding are one number.
@@ -134,31 +149,47 @@ fn bracket(
                 upper,
             }))
         }
-        Kind::CollapseState => Ok(Some(Bracket::point(one?))),
-        Kind::Estimate => {
+        AnswerKind::CollapseState => Ok(Some(Bracket::point(one?))),
+        AnswerKind::Estimate => {
             let lower = one?;
             let upper = answer.upper.unwrap_or(lower);
-            match lower <= upper {
-                true => Ok(Some(Bracket { lower, upper })),
-                false => Err(format!("`lambda` {lower} is above `upper` {upper}")),
+            if lower <= upper {
+                Ok(Some(Bracket { lower, upper }))
+            } else {
+                Err(ProgramFailure::EndsCross { lower, upper })
             }
         }
-        Kind::Stands | Kind::Falls | Kind::Undecided | Kind::NotApplicable => Ok(None),
+        AnswerKind::Stands
+        | AnswerKind::Falls
+        | AnswerKind::Undecided
+        | AnswerKind::NotApplicable => Ok(None),
     }
 }
 
-fn counted<T>(list: &[T], count: usize, what: &str, of: &str) -> Result<(), String> {
-    match list.len() == count {
-        true => Ok(()),
-        false => Err(format!(
-            "`{what}` has {} entries, the scene has {count} {of}",
-            list.len()
-        )),
+fn check_length<T>(
+    list: &[T],
+    expected: usize,
+    key: &'static str,
+    of: &'static str,
+) -> Result<(), ProgramFailure> {
+    if list.len() == expected {
+        Ok(())
+    } else {
+        Err(ProgramFailure::WrongLength {
+            key,
+            entries: list.len(),
+            expected,
+            of,
+        })
     }
 }
 
-fn forces(scene: &Scene, list: &[[f64; 3]], what: &str) -> Result<Vec<JointForce>, String> {
-    counted(list, scene.joints().len(), what, "joints")?;
+fn forces(
+    scene: &Scene,
+    list: &[[f64; 3]],
+    key: &'static str,
+) -> Result<Vec<JointForce>, ProgramFailure> {
+    check_length(list, scene.joints().len(), key, "joints")?;
     let force = |&[n1, n2, shear]: &[f64; 3]| JointForce {
         normal: [n1, n2],
         shear,
@@ -166,12 +197,8 @@ fn forces(scene: &Scene, list: &[[f64; 3]], what: &str) -> Result<Vec<JointForce
     Ok(list.iter().map(force).collect())
 }
 
-fn forces_of_ray(scene: &Scene, list: &[[f64; 3]]) -> Result<Vec<JointForce>, String> {
-    forces(scene, list, "ray")
-}
-
-fn mechanism(scene: &Scene, list: &[[f64; 3]]) -> Result<Mechanism, String> {
-    counted(list, scene.blocks().len(), "velocities", "blocks")?;
+fn mechanism(scene: &Scene, list: &[[f64; 3]]) -> Result<Mechanism, ProgramFailure> {
+    check_length(list, scene.blocks().len(), "velocities", "blocks")?;
     let motion = |&[x, y, rotation]: &[f64; 3]| Motion {
         velocity: Vector::new(x, y),
         rotation,

@@ -13,29 +13,29 @@ use std::time::Duration;
 use serde::Deserialize;
 use toml::Spanned;
 
-use super::{DEFAULT_LIMIT, External};
+use super::program::{DEFAULT_LIMIT, External};
 use crate::case::{Complaint, Document, explain};
 use crate::method::METHODS;
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct File {
-    method: Vec<Entry>,
+struct ProgramList {
+    method: Vec<ProgramEntry>,
 }
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields, expecting = "a `[[method]]` table")]
-struct Entry {
+struct ProgramEntry {
     name: Spanned<String>,
     command: Spanned<Vec<String>>,
     time_limit: Option<Spanned<f64>>,
 }
 
 /// Longest name of an external method: what the column of tables holds.
-pub const NAME_LENGTH: usize = 12;
+const NAME_LENGTH: usize = 12;
 
 /// Longest time limit, seconds.
-const LONGEST: f64 = 86_400.0;
+const MAX_TIME_LIMIT: f64 = 86_400.0;
 
 /// Reads the methods that an argument of the command line stands for: a `.toml` file, or
 /// `NAME=COMMAND` with the command's words divided as a shell would.
@@ -84,9 +84,9 @@ pub fn parse(path: &str, text: &str) -> Result<Vec<External>, Complaint> {
         path: path.to_owned(),
         text: text.into(),
     };
-    let file: File = toml::from_str(text).map_err(|error| explain(&document, &error))?;
+    let list: ProgramList = toml::from_str(text).map_err(|error| explain(&document, &error))?;
     let mut methods: Vec<External> = Vec::new();
-    for entry in file.method {
+    for entry in list.method {
         let name = entry.name.get_ref();
         let wrong_name = |(title, help): (String, String)| {
             let label = "this name";
@@ -108,13 +108,13 @@ pub fn parse(path: &str, text: &str) -> Result<Vec<External>, Complaint> {
         }
         let limit = match &entry.time_limit {
             None => DEFAULT_LIMIT,
-            Some(limit) if *limit.get_ref() > 0.0 && *limit.get_ref() <= LONGEST => {
+            Some(limit) if *limit.get_ref() > 0.0 && *limit.get_ref() <= MAX_TIME_LIMIT => {
                 Duration::from_secs_f64(*limit.get_ref())
             }
             Some(limit) => {
                 let title = "a time limit that no program can be held to";
                 let complaint = document.complain(limit.span(), title, "seconds");
-                return Err(complaint.help(format!("write seconds, up to {LONGEST}")));
+                return Err(complaint.help(format!("write seconds, up to {MAX_TIME_LIMIT}")));
             }
         };
         let folder = Path::new(path).parent().map(Path::to_owned);

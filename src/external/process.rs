@@ -8,24 +8,29 @@ use std::time::{Duration, Instant};
 
 use wait4::Wait4;
 
-use super::External;
+use super::program::External;
+use super::text::shortened;
+use crate::answer::{ProgramEnding, ProgramFailure};
 
-/// How a program ended.
-pub(super) struct Ended {
-    /// Its standard output, or why there is none to be used, in words.
-    pub output: Result<Vec<u8>, String>,
+/// A program that has run.
+pub(super) struct Finished {
+    /// Its standard output, or why there is none to be used.
+    pub output: Result<Vec<u8>, ProgramFailure>,
     /// CPU time of the program and of those children that it waited for.
     pub cpu: Duration,
 }
 
 /// Most bytes of output that are kept; an answer for 100 000 joints is a tenth of it.
-const MOST_OUTPUT: u64 = 64 << 20;
+const MAX_OUTPUT: u64 = 64 << 20;
 
 /// Most bytes of messages that are kept.
-const MOST_MESSAGES: u64 = 1 << 16;
+const MAX_MESSAGES: u64 = 1 << 16;
+
+/// Longest line of messages that is shown, in characters.
+const LINE_LENGTH: usize = 200;
 
 /// Time between two looks at a program that runs.
-const LOOK: Duration = Duration::from_millis(2);
+const POLL_INTERVAL: Duration = Duration::from_millis(2);
 
 /// Time that pipes may stay open after the program's end, by children that left its group.
 const GRACE: Duration = Duration::from_secs(1);
@@ -34,45 +39,53 @@ const GRACE: Duration = Duration::from_secs(1);
 /// stopped; where it does not within its limit, the whole group is.
 ///
 /// # Errors
-/// In words, why it could not be started or waited for.
-pub(super) fn run(method: &External, input: String) -> Result<Ended, String> {
-    let mut child = start(method)?;
-    let (output, messages) = (drain(child.stdout.take(), MOST_OUTPUT), {
-        drain(child.stderr.take(), MOST_MESSAGES)
+/// Why it could not be started or waited for.
+pub(super) fn run(program: &External, input: String) -> Result<Finished, ProgramFailure> {
+    let mut child = start(program)?;
+    let (output, messages) = (drain(child.stdout.take(), MAX_OUTPUT), {
+        drain(child.stderr.take(), MAX_MESSAGES)
     });
     if let Some(mut pipe) = child.stdin.take() {
         // A program may end without reading it all, which is its own affair.
         thread::spawn(move || drop(pipe.write_all(input.as_bytes())));
     }
-    let in_time = wait(&child, method.limit)?;
+    let in_time = wait(&child, program.limit)?;
     stop_group(&mut child);
-    let used = child
-        .wait4()
-        .map_err(|error| format!("cannot be waited for: {error}"))?;
+    let used = child.wait4().map_err(not_waited_for)?;
     let output = output.recv_timeout(GRACE).unwrap_or_default();
     let messages = messages.recv_timeout(GRACE).unwrap_or_default();
     let failed = if !in_time {
-        let limit = method.limit.as_secs_f64();
-        Some(format!("stopped after its time limit of {limit} s"))
+        let seconds = program.limit.as_secs_f64();
+        Some(ProgramEnding::TimeLimit { seconds })
     } else if !used.status.success() {
         Some(ending(used.status))
-    } else if output.len() as u64 >= MOST_OUTPUT {
-        Some(format!("wrote more than {} MiB", MOST_OUTPUT >> 20))
+    } else if output.len() as u64 >= MAX_OUTPUT {
+        let mebibytes = MAX_OUTPUT >> 20;
+        Some(ProgramEnding::TooMuchOutput { mebibytes })
     } else {
         None
     };
-    Ok(Ended {
+    Ok(Finished {
         output: match failed {
-            Some(reason) => Err(with_messages(reason, &messages)),
+            Some(ending) => Err(ProgramFailure::Ended {
+                ending,
+                messages: first_and_last(&messages),
+            }),
             None => Ok(output),
         },
         cpu: used.rusage.utime + used.rusage.stime,
     })
 }
 
-fn start(method: &External) -> Result<Child, String> {
-    let [program, arguments @ ..] = method.command.as_slice() else {
-        return Err("has no command".to_owned());
+fn not_waited_for(error: impl ToString) -> ProgramFailure {
+    ProgramFailure::NotWaitedFor {
+        error: error.to_string(),
+    }
+}
+
+fn start(external: &External) -> Result<Child, ProgramFailure> {
+    let [program, arguments @ ..] = external.command.as_slice() else {
+        return Err(ProgramFailure::NoCommand);
     };
     let mut command = Command::new(program);
     command
@@ -80,15 +93,16 @@ fn start(method: &External) -> Result<Child, String> {
         .stdin(Stdio::piped())
         .stdout(Stdio::piped())
         .stderr(Stdio::piped());
-    if let Some(folder) = &method.folder {
+    if let Some(folder) = &external.folder {
         command.current_dir(folder);
     }
     // A group of its own, so that its children can be stopped with it.
     #[cfg(unix)]
     std::os::unix::process::CommandExt::process_group(&mut command, 0);
-    command
-        .spawn()
-        .map_err(|error| format!("cannot start `{program}`: {error}"))
+    command.spawn().map_err(|error| ProgramFailure::NotStarted {
+        program: program.clone(),
+        error: error.to_string(),
+    })
 }
 
 /// Reads a pipe to its end in a thread of its own, and keeps at most `most` bytes.
@@ -108,16 +122,16 @@ fn drain(pipe: Option<impl Read + Send + 'static>, most: u64) -> Receiver<Vec<u8
 
 /// Whether the program ends within the limit. It is not reaped, so its number stays its own.
 #[cfg(unix)]
-fn wait(child: &Child, limit: Duration) -> Result<bool, String> {
+fn wait(child: &Child, limit: Duration) -> Result<bool, ProgramFailure> {
     use rustix::process::{WaitId, WaitIdOptions, waitid};
     let began = Instant::now();
     let options = WaitIdOptions::EXITED | WaitIdOptions::NOHANG | WaitIdOptions::NOWAIT;
     loop {
         let seen = waitid(WaitId::Pid(number(child)), options);
-        match seen.map_err(|error| format!("cannot be waited for: {error}"))? {
+        match seen.map_err(not_waited_for)? {
             Some(_) => return Ok(true),
             None if began.elapsed() >= limit => return Ok(false),
-            None => thread::sleep(LOOK.min(limit)),
+            None => thread::sleep(POLL_INTERVAL.min(limit)),
         }
     }
 }
@@ -136,9 +150,8 @@ fn stop_group(child: &mut Child) {
 }
 
 #[cfg(not(unix))]
-fn wait(child: &Child, _limit: Duration) -> Result<bool, String> {
-    let _ = child;
-    Err("external methods need a system with process groups".to_owned())
+fn wait(_child: &Child, _limit: Duration) -> Result<bool, ProgramFailure> {
+    Err(ProgramFailure::NoProcessGroups)
 }
 
 #[cfg(not(unix))]
@@ -146,41 +159,32 @@ fn stop_group(child: &mut Child) {
     let _ = child.kill();
 }
 
-/// How a program ended, in words.
-fn ending(status: ExitStatus) -> String {
+/// How a program ended.
+fn ending(status: ExitStatus) -> ProgramEnding {
     #[cfg(unix)]
     if let Some(signal) = std::os::unix::process::ExitStatusExt::signal(&status) {
-        return format!("ended by signal {signal}");
+        return ProgramEnding::Signal(signal);
     }
     match status.code() {
-        Some(code) => format!("ended with exit status {code}"),
-        None => "ended without an exit status".to_owned(),
+        Some(code) => ProgramEnding::ExitStatus(code),
+        None => ProgramEnding::NoExitStatus,
     }
 }
 
-fn with_messages(reason: String, messages: &[u8]) -> String {
+/// The first and the last line of messages.
+fn first_and_last(messages: &[u8]) -> String {
     let text = String::from_utf8_lossy(messages);
     let lines: Vec<&str> = text
         .lines()
         .map(str::trim)
-        .filter(|l| !l.is_empty())
+        .filter(|line| !line.is_empty())
         .collect();
     match lines.as_slice() {
-        [] => reason,
-        [first] => format!("{reason}: {}", shown(first, 200)),
+        [] => String::new(),
+        [first] => shortened(first, LINE_LENGTH),
         [first, .., last] => {
-            let first = shown(first, 200);
-            format!("{reason}: {first} … {}", shown(last, 200))
+            let [first, last] = [first, last].map(|line| shortened(line, LINE_LENGTH));
+            format!("{first} … {last}")
         }
     }
-}
-
-/// The first characters of a text, on one line and without control characters.
-pub(super) fn shown(text: &str, longest: usize) -> String {
-    let plain = |c: char| if c.is_control() { ' ' } else { c };
-    let mut short: String = text.chars().take(longest).map(plain).collect();
-    if text.chars().nth(longest).is_some() {
-        short.push('…');
-    }
-    short
 }

@@ -85,6 +85,11 @@ pub struct JointFile {
     pub class: String,
 }
 
+/// JSON schema of the scene that a program reads.
+pub fn scene_schema() -> schemars::Schema {
+    schemars::schema_for!(SceneFile)
+}
+
 /// The scene as one line of JSON.
 ///
 /// # Errors

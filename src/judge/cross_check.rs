@@ -1,7 +1,10 @@
-//! What must hold between the methods of one scene.
+//! What must hold between the methods of one scene. It follows from what their answers claim, so
+//! that a new method of a known kind is compared without a line here.
 
 use super::check::{Check, Verdict};
 use crate::answer::{Bracket, Outcome};
+use crate::method::{Kind, kind};
+use crate::number::short;
 use crate::scene::HeadJoints;
 
 /// Convergence tolerance of the sequential method: what it may exceed λ_A by through c0.
@@ -10,110 +13,153 @@ const COHESION_BIAS: f64 = 1e-4;
 /// Outcomes of one scene by method name.
 pub type Answers<'a> = [(&'a str, &'a Outcome)];
 
-fn bracket_of(answers: &Answers, method: &str) -> Option<Bracket> {
-    let found = answers.iter().find(|(name, _)| *name == method)?;
-    found.1.bracket
+/// A method that gave a bracket.
+struct Answered<'a> {
+    name: &'a str,
+    bracket: Bracket,
+    outcome: &'a Outcome,
+}
+
+/// The answers of a kind that have a bracket.
+fn of_kind<'a>(answers: &'a Answers, wanted: Kind) -> Vec<Answered<'a>> {
+    let of_kind = answers.iter().filter(|(name, _)| kind(name) == wanted);
+    let answered = of_kind.filter_map(|&(name, outcome)| {
+        Some(Answered {
+            name,
+            bracket: outcome.bracket?,
+            outcome,
+        })
+    });
+    answered.collect()
 }
 
 /// Relations between the methods of one scene.
 pub fn cross_check(head_joints: HeadJoints, answers: &Answers) -> Vec<Check> {
-    let associative = bracket_of(answers, "associative");
-    let sequential = bracket_of(answers, "sequential");
-    let interval = bracket_of(answers, "interval");
-    let check = |method: &str, text: String, verdict| Check {
-        head_joints,
-        method: method.to_owned(),
-        text,
-        verdict,
-    };
+    let bounds = of_kind(answers, Kind::AssociativeBounds);
+    let converged = of_kind(answers, Kind::CollapseState);
+    let found = of_kind(answers, Kind::CollapseStates);
     let mut checks = Vec::new();
-    if let (Some(a), Some(s)) = (associative, sequential) {
-        let (text, verdict) = sequential_below_associative(a, s);
-        checks.push(check("sequential", text, verdict));
+    let mut add = |method: &str, (text, verdict): (String, Verdict)| {
+        checks.push(Check {
+            head_joints,
+            method: method.to_owned(),
+            text,
+            verdict,
+        });
+    };
+    for (bound, state) in pairs(&bounds, &converged) {
+        add(state.name, converged_below_bound(bound, state));
     }
-    if let (Some(a), Some(i)) = (associative, interval) {
+    for (bound, states) in pairs(&bounds, &found) {
+        let (a, i) = (bound.bracket, states.bracket);
         let holds = i.upper <= a.upper + 1e-6 * a.upper.max(1e-3);
-        let text = "interval is not above associative".to_owned();
-        checks.push(check("interval", text, Verdict::of(holds)));
+        let text = format!("{} is not above {}", states.name, bound.name);
+        add(states.name, (text, Verdict::of(holds)));
     }
-    if let (Some(s), Some(i)) = (sequential, interval) {
-        let slack = COHESION_BIAS * i.upper.max(1e-3);
-        let inside = s.lower >= i.lower - slack && s.upper <= i.upper + slack;
-        // Outside lies no contradiction: the interval is what was found.
-        let (word, verdict) = match inside {
-            true => ("lies in", Verdict::Holds),
-            false => ("lies outside", Verdict::Marked),
-        };
-        let text = format!("sequential {word} the verified interval found");
-        checks.push(check("sequential", text, verdict));
+    for (state, states) in pairs(&converged, &found) {
+        add(state.name, converged_among_found(state, states));
     }
-    if let Some(range) = bracket_of(answers, "macro-block") {
-        let width = 100.0 * (range.upper - range.lower) / range.upper;
-        let micro = answers.iter().filter(|(name, _)| *name != "macro-block");
-        for (name, outcome) in micro {
-            let Some(value) = outcome.bracket else {
-                continue;
-            };
-            let inside = value.lower >= range.lower && value.upper <= range.upper;
-            // The range is a claim of the paper, not a law.
-            let (word, verdict) = match inside {
-                true => ("contains", Verdict::Holds),
-                false => ("does not contain", Verdict::Marked),
-            };
-            let text = format!("macro-block range ({width:.0} % wide) {word} {name}");
-            checks.push(check("macro-block", text, verdict));
+    for range in of_kind(answers, Kind::ClosedForm) {
+        for (name, outcome) in answers.iter().filter(|(name, _)| *name != range.name) {
+            if let Some(value) = outcome.bracket {
+                add(range.name, range_contains(&range, name, value));
+            }
         }
     }
-    checks.extend(pushover_check(answers).map(|(text, verdict)| check("pushover", text, verdict)));
+    for seen in of_kind(answers, Kind::Observed) {
+        if let Some(check) = seen_among_known(&seen, answers) {
+            add(seen.name, check);
+        }
+    }
     checks
 }
 
-/// λ_sequential ≤ λ_A (1 + 1e-4), what is above λ_A marked as the bias of c0.
-fn sequential_below_associative(associative: Bracket, sequential: Bracket) -> (String, Verdict) {
-    let excess = (sequential.upper - associative.upper) / associative.upper.max(1e-3);
+fn pairs<'a>(
+    ones: &'a [Answered<'a>],
+    others: &'a [Answered<'a>],
+) -> impl Iterator<Item = (&'a Answered<'a>, &'a Answered<'a>)> {
+    let with_others = |one| others.iter().map(move |other| (one, other));
+    ones.iter().flat_map(with_others)
+}
+
+/// λ ≤ λ_A (1 + 1e-4), what is above λ_A marked as the bias of c0.
+fn converged_below_bound(bound: &Answered, state: &Answered) -> (String, Verdict) {
+    let excess = (state.bracket.upper - bound.bracket.upper) / bound.bracket.upper.max(1e-3);
+    let (state, bound) = (state.name, bound.name);
     if excess <= 1e-6 {
-        (
-            "sequential is not above associative".to_owned(),
-            Verdict::Holds,
-        )
+        (format!("{state} is not above {bound}"), Verdict::Holds)
     } else if excess <= COHESION_BIAS {
-        let text = "sequential is above associative by no more than 0.01 %: bias of c0";
-        (text.to_owned(), Verdict::Marked)
+        let text = format!("{state} is above {bound} by no more than 0.01 %: bias of c0");
+        (text, Verdict::Marked)
     } else {
-        let text = format!("sequential is {:.3} % above associative", 100.0 * excess);
+        let text = format!("{state} is {:.3} % above {bound}", 100.0 * excess);
         (text, Verdict::Violated)
     }
 }
 
-/// The open pushover's bracket meets [lowest known, λ_A], widened by its stated error.
-fn pushover_check(answers: &Answers) -> Option<(String, Verdict)> {
-    let (_, outcome) = answers.iter().find(|(name, _)| *name == "pushover")?;
-    let (pushover, error) = (outcome.bracket?, outcome.stated_error?);
-    let known = ["associative", "sequential", "interval"];
-    let lowest = known
-        .iter()
-        .filter_map(|method| bracket_of(answers, method))
-        .map(|bracket| bracket.lower)
+/// Outside lies no contradiction: the interval is what was found.
+fn converged_among_found(state: &Answered, states: &Answered) -> (String, Verdict) {
+    let (s, i) = (state.bracket, states.bracket);
+    let slack = COHESION_BIAS * i.upper.max(1e-3);
+    let inside = s.lower >= i.lower - slack && s.upper <= i.upper + slack;
+    let (word, verdict) = if inside {
+        ("lies in", Verdict::Holds)
+    } else {
+        ("lies outside", Verdict::Marked)
+    };
+    let text = format!("{} {word} the verified {} found", state.name, states.name);
+    (text, verdict)
+}
+
+/// The closed form's range is a claim of the paper, not a law.
+fn range_contains(range: &Answered, name: &str, value: Bracket) -> (String, Verdict) {
+    let Bracket { lower, upper } = range.bracket;
+    let width = 100.0 * (upper - lower) / upper;
+    let (word, verdict) = if value.lower >= lower && value.upper <= upper {
+        ("contains", Verdict::Holds)
+    } else {
+        ("does not contain", Verdict::Marked)
+    };
+    let text = format!("{} range ({width:.0} % wide) {word} {name}", range.name);
+    (text, verdict)
+}
+
+/// What was seen meets [lowest known, λ_A], widened by its stated error.
+fn seen_among_known(seen: &Answered, answers: &Answers) -> Option<(String, Verdict)> {
+    let (pushover, error) = (seen.bracket, seen.outcome.stated_error?);
+    let bounds = of_kind(answers, Kind::AssociativeBounds);
+    let known = [Kind::CollapseState, Kind::CollapseStates];
+    let states = known.into_iter().flat_map(|kind| of_kind(answers, kind));
+    let lowest = (bounds.iter().map(|bound| bound.bracket.lower))
+        .chain(states.map(|state| state.bracket.lower))
         .fold(f64::INFINITY, f64::min);
-    let highest = bracket_of(answers, "associative")?.upper;
-    let (low, high) = (lowest * (1.0 - error), highest * (1.0 + error));
+    let bound = bounds.first()?;
+    let (low, high) = (lowest * (1.0 - error), bound.bracket.upper * (1.0 + error));
     let meets = pushover.upper >= low && pushover.lower <= high;
     let text = format!(
-        "pushover {} [{low:.4}, {high:.4}], lowest known to associative widened by {} %",
+        "{} {} [{low:.4}, {high:.4}], lowest known to {} widened by {} %",
+        seen.name,
         if meets { "meets" } else { "misses" },
-        crate::number::short(100.0 * error, 2)
+        bound.name,
+        short(100.0 * error, 2)
     );
     Some((text, Verdict::of(meets)))
 }
 
-/// Open head joints never raise λ_A, as they only take forces away.
-pub fn open_never_raises(contact: Option<Bracket>, open: Option<Bracket>) -> Option<Check> {
-    let (contact, open) = (contact?, open?);
-    let holds = open.lower <= contact.upper * (1.0 + 1e-6);
-    Some(Check {
-        head_joints: HeadJoints::Open,
-        method: "associative".to_owned(),
-        text: "open head joints do not raise the associative multiplier".to_owned(),
-        verdict: Verdict::of(holds),
-    })
+/// Open head joints never raise λ_A, as they only take forces away: `contact` and `open` are the
+/// answers with either, on sides of the push that may differ.
+pub fn open_never_raises(contact: &Answers, open: &Answers) -> Vec<Check> {
+    let open = of_kind(open, Kind::AssociativeBounds);
+    let compared = open.iter().filter_map(|open| {
+        let contact = of_kind(contact, Kind::AssociativeBounds);
+        let contact = contact.iter().find(|contact| contact.name == open.name)?;
+        let holds = open.bracket.lower <= contact.bracket.upper * (1.0 + 1e-6);
+        Some(Check {
+            head_joints: HeadJoints::Open,
+            method: open.name.to_owned(),
+            text: format!("open head joints do not raise the {} multiplier", open.name),
+            verdict: Verdict::of(holds),
+        })
+    });
+    compared.collect()
 }

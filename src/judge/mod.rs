@@ -6,7 +6,7 @@ mod cross_check;
 mod references;
 
 pub use check::{Check, Verdict};
-pub use cross_check::{cross_check, open_never_raises};
+pub use cross_check::{Answers, cross_check, open_never_raises};
 pub use references::{Comparison, comparisons, computed, reference_checks};
 
 use crate::answer::{
@@ -41,40 +41,23 @@ pub fn judge(scene: &Scene, outcome: &mut Outcome) -> Option<f64> {
         return Some(judge_states(scene, outcome));
     }
     let statics = StaticResidual::of(scene, forces, bracket.lower);
-    match outcome.claim {
+    let collapse = || CollapseResidual::of(scene, forces, mechanism);
+    Some(match outcome.claim {
         Claim::Associative => {
             let ceiling = ceiling(scene, mechanism);
-            let residual = statics.largest().max(slack(&ceiling, bracket));
-            let residuals = Residuals::Bounds {
-                statics,
-                collapse: None,
-                ceiling: Some(ceiling),
-            };
-            conclude_bounds(outcome, residual, residuals);
-            Some(residual)
+            conclude_bounds(outcome, bracket, statics, None, Some(ceiling))
         }
         Claim::Enclosed => {
-            let collapse = CollapseResidual::of(scene, forces, mechanism);
+            let collapse = collapse();
             let above = outcome.ceiling.as_ref();
             let ceiling = above.map(|mechanism| ceiling(scene, mechanism));
-            let slack = ceiling.map_or(f64::INFINITY, |ceiling| slack(&ceiling, bracket));
-            let residual = statics.largest().max(collapse.largest()).max(slack);
-            let residuals = Residuals::Bounds {
-                statics,
-                collapse: Some(collapse),
-                ceiling,
-            };
-            conclude_bounds(outcome, residual, residuals);
-            Some(residual)
+            conclude_bounds(outcome, bracket, statics, Some(collapse), ceiling)
         }
         Claim::CollapseState | Claim::Observed => {
-            let collapse = CollapseResidual::of(scene, forces, mechanism);
-            let residual = statics.largest().max(collapse.largest());
-            let residuals = Residuals::State { statics, collapse };
-            conclude_state(outcome, residual, residuals);
-            Some(residual)
+            let collapse = collapse();
+            conclude_state(outcome, statics, collapse)
         }
-    }
+    })
 }
 
 fn ceiling(scene: &Scene, mechanism: &Mechanism) -> CeilingSlack {
@@ -100,24 +83,42 @@ fn slack(ceiling: &CeilingSlack, bracket: Bracket) -> f64 {
 
 /// Both ends proved: `verified` where they are one number, else `bracketed`, or `undecided` where
 /// the method says that its bracket is no answer. An estimate is never downgraded.
-fn conclude_bounds(outcome: &mut Outcome, residual: f64, residuals: Residuals) {
+fn conclude_bounds(
+    outcome: &mut Outcome,
+    bracket: Bracket,
+    statics: StaticResidual,
+    collapse: Option<CollapseResidual>,
+    ceiling: Option<CeilingSlack>,
+) -> f64 {
+    let of_forces = statics.largest();
+    let below = collapse.map_or(of_forces, |collapse| of_forces.max(collapse.largest()));
+    let residual = below.max(ceiling.map_or(f64::INFINITY, |ceiling| slack(&ceiling, bracket)));
+    let residuals = Residuals::Bounds {
+        statics,
+        collapse,
+        ceiling,
+    };
     if residual <= VERIFIED_RESIDUAL {
-        let one = (outcome.bracket).is_some_and(|bracket| bracket.is_one_number());
-        if outcome.status != Status::Undecided {
-            outcome.status = if one {
-                Status::Verified
-            } else {
-                Status::Bracketed
-            };
-        }
+        outcome.status = match outcome.status {
+            Status::Undecided => Status::Undecided,
+            _ if bracket.is_one_number() => Status::Verified,
+            _ => Status::Bracketed,
+        };
     } else if outcome.status == Status::Estimate {
         outcome.facts.push(JudgedFact::NoProof(residuals).into());
     } else {
         refute(outcome, JudgedFact::Refuted(residuals));
     }
+    residual
 }
 
-fn conclude_state(outcome: &mut Outcome, residual: f64, residuals: Residuals) {
+fn conclude_state(
+    outcome: &mut Outcome,
+    statics: StaticResidual,
+    collapse: CollapseResidual,
+) -> f64 {
+    let residual = statics.largest().max(collapse.largest());
+    let residuals = Residuals::State { statics, collapse };
     let at_one = outcome
         .bracket
         .is_some_and(|bracket| bracket.lower == bracket.upper);
@@ -129,6 +130,7 @@ fn conclude_state(outcome: &mut Outcome, residual: f64, residuals: Residuals) {
     } else {
         outcome.facts.push(JudgedFact::NoProof(residuals).into());
     }
+    residual
 }
 
 /// The residual of what proves `falls` (a mechanism) or `stands` (forces at λ = 0 and a ray): refutes

@@ -39,13 +39,13 @@ fn of_scene(scene: &Scene) -> Result<Range, InapplicableForm> {
 
 /// λ_low, λ_upp and the crack slope they share.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Range {
+struct Range {
     /// Eq. (5) without friction along the crack.
-    pub lower: f64,
+    lower: f64,
     /// Eq. (5) with all friction along the crack.
-    pub upper: f64,
+    upper: f64,
     /// Crack slope tan β of Eq. (6).
-    pub tan_beta: f64,
+    tan_beta: f64,
 }
 
 /// Walls may lie exactly on a limit of validity, as the paper's examples 2 and 3 do.
@@ -55,7 +55,7 @@ const EQUAL: f64 = 1.0 + 1e-9;
 ///
 /// # Errors
 /// [`Invalid`] names the condition α_c ≤ α_b ≤ α_p or tan β ≥ 0 that fails.
-pub fn collapse_range(wall: &RegularWall) -> Result<Range, Invalid> {
+fn collapse_range(wall: &RegularWall) -> Result<Range, Invalid> {
     let stagger = wall.overlap / wall.unit_height;
     let aspect = wall.length / wall.height;
     if stagger > aspect * EQUAL {

@@ -7,7 +7,7 @@ use super::svg::{Px, Svg};
 use super::wall::{self, Shown};
 use super::{Contents, View};
 use crate::number::{number, short};
-use crate::record;
+use crate::run::column;
 use crate::scene::{HeadJoints, Point, Push, Vector};
 
 /// Pixels for the heading above a picture.
@@ -154,7 +154,10 @@ impl<'a> Panel<'a> {
             ];
         }
         let mut lines = match outcome.bracket {
-            Some(_) => vec![format!("λ = {}, {status}", record::multiplier(row))],
+            Some(_) => vec![format!(
+                "λ = {}, {status}",
+                (column("lambda").value)(row).shown()
+            )],
             None => vec![format!("no multiplier: {status}")],
         };
         if let Some(crack) = &outcome.crack {

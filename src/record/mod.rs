@@ -7,7 +7,7 @@ mod snapshot;
 mod table;
 
 pub use snapshot::{Comparison, compare};
-pub use table::{HEADING, LEGEND, cells, lines, multiplier};
+pub use table::{LEGEND, heading, lines};
 
 use crate::judge::{Check, Verdict};
 use crate::number::short;
@@ -22,7 +22,7 @@ pub fn record(result: &CaseResult) -> String {
         text.push('\n');
     }
     text.push('\n');
-    text.push_str(HEADING);
+    text.push_str(&heading());
     text.push('\n');
     for line in lines(result) {
         text.push_str(&line);

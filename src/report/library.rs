@@ -5,26 +5,18 @@
 
 use std::fmt::Write;
 
-use crate::answer::{Bracket, Outcome, Status};
-use crate::judge::{Check, Comparison, Verdict, comparisons};
+use indexmap::IndexMap;
+
+use crate::answer::{Bracket, Status};
+use crate::judge::{Verdict, comparisons};
 use crate::number::{number, short};
 use crate::run::{CaseResult, Row};
 
 /// Limits of error that answers are counted within, relative to the reference.
 const LIMITS: [f64; 3] = [1e-3, 1e-2, 5e-2];
 
-/// The whole text: references, methods, then what does not hold.
-pub fn library(results: &[CaseResult]) -> String {
-    let mut text = references(results);
-    text.push_str(&methods(results));
-    text.push_str(&unsettled(results));
-    text.push_str(&closing(results));
-    text
-}
-
-/// One line a reference; one line for a row without any.
-fn references(results: &[CaseResult]) -> String {
-    let mut text = String::from("references\n");
+/// What comes before the first case.
+pub fn library_heading() -> String {
     let heading = [
         "case",
         "joints",
@@ -37,19 +29,19 @@ fn references(results: &[CaseResult]) -> String {
         "error %",
         "verdict",
     ];
-    text.push_str(&line(heading.map(str::to_owned)));
-    for (result, row) in rows(results) {
+    format!("references\n{}", line(heading.map(str::to_owned)))
+}
+
+/// Of one case, one line a reference; one line for a row without any.
+pub fn library_case(result: &CaseResult) -> String {
+    let mut text = String::new();
+    for row in &result.rows {
         let compared = comparisons(&result.case, row.head_joints, &row.method, &row.outcome);
         if compared.is_empty() {
-            let lambda = ends(row.outcome.bracket);
+            let lambda = ends(row.bracket());
             let none = ["lambda", "-", "-", "-"].map(str::to_owned);
-            text.push_str(&reference_line(
-                result,
-                row,
-                lambda,
-                none,
-                worst(result, row),
-            ));
+            let worst = row.verdict.map_or("-", Verdict::name);
+            text.push_str(&reference_line(row, lambda, none, worst));
         }
         for comparison in compared {
             let reference = comparison.reference;
@@ -61,21 +53,25 @@ fn references(results: &[CaseResult]) -> String {
             ];
             let computed = ends(comparison.computed);
             let verdict = comparison.verdict.name();
-            text.push_str(&reference_line(result, row, computed, against, verdict));
+            text.push_str(&reference_line(row, computed, against, verdict));
         }
     }
     text
 }
 
+/// What comes behind the last case: what each method is worth, and what does not hold.
+pub fn library_closing(results: &[CaseResult]) -> String {
+    [methods(results), unsettled(results), closing(results)].concat()
+}
+
 fn reference_line(
-    result: &CaseResult,
     row: &Row,
     computed: String,
     [quantity, reference, kind, error]: [String; 4],
     verdict: &str,
 ) -> String {
     line([
-        result.case.name.clone(),
+        row.case.clone(),
         row.head_joints.name().to_owned(),
         row.method.clone(),
         row.outcome.status.name().to_owned(),
@@ -122,17 +118,6 @@ fn percent(error: f64) -> String {
     number(100.0 * error, 2)
 }
 
-/// The worst of the checks about a row, for rows without a reference.
-fn worst(result: &CaseResult, row: &Row) -> &'static str {
-    let about = |check: &&Check| check.head_joints == row.head_joints && check.method == row.method;
-    let verdicts = result
-        .checks
-        .iter()
-        .filter(about)
-        .map(|check| check.verdict);
-    verdicts.max().map_or("-", Verdict::name)
-}
-
 /// What one method did over all cases.
 #[derive(Default)]
 struct Tally {
@@ -148,10 +133,10 @@ struct Tally {
 }
 
 impl Tally {
-    fn count(&mut self, outcome: &Outcome, compared: &[Comparison]) {
+    fn count(&mut self, row: &Row) {
         self.scenes += 1;
-        self.numbers += usize::from(outcome.bracket.is_some());
-        match outcome.status {
+        self.numbers += usize::from(row.bracket().is_some());
+        match row.status() {
             Status::Verified => self.verified += 1,
             Status::Stands | Status::Falls => self.endings += 1,
             Status::NotApplicable => self.declined += 1,
@@ -159,7 +144,7 @@ impl Tally {
             Status::Failed => self.failed += 1,
             Status::Bracketed | Status::Estimate => {}
         }
-        let Some(error) = multiplier_error(compared) else {
+        let Some(error) = row.error() else {
             return;
         };
         self.compared += 1;
@@ -188,37 +173,11 @@ impl Tally {
     }
 }
 
-/// Error of the multiplier against the reference that stands first: the farther end where the two
-/// ends have references of their own. `None` where there is no answer or no reference.
-fn multiplier_error(compared: &[Comparison]) -> Option<f64> {
-    use crate::case::Quantity::{Lambda, Lower, Upper};
-    let mut ranked: Vec<&Comparison> = compared.iter().collect();
-    ranked.sort_by_key(|c| (c.reference.deviation.is_some(), c.reference.kind));
-    let of = |quantity| {
-        let mut found = ranked.iter().filter(|c| c.reference.quantity == quantity);
-        found.find_map(|comparison| comparison.error)
-    };
-    of(Lambda).or_else(|| {
-        [of(Lower), of(Upper)]
-            .into_iter()
-            .flatten()
-            .reduce(f64::max)
-    })
-}
-
 /// One line a method.
 fn methods(results: &[CaseResult]) -> String {
-    let mut names: Vec<&str> = Vec::new();
-    let mut tallies: Vec<Tally> = Vec::new();
-    for (result, row) in rows(results) {
-        let index = names.iter().position(|name| *name == row.method);
-        let index = index.unwrap_or_else(|| {
-            names.push(&row.method);
-            tallies.push(Tally::default());
-            names.len() - 1
-        });
-        let compared = comparisons(&result.case, row.head_joints, &row.method, &row.outcome);
-        tallies[index].count(&row.outcome, &compared);
+    let mut tallies: IndexMap<&str, Tally> = IndexMap::new();
+    for (_, row) in rows(results) {
+        tallies.entry(&row.method).or_default().count(row);
     }
     let heading = [
         "method",
@@ -237,9 +196,9 @@ fn methods(results: &[CaseResult]) -> String {
     let widths = [12, 7, 8, 9, 8, 9, 10, 7, 9, 6, 6, 0];
     let mut text = String::from("\nmethods\n");
     text.push_str(&columns(heading.into_iter().zip(widths)));
-    for (name, tally) in names.iter().zip(&tallies) {
+    for (name, tally) in tallies {
         let cells = tally.cells();
-        let cells = std::iter::once(*name).chain(cells.iter().map(String::as_str));
+        let cells = std::iter::once(name).chain(cells.iter().map(String::as_str));
         text.push_str(&columns(cells.zip(widths)));
     }
     text.push_str(

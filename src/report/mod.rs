@@ -4,5 +4,5 @@ pub mod html;
 mod library;
 mod rows;
 
-pub use library::library;
-pub use rows::{csv, json, table};
+pub use library::{library_case, library_closing, library_heading};
+pub use rows::{case_table, csv, json, legend, table};

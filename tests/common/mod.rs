@@ -32,13 +32,13 @@ pub fn is_long(case: &Case) -> bool {
 /// Runs the methods that `wanted` names, compares the record with the snapshot `name`, and asserts
 /// that nothing failed and no reference is violated: accepting a snapshot cannot hide that.
 pub fn assert_record(case: Case, name: &str, wanted: impl Fn(&str) -> bool) {
-    let methods = defaults().iter().copied().filter(|m| wanted(m.name()));
+    let methods = defaults().into_iter().filter(|m| wanted(m.name()));
     let plan = Plan {
         methods: methods.collect(),
         settings: Settings::default(),
         head_joints: None,
     };
-    let results = trilith::run::run(&[case], &plan, |_, _| {});
+    let results = trilith::run::run(&[case], &plan, &());
     let [result] = results.as_slice() else {
         panic!("one case gives one result");
     };

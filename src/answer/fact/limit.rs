@@ -69,7 +69,7 @@ impl fmt::Display for LimitFact {
     }
 }
 
-/// What the solver says of a linear program. Its word, not a proof.
+/// What the solver says of a linear program. No proof of it.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum SolverEnding {
     /// It has an optimum.

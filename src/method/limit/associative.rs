@@ -1,8 +1,9 @@
 //! Limit analysis with associative friction: the largest multiplier that equilibrium and Coulomb's
 //! law admit. It bounds every non-associative collapse multiplier from above (Radenkovic 1961).
 
+use super::ending::Ending;
 use super::own_weight::{own_weight, without_optimum};
-use super::program::{Ending, Margins, Program};
+use super::program::{Margins, Program};
 use super::reduction;
 use crate::answer::{
     Bracket, Claim, JointForce, LimitFact, Mechanism, Outcome, StaticResidual, Status,
@@ -36,7 +37,7 @@ impl Method for Associative {
                 && let Some(forces) =
                     part.complete(scene, answer.bracket.lower, &answer.forces, &mut work)
             {
-                answer.mechanism = part.lift(scene, &answer.mechanism);
+                answer.mechanism = part.extend(scene, &answer.mechanism);
                 answer.forces = forces;
                 work.modelled = part.scene.blocks().len();
                 return outcome(scene, answer, settings, work);

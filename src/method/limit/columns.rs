@@ -1,16 +1,71 @@
-//! The program's matrix, column by column.
+//! The program's matrix, column by column, and its right side.
+
+use std::ops::Range;
 
 use super::scale::Scale;
 use crate::scene::{Scene, Side};
 
+/// Three columns a joint: two corner forces and the shear. Returns where the joint's four friction
+/// coefficients stand: rows ±t, columns n1 and n2.
+pub(super) fn joint_columns(scene: &Scene, scale: &Scale, out: &mut Entries) -> Vec<[usize; 4]> {
+    let rows_of_blocks = 3 * scene.blocks().len();
+    let columns = scene.joints().iter().enumerate().map(|(j, joint)| {
+        let first = rows_of_blocks + 4 * j;
+        let mut at = [0; 4];
+        for corner in 0..2 {
+            equilibrium_column(scene, scale, j, corner, out);
+            out.push(first + corner, -1.0);
+            at[corner] = out.push(first + 2, -joint.friction);
+            at[2 + corner] = out.push(first + 3, -joint.friction);
+            out.close_column();
+        }
+        equilibrium_column(scene, scale, j, 2, out);
+        out.push(first + 2, 1.0);
+        out.push(first + 3, -1.0);
+        out.close_column();
+        at
+    });
+    columns.collect()
+}
+
+/// The column of λ: the live loads.
+pub(super) fn multiplier_column(scene: &Scene, scale: &Scale, out: &mut Entries) {
+    let units = wrench_units(scale);
+    for (i, block) in scene.blocks().iter().enumerate() {
+        for (k, live) in block.live().into_iter().enumerate() {
+            if live != 0.0 {
+                out.push(3 * i + k, live / units[k]);
+            }
+        }
+    }
+    out.close_column();
+}
+
+/// The column of the slack, which all `inequalities` share.
+pub(super) fn slack_column(inequalities: Range<usize>, out: &mut Entries) {
+    for row in inequalities {
+        out.push(row, 1.0);
+    }
+    out.close_column();
+}
+
+/// What the joints have to balance in the equilibrium rows: dead loads and `lambda` times the live
+/// ones, turned round.
+pub(super) fn right_side(scene: &Scene, scale: &Scale, lambda: f64) -> Vec<f64> {
+    let units = wrench_units(scale);
+    let balanced = scene.blocks().iter().flat_map(|block| {
+        let (dead, live) = (block.dead(), block.live());
+        [0, 1, 2].map(|k| -(dead[k] + lambda * live[k]) / units[k])
+    });
+    balanced.collect()
+}
+
+fn wrench_units(scale: &Scale) -> [f64; 3] {
+    [scale.force, scale.force, scale.force * scale.length]
+}
+
 /// Force of one variable of a joint (0, 1: corner forces; 2: shear) in the equilibrium rows.
-pub(super) fn equilibrium_column(
-    scene: &Scene,
-    scale: &Scale,
-    j: usize,
-    kind: usize,
-    out: &mut Entries,
-) {
+fn equilibrium_column(scene: &Scene, scale: &Scale, j: usize, kind: usize, out: &mut Entries) {
     let joint = &scene.joints()[j];
     let (point, direction) = match kind {
         2 => (joint.ends[0], joint.tangent()),
@@ -53,13 +108,13 @@ impl Default for Entries {
 
 impl Entries {
     /// Adds to the open column; returns the position of the value.
-    pub(super) fn push(&mut self, row: usize, value: f64) -> usize {
+    fn push(&mut self, row: usize, value: f64) -> usize {
         self.rows.push(row);
         self.values.push(value);
         self.values.len() - 1
     }
 
-    pub(super) fn close_column(&mut self) {
+    fn close_column(&mut self) {
         self.starts.push(self.rows.len());
     }
 }

@@ -2,6 +2,7 @@
 
 mod associative;
 mod columns;
+mod ending;
 mod interval;
 mod own_weight;
 mod program;
@@ -11,7 +12,8 @@ mod sequential;
 mod vertical;
 
 pub use associative::Associative;
+pub use ending::{Ending, Solution};
 pub use interval::Interval;
 pub(crate) use interval::lowest;
-pub use program::{Ending, Program, Solution};
+pub use program::Program;
 pub use sequential::Sequential;

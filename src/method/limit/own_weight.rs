@@ -2,7 +2,8 @@
 //! proof of either answer. What the solver reports is no proof: every state and mechanism is
 //! tested here by the residuals that the judge computes.
 
-use super::program::{Ending, Margins, Program};
+use super::ending::Ending;
+use super::program::{Margins, Program};
 use super::scale::Scale;
 use super::vertical;
 use crate::answer::{

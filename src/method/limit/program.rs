@@ -16,70 +16,31 @@ use clarabel::solver::{
     SupportedConeT::{NonnegativeConeT, ZeroConeT},
 };
 
-use super::columns::{Entries, equilibrium_column};
+use super::columns::{Entries, joint_columns, multiplier_column, right_side, slack_column};
+use super::ending::{Ending, Solution};
 use super::scale::Scale;
-use crate::answer::{JointForce, SolverEnding, Work};
+use crate::answer::{JointForce, Work};
 use crate::method::settings::LP_TOLERANCE;
 use crate::scene::Scene;
 
 /// Friction law of one joint: |t| ≤ slope · (n1 + n2) + intercept, the intercept in units of the
 /// scene's total weight.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FrictionLaw {
+pub(super) struct FrictionLaw {
     /// Slope; the coefficient of friction for Coulomb's law, negative for a contractant one.
-    pub slope: f64,
+    pub(super) slope: f64,
     /// Shear that the joint carries without compression.
-    pub intercept: f64,
+    pub(super) intercept: f64,
 }
 
 /// What a program asks for beyond admissibility, in dimensionless form.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Margins {
+pub(super) struct Margins {
     /// Least normal force at a corner and least distance of the shear from its limit.
-    pub force: f64,
+    pub(super) force: f64,
     /// Least opening beyond the flow rule. It bounds self-equilibrated forces, so a scene that can
     /// lock has no optimum with it.
-    pub opening: f64,
-}
-
-/// How a program ended.
-#[derive(Clone, Debug)]
-pub enum Ending {
-    /// The solver reports an optimum. That is its word, not a proof.
-    Solved(Solution),
-    /// No force state satisfies the rows, for any λ; velocities as in [`Solution`] by which the
-    /// solver shows that. Its word again.
-    Infeasible(Vec<f64>),
-    /// λ can grow without limit.
-    Unbounded,
-    /// The solver gave up; its own word for why.
-    GaveUp(String),
-}
-
-impl Ending {
-    /// The ending without its numbers.
-    pub fn kind(&self) -> SolverEnding {
-        match self {
-            Ending::Solved(_) => SolverEnding::Optimum,
-            Ending::Infeasible(_) => SolverEnding::Infeasible,
-            Ending::Unbounded => SolverEnding::Unbounded,
-            Ending::GaveUp(why) => SolverEnding::GaveUp(why.clone()),
-        }
-    }
-}
-
-/// A force state and the mechanism dual to it, in dimensionless form: total weight 1, wall height
-/// 1, and a mechanism on which the live load for λ = 1 does unit work.
-#[derive(Clone, Debug)]
-pub struct Solution {
-    /// Multiplier of the force state.
-    pub lambda: f64,
-    /// Corner forces and shear of every joint.
-    pub forces: Vec<JointForce>,
-    /// Velocities (fx, fy about the centroid, rotation times height), three a block.
-    pub velocity: Vec<f64>,
-    /// Interior-point iterations.
-    pub iterations: usize,
+    pub(super) opening: f64,
 }
 
 /// The program of one scene.
@@ -105,6 +66,16 @@ enum Goal {
     Slack(f64),
 }
 
+impl Goal {
+    /// The λ that is given, where it is not the variable.
+    fn fixed(self) -> Option<f64> {
+        match self {
+            Goal::Multiplier => None,
+            Goal::Forces(lambda) | Goal::Slack(lambda) => Some(lambda),
+        }
+    }
+}
+
 /// Cap on the slack, in mean block weights; without it scenes that lock are unbounded.
 const MAX_SLACK: f64 = 0.01;
 
@@ -120,7 +91,7 @@ impl Program {
     }
 
     /// Assembles the program that only asks for forces at a given λ, in given units.
-    pub fn at_multiplier(scene: &Scene, lambda: f64, scale: Scale) -> Self {
+    pub(super) fn at_multiplier(scene: &Scene, lambda: f64, scale: Scale) -> Self {
         Self::assemble(scene, scale, Goal::Forces(lambda))
     }
 
@@ -128,7 +99,7 @@ impl Program {
     /// force and every distance of a shear from its limit is at least m. Negative slack shows how
     /// far the scene is from standing, and its mechanism moves without more push: this program has
     /// an optimum on either side, where the one of [`Program::at_multiplier`] has none.
-    pub fn with_slack(scene: &Scene, lambda: f64) -> Self {
+    pub(super) fn with_slack(scene: &Scene, lambda: f64) -> Self {
         Self::assemble(scene, Scale::of(scene), Goal::Slack(lambda))
     }
 
@@ -139,51 +110,20 @@ impl Program {
     fn assemble_to(scene: &Scene, scale: Scale, goal: Goal, tolerance: f64) -> Self {
         let rows_of_blocks = 3 * scene.blocks().len();
         let joints = scene.joints().len();
-        let has_slack = matches!(goal, Goal::Slack(_));
-        let fixed = match goal {
-            Goal::Multiplier => None,
-            Goal::Forces(lambda) | Goal::Slack(lambda) => Some(lambda),
-        };
-        let inequalities = 4 * joints + usize::from(has_slack);
+        let inequalities = 4 * joints + usize::from(matches!(goal, Goal::Slack(_)));
         let rows = rows_of_blocks + inequalities;
         let columns = 3 * joints + usize::from(!matches!(goal, Goal::Forces(_)));
         let mut entries = Entries::default();
-        let mut friction_at = Vec::with_capacity(joints);
-        for (j, joint) in scene.joints().iter().enumerate() {
-            let first = rows_of_blocks + 4 * j;
-            let mut at = [0; 4];
-            for corner in 0..2 {
-                equilibrium_column(scene, &scale, j, corner, &mut entries);
-                entries.push(first + corner, -1.0);
-                at[corner] = entries.push(first + 2, -joint.friction);
-                at[2 + corner] = entries.push(first + 3, -joint.friction);
-                entries.close_column();
+        let friction_at = joint_columns(scene, &scale, &mut entries);
+        let mut right = right_side(scene, &scale, goal.fixed().unwrap_or(0.0));
+        right.resize(rows, 0.0);
+        match goal {
+            Goal::Multiplier => multiplier_column(scene, &scale, &mut entries),
+            Goal::Forces(_) => {}
+            Goal::Slack(_) => {
+                slack_column(rows_of_blocks..rows, &mut entries);
+                right[rows - 1] = MAX_SLACK / scene.blocks().len() as f64;
             }
-            equilibrium_column(scene, &scale, j, 2, &mut entries);
-            entries.push(first + 2, 1.0);
-            entries.push(first + 3, -1.0);
-            entries.close_column();
-            friction_at.push(at);
-        }
-        let mut right = vec![0.0; rows];
-        for (i, block) in scene.blocks().iter().enumerate() {
-            let units = [scale.force, scale.force, scale.force * scale.length];
-            let (dead, live) = (block.dead(), block.live());
-            for k in 0..3 {
-                right[3 * i + k] = -(dead[k] + fixed.unwrap_or(0.0) * live[k]) / units[k];
-                if live[k] != 0.0 && fixed.is_none() {
-                    entries.push(3 * i + k, live[k] / units[k]);
-                }
-            }
-        }
-        if has_slack {
-            for row in rows_of_blocks..rows {
-                entries.push(row, 1.0);
-            }
-            right[rows - 1] = MAX_SLACK / scene.blocks().len() as f64;
-        }
-        if columns > 3 * joints {
-            entries.close_column();
         }
         let matrix = CscMatrix::new(rows, columns, entries.starts, entries.rows, entries.values);
         let mut cost = vec![0.0; columns];
@@ -212,7 +152,7 @@ impl Program {
     }
 
     /// Units of this program.
-    pub fn scale(&self) -> Scale {
+    pub(super) fn scale(&self) -> Scale {
         self.scale
     }
 
@@ -223,7 +163,7 @@ impl Program {
     /// are admissible exactly and their multipliers are bounds, from the one solve. The price is a
     /// bracket of 1e-9 (33 blocks) to 6e-9 (1176 blocks) instead of 1e-12, at the same number of
     /// iterations (measured); margins ten times larger cost ten times the width and save nothing.
-    pub fn set_margins(&mut self, margins: Margins) {
+    pub(super) fn set_margins(&mut self, margins: Margins) {
         for right in &mut self.right[self.rows_of_blocks..] {
             *right -= margins.force;
         }
@@ -233,7 +173,7 @@ impl Program {
     }
 
     /// Changes the friction law of every joint; one law a joint, in the scene's order.
-    pub fn set_friction(&mut self, laws: &[FrictionLaw]) {
+    pub(super) fn set_friction(&mut self, laws: &[FrictionLaw]) {
         for (j, law) in laws.iter().enumerate() {
             for at in self.friction_at[j] {
                 self.values[at] = -law.slope;
@@ -250,7 +190,7 @@ impl Program {
 
     /// Changes the cost: `lambda` · λ (or the slack) − Σ price · (n1 + n2) is to be largest, with
     /// one price a joint in `normal`.
-    pub fn set_cost(&mut self, lambda: f64, normal: &[f64]) {
+    pub(super) fn set_cost(&mut self, lambda: f64, normal: &[f64]) {
         let mut cost = vec![0.0; self.solver.solution.x.len()];
         for (j, price) in normal.iter().enumerate() {
             cost[3 * j] = *price;
@@ -264,7 +204,7 @@ impl Program {
     }
 
     /// Solves the program as it stands and counts it.
-    pub fn solve_counted(&mut self, work: &mut Work) -> Ending {
+    pub(super) fn solve_counted(&mut self, work: &mut Work) -> Ending {
         let ending = self.solve();
         work.programs += 1;
         work.iterations += self.solver.solution.iterations as usize;
@@ -298,10 +238,7 @@ impl Program {
             shear: q[2],
         });
         Solution {
-            lambda: match self.goal {
-                Goal::Multiplier => lambda[0],
-                Goal::Forces(lambda) | Goal::Slack(lambda) => lambda,
-            },
+            lambda: self.goal.fixed().unwrap_or_else(|| lambda[0]),
             forces: forces.collect(),
             velocity: solution.z[..self.rows_of_blocks].to_vec(),
             iterations: solution.iterations as usize,

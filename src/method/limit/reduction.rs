@@ -5,7 +5,8 @@
 //! fixed blocks are found by a program of their own, under the forces that the part puts on them.
 //! The judge sees the whole scene only.
 
-use super::program::{Ending, Margins, Program};
+use super::ending::Ending;
+use super::program::{Margins, Program};
 use super::scale::Scale;
 use crate::answer::{JointForce, Mechanism, Motion, Work};
 use crate::scene::{Joint, Load, Push, Scene, Side};
@@ -21,10 +22,10 @@ pub(super) struct Part {
 }
 
 /// Scenes of fewer blocks are solved whole: there is nothing to gain.
-const WORTHWHILE: usize = 200;
+const LEAST_BLOCKS: usize = 200;
 
 /// How far beyond the stagger line the parts reach, in units' lengths, one after the other.
-const MARGINS: [f64; 2] = [1.0, 4.0];
+const REACHES: [f64; 2] = [1.0, 4.0];
 
 /// Parts to try, from small to large; none where the whole scene is as good.
 ///
@@ -33,14 +34,14 @@ const MARGINS: [f64; 2] = [1.0, 4.0];
 pub(super) fn parts(scene: &Scene) -> Vec<Part> {
     let Some(coursing) = scene
         .coursing()
-        .filter(|_| scene.blocks().len() >= WORTHWHILE)
+        .filter(|_| scene.blocks().len() >= LEAST_BLOCKS)
     else {
         return Vec::new();
     };
     let (low, high) = scene.bounds();
     let course_height = coursing.height / coursing.courses as f64;
     let mut parts: Vec<Part> = Vec::new();
-    for margin in MARGINS {
+    for reach in REACHES {
         let kept: Vec<bool> = scene
             .blocks()
             .iter()
@@ -51,7 +52,7 @@ pub(super) fn parts(scene: &Scene) -> Vec<Part> {
                     Push::Left => l.x - low.x,
                 };
                 let line = (h.y - low.y) / course_height * coursing.overlap;
-                distance < line + margin * 2.0 * coursing.overlap
+                distance < line + reach * 2.0 * coursing.overlap
             })
             .collect();
         let count = kept.iter().filter(|&&kept| kept).count();
@@ -93,7 +94,7 @@ impl Part {
     }
 
     /// The mechanism of the part, everything else at rest.
-    pub(super) fn lift(&self, whole: &Scene, mechanism: &Mechanism) -> Mechanism {
+    pub(super) fn extend(&self, whole: &Scene, mechanism: &Mechanism) -> Mechanism {
         let mut motions = vec![Motion::default(); whole.blocks().len()];
         for (&i, motion) in self.blocks.iter().zip(&mechanism.motions) {
             motions[i] = *motion;

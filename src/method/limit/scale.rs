@@ -7,16 +7,16 @@ use crate::scene::{Scene, Vector};
 /// optimum: on paper-3 1 % away at tolerance 1e-6 (measured: total weight 1 cures it, weight of
 /// each block 1 does not).
 #[derive(Clone, Copy, Debug)]
-pub struct Scale {
+pub(super) struct Scale {
     /// Force unit: the scene's total weight.
-    pub force: f64,
+    pub(super) force: f64,
     /// Length unit: the height of the blocks.
-    pub length: f64,
+    pub(super) length: f64,
 }
 
 impl Scale {
     /// The units of a scene.
-    pub fn of(scene: &Scene) -> Self {
+    pub(super) fn of(scene: &Scene) -> Self {
         Self {
             force: scene.total_weight(),
             length: scene.height(),
@@ -24,7 +24,7 @@ impl Scale {
     }
 
     /// Forces back in the case's unit.
-    pub fn forces(&self, forces: &[JointForce]) -> Vec<JointForce> {
+    pub(super) fn forces(&self, forces: &[JointForce]) -> Vec<JointForce> {
         let back = |force: &JointForce| JointForce {
             normal: force.normal.map(|n| n * self.force),
             shear: force.shear * self.force,
@@ -33,7 +33,7 @@ impl Scale {
     }
 
     /// Velocities as a mechanism in the case's length unit.
-    pub fn mechanism(&self, velocity: &[f64]) -> Mechanism {
+    pub(super) fn mechanism(&self, velocity: &[f64]) -> Mechanism {
         let motion = |u: &[f64]| Motion {
             velocity: Vector::new(u[0], u[1]),
             rotation: u[2] / self.length,

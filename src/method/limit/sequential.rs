@@ -1,8 +1,9 @@
 //! Sequential linear programming for non-associative friction, the paper's micro-block method
 //! (Gilbert, Casapulla & Ahmed, Computers & Structures 84 (2006) 873-887).
 
+use super::ending::{Ending, Solution};
 use super::own_weight::{own_weight, without_optimum};
-use super::program::{Ending, FrictionLaw, Program, Solution};
+use super::program::{FrictionLaw, Program};
 use crate::answer::{
     Bracket, Outcome, SequentialEnding, SequentialFacts, Status, VELOCITY_THRESHOLDS, Work,
     crack_slope,

@@ -3,7 +3,7 @@
 use maud::{Markup, PreEscaped, html};
 
 use crate::picture::escape;
-use crate::record::{LEGEND, cells};
+use crate::record::LEGEND;
 use crate::run::CaseResult;
 
 /// One cell.
@@ -93,38 +93,36 @@ fn shown(place: usize, cell: &Cell) -> Markup {
 pub fn multipliers(results: &[CaseResult]) -> Markup {
     // λ and what it is worth come first; the note, which is long, last.
     let columns = [
-        ("Method", 0),
-        ("Joints", 1),
-        ("Status", 2),
-        ("Verdict", 10),
-        ("λ", 3),
-        ("Reference", 4),
-        ("Error %", 5),
-        ("tan β", 6),
-        ("Ref. β", 7),
-        ("c", 8),
-        ("e", 9),
-        ("Note", 11),
+        ("method", "Method"),
+        ("head_joints", "Joints"),
+        ("status", "Status"),
+        ("verdict", "Verdict"),
+        ("lambda", "λ"),
+        ("lambda_reference", "Reference"),
+        ("error_percent", "Error %"),
+        ("slope", "tan β"),
+        ("slope_reference", "Ref. β"),
+        ("width_c", "c"),
+        ("width_e", "e"),
+        ("cpu_seconds", "CPU s"),
+        ("note", "Note"),
     ];
-    let mut names: Vec<&str> = columns.iter().map(|(name, _)| *name).collect();
-    names.insert(0, "Case");
-    names.insert(names.len() - 1, "CPU s");
+    let mut names = vec!["Case"];
+    names.extend(columns.map(|(_, heading)| heading));
     let mut rows = Vec::new();
     for result in results {
         let name = &result.case.name;
         for row in &result.rows {
             let mut line = vec![Cell::link(name, format!("#case-{name}"))];
-            let cells = cells(result, row);
-            for (name, column) in columns {
-                let text = cells[column].replace(" - ", " – ");
-                line.push(match name {
-                    "Method" | "Joints" | "Note" => Cell::text(text),
-                    "Status" | "Verdict" => Cell::word(text),
+            for (column, _) in columns {
+                let text = crate::run::column(column).value;
+                let text = text(row).shown().replace(" - ", " – ");
+                line.push(match column {
+                    "method" | "head_joints" | "note" => Cell::text(text),
+                    "status" | "verdict" => Cell::word(text),
                     _ => Cell::number(text),
                 });
             }
-            let seconds = Cell::number(crate::number::number(row.seconds, 2));
-            line.insert(line.len() - 1, seconds);
             rows.push(line);
         }
     }

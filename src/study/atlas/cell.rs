@@ -1,9 +1,13 @@
 //! What a method's answer at one place is worth.
 
+use std::borrow::Cow;
+
 use super::grid::{Grid, Place, grids};
 use crate::answer::{Bracket, Status};
-use crate::method::Method;
-use crate::study::sweep::{self, Point, Row, Subject};
+use crate::method::{Method, kind};
+use crate::run::{Progress, Row, Subject, Task};
+use crate::scene::HeadJoints;
+use crate::study::sweep;
 
 /// What an answer turned out to be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -43,50 +47,45 @@ impl Verdict {
 pub const RIGHT: f64 = 0.01;
 
 /// One method at one place of a grid.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Cell {
     /// Name of the grid.
     pub grid: &'static str,
-    /// Name of the method.
-    pub method: String,
     /// Values of the place.
     pub x: String,
     /// Values of the place.
     pub y: String,
     /// The multiplier, from elsewhere.
     pub reference: f64,
-    /// What the answer claims.
-    pub status: Status,
     /// The answer.
-    pub bracket: Option<Bracket>,
+    pub row: Row,
     /// What it turned out to be.
     pub verdict: Verdict,
-    /// Why this status, in words.
-    pub reason: String,
 }
 
 impl Cell {
     fn new(grid: &Grid, place: &Place, row: Row) -> Self {
-        let ends = row.lower.zip(row.upper);
-        let bracket = ends.map(|(lower, upper)| Bracket { lower, upper });
-        let stated = row.stated_error.unwrap_or(0.0);
+        let stated = row.outcome.stated_error.unwrap_or(0.0);
+        let (status, bracket) = (row.status(), row.bracket());
         Self {
             grid: grid.name,
-            method: row.method,
             x: place.x.clone(),
             y: place.y.clone(),
             reference: place.reference,
-            status: row.status,
-            bracket,
-            verdict: verdict(row.status, bracket, stated, place.reference, place.accuracy),
-            reason: row.reason,
+            verdict: verdict(status, bracket, stated, place.reference, place.accuracy),
+            row,
         }
     }
 
     /// Error of the farther end, where there is an answer.
     pub fn error(&self) -> Option<f64> {
         let answered = self.verdict != Verdict::Refused;
-        Some(self.bracket.filter(|_| answered)?.error(self.reference))
+        Some(
+            self.row
+                .bracket()
+                .filter(|_| answered)?
+                .error(self.reference),
+        )
     }
 }
 
@@ -118,43 +117,39 @@ fn verdict(
 }
 
 /// Runs methods on every place of the grids that speak of them, through the sweep's runner.
-/// `finished` is called after each.
-pub fn run(
-    grids: &[Grid],
-    methods: &[&dyn Method],
-    finished: impl Fn(&Point, &Row) + Sync,
-) -> Vec<Cell> {
-    let (mut of_point, mut points) = (Vec::new(), Vec::new());
+pub fn run(grids: &[Grid], methods: &[&dyn Method], progress: &dyn Progress) -> Vec<Cell> {
+    let (mut of_task, mut tasks) = (Vec::new(), Vec::new());
     for grid in grids {
-        let speaks = |name: &str| grid.methods.is_empty() || grid.methods.contains(&name);
+        let speaks = |name: &str| grid.kinds.is_empty() || grid.kinds.contains(&kind(name));
         for &method in methods.iter().filter(|method| speaks(method.name())) {
             for place in &grid.cells {
-                of_point.push((grid, place));
-                points.push(point(grid, place, method));
+                of_task.push((grid, place));
+                tasks.push(task(grid, place, method));
             }
         }
     }
-    let rows = sweep::run(&points, None, finished);
+    let rows = sweep::run(&tasks, None, progress);
     // Only a journal can fail.
     let rows = rows.unwrap_or_default();
-    let cells = of_point.into_iter().zip(rows);
+    let cells = of_task.into_iter().zip(rows);
     cells
         .map(|((grid, place), row)| Cell::new(grid, place, row))
         .collect()
 }
 
-fn point<'a>(grid: &Grid, place: &'a Place, method: &'a dyn Method) -> Point<'a> {
+fn task<'a>(grid: &Grid, place: &'a Place, method: &'a dyn Method) -> Task<'a> {
     let subject = Subject {
         case: grid.name.to_owned(),
+        head_joints: HeadJoints::Contact,
         parameters: vec![
             (grid.x.to_owned(), place.x.clone()),
             (grid.y.to_owned(), place.y.clone()),
         ],
         blocks: place.blocks,
-        sides: Box::new(|| vec![(place.scene)()]),
+        sides: Box::new(|| Cow::Owned(vec![(place.scene)()])),
         determined_by: Vec::new(),
     };
-    Point::new(subject, method, place.settings)
+    Task::new(subject, method, place.settings)
 }
 
 /// Number of places of all grids, for a method that all of them speak of.

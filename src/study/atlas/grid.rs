@@ -1,7 +1,7 @@
 //! The grids: what is varied, on which scenes, against which value.
 
 use super::scenes::{Columns, moved, running_bond, running_bond_in};
-use crate::method::Settings;
+use crate::method::{Kind, Settings};
 use crate::scene::Scene;
 
 /// A grid over two properties that make methods fail.
@@ -12,8 +12,8 @@ pub struct Grid {
     pub x: &'static str,
     /// What is varied from bottom to top, with its unit.
     pub y: &'static str,
-    /// The methods that it says something about; empty: all.
-    pub methods: &'static [&'static str],
+    /// The kinds of methods that it says something about; empty: all.
+    pub kinds: &'static [Kind],
     /// What it shows, where methods fail in it, and why.
     pub causes: &'static str,
     /// Its cells, row by row.
@@ -113,7 +113,7 @@ fn courses_and_friction(large: bool) -> Grid {
         name: "courses-friction",
         x: "courses",
         y: "friction coefficient",
-        methods: &[],
+        kinds: &[],
         causes: "A column of blocks 1 x 0.5 on level ground; exact: min(friction, width / height). \
                  sequential: where the column slides as a whole, c0 lifts its multiplier by c0 over \
                  the friction, and the judge finds the gap: an estimate. pushover: the substep \
@@ -161,7 +161,7 @@ fn slenderness_and_mass(large: bool) -> Grid {
         name: "slenderness-mass",
         x: "height over width",
         y: "weight of the top block over that of the others",
-        methods: &[],
+        kinds: &[],
         causes: "A column of three blocks, friction 0.8; exact. pushover: contact forces differ as \
                  much as the weights, and the solver's sweeps pass a heavy block's load through \
                  light ones only slowly: the contacts under it give more, the self-checks of \
@@ -199,7 +199,7 @@ fn courses_and_overburden(large: bool) -> Grid {
         name: "courses-overburden",
         x: "courses",
         y: "overburden over the column's weight",
-        methods: &[],
+        kinds: &[],
         causes: "A column of blocks 1 x 0.5, friction 0.6, loaded on its top both downwards and \
                  sideways; exact. pushover: the load on the top block is no mass of it, so that it \
                  is the heavy-top case of the grid of slenderness and mass once more.",
@@ -232,7 +232,7 @@ fn courses_and_gap(large: bool) -> Grid {
         name: "courses-gap",
         x: "courses",
         y: "gap between two columns over their width",
-        methods: &[],
+        kinds: &[],
         causes: "Two equal columns with a gap between them, friction 0.6; exact: each for itself. \
                  The limit analysis sees no joint across a gap, however narrow. pushover: blocks \
                  without a joint must never touch in the engine, or the gap would close before the \
@@ -273,7 +273,7 @@ fn unit_and_distance(large: bool) -> Grid {
         name: "unit-distance",
         x: "unit of length",
         y: "distance from the origin over the wall's height",
-        methods: &[],
+        kinds: &[],
         causes: "paper-1 with open head joints in another unit and at another place; HiGHS: 0.639969 \
                  wherever it stands. Every method scales to the wall's own size first. Far away, \
                  coordinates lose the digits that joints and moment arms need: residuals above 1e-8 \
@@ -313,7 +313,7 @@ fn tolerance_of_programs(large: bool) -> Grid {
         name: "tolerance",
         x: "tolerance of the linear programs",
         y: "courses",
-        methods: &["associative", "sequential"],
+        kinds: &[Kind::AssociativeBounds, Kind::CollapseState],
         causes: "paper-1 and paper-2 with open head joints; HiGHS: 0.639969 and 0.562786. An \
                  interior-point solver stopped early reports success away from the optimum, the \
                  further the larger the wall. Its forces and velocities then \
@@ -361,7 +361,7 @@ fn substep_and_stiffness(large: bool) -> Grid {
         name: "substep-stiffness",
         x: "substep over the default",
         y: "contact stiffness over the default",
-        methods: &["pushover"],
+        kinds: &[Kind::Observed],
         causes: "paper-1 with open head joints; HiGHS: 0.639969. Contacts are springs bound to the \
                  substep: longer substeps and softer springs let the wall settle and sway before it \
                  falls, which costs multiplier, and the self-check of the settlement refuses it; \

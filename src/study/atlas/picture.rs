@@ -57,7 +57,7 @@ pub fn picture(grid: &Grid, cells: &[Cell]) -> String {
         ];
         let of_method = cells
             .iter()
-            .filter(|c| c.grid == grid.name && c.method == *name);
+            .filter(|c| c.grid == grid.name && c.row.method == *name);
         svg.push_str(&one_field(corner, name, [&xs, &ys], grid, of_method));
     }
     for (index, line) in lines.iter().enumerate() {
@@ -151,7 +151,7 @@ fn word(cell: &Cell) -> String {
         Some(error) if error < 5e-6 => "exact".to_owned(),
         Some(error) if error < 0.0995 => format!("{:.2} %", 100.0 * error),
         Some(error) => format!("{:.0} %", 100.0 * error),
-        None => match cell.status.name() {
+        None => match cell.row.status().name() {
             "not-applicable" => "n/a".to_owned(),
             status => status.to_owned(),
         },
@@ -159,15 +159,15 @@ fn word(cell: &Cell) -> String {
 }
 
 fn tooltip(cell: &Cell) -> String {
-    let ends = cell.bracket.map_or(String::new(), |b| {
+    let ends = cell.row.bracket().map_or(String::new(), |b| {
         format!(" {:.6} to {:.6}", b.lower, b.upper)
     });
     format!(
         "{}: {}{ends}, reference {:.6}; {}",
         cell.verdict.name(),
-        cell.status.name(),
+        cell.row.status().name(),
         cell.reference,
-        cell.reason
+        cell.row.outcome.reason()
     )
 }
 

@@ -1,16 +1,18 @@
 //! The atlas as a table for people and as CSV.
 
+use indexmap::IndexSet;
+
 use super::cell::{Cell, Verdict};
 use super::grid::Grid;
 use crate::number::nine_digits;
+use crate::run::{self, Value, values};
 
 /// Cells as CSV, one line each.
 ///
 /// # Errors
 /// Those of the CSV writer; none is expected in memory.
 pub fn csv(cells: &[Cell]) -> Result<String, csv::Error> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record([
+    let headings = [
         "grid",
         "method",
         "x",
@@ -22,27 +24,23 @@ pub fn csv(cells: &[Cell]) -> Result<String, csv::Error> {
         "reference",
         "error",
         "reason",
-    ])?;
-    for cell in cells {
-        let text = |value: Option<f64>| value.map_or(String::new(), nine_digits);
-        writer.write_record([
-            cell.grid,
-            &cell.method,
-            &cell.x,
-            &cell.y,
-            cell.verdict.name(),
-            cell.status.name(),
-            &text(cell.bracket.map(|b| b.lower)),
-            &text(cell.bracket.map(|b| b.upper)),
-            &nine_digits(cell.reference),
-            &text(cell.error()),
-            &cell.reason,
-        ])?;
-    }
-    let bytes = writer
-        .into_inner()
-        .map_err(|e| csv::Error::from(e.into_error()))?;
-    Ok(String::from_utf8_lossy(&bytes).into_owned())
+    ];
+    run::csv(headings, cells.iter().map(line))
+}
+
+fn line(cell: &Cell) -> Vec<Value> {
+    let row = |names| values(&cell.row, names);
+    [
+        vec![cell.grid.into()],
+        row(&["method"]),
+        [cell.x.as_str(), &cell.y, cell.verdict.name()]
+            .map(Value::from)
+            .to_vec(),
+        row(&["status", "lower", "upper"]),
+        vec![Value::Number(cell.reference), cell.error().into()],
+        row(&["reason"]),
+    ]
+    .concat()
 }
 
 /// Counts by grid and method, the causes under each grid, and every wrong cell.
@@ -53,7 +51,7 @@ pub fn table(grids: &[Grid], cells: &[Cell]) -> String {
         for method in methods(grid, cells) {
             let own = cells
                 .iter()
-                .filter(|c| c.grid == grid.name && c.method == method);
+                .filter(|c| c.grid == grid.name && c.row.method == method);
             let own: Vec<&Cell> = own.collect();
             let counts = Verdict::ALL.map(|verdict| {
                 let count = own.iter().filter(|cell| cell.verdict == verdict).count();
@@ -70,18 +68,17 @@ pub fn table(grids: &[Grid], cells: &[Cell]) -> String {
         .collect();
     text.push_str(&format!("{} cells, {} wrong\n", cells.len(), wrong.len()));
     for cell in wrong {
-        let ends = cell.bracket.map_or(String::from("no number"), |b| {
+        let ends = cell.row.bracket().map_or(String::from("no number"), |b| {
             format!("{} to {}", nine_digits(b.lower), nine_digits(b.upper))
         });
         let Cell {
             grid,
-            method,
             x,
             y,
             reference,
             ..
         } = cell;
-        let status = cell.status.name();
+        let (method, status) = (&cell.row.method, cell.row.status().name());
         text.push_str(&format!(
             "WRONG {grid}: {method} at {x}, {y}: {status} {ends}, where it is {reference}\n"
         ));
@@ -91,13 +88,9 @@ pub fn table(grids: &[Grid], cells: &[Cell]) -> String {
 
 /// Methods with cells on a grid, as they first come.
 pub(super) fn methods<'a>(grid: &Grid, cells: &'a [Cell]) -> Vec<&'a str> {
-    let mut names: Vec<&str> = Vec::new();
-    for cell in cells.iter().filter(|cell| cell.grid == grid.name) {
-        if !names.contains(&cell.method.as_str()) {
-            names.push(&cell.method);
-        }
-    }
-    names
+    let of_grid = cells.iter().filter(|cell| cell.grid == grid.name);
+    let names: IndexSet<&str> = of_grid.map(|cell| cell.row.method.as_str()).collect();
+    names.into_iter().collect()
 }
 
 /// A text in lines of at most `width` characters, each after `indent`.

@@ -12,7 +12,7 @@ mod reference;
 mod summary;
 mod table;
 
-pub use ladder::{Rung, ladder};
+pub use ladder::{Step, ladder};
 pub use picture::picture;
 pub use reference::reference;
 pub use summary::{SHIFT, Summary, WITHIN, csv as summary_csv, summaries, table as summary_table};
@@ -26,7 +26,7 @@ pub fn front<'a>(entries: &[&'a Entry]) -> Vec<&'a Entry> {
     let mut answered: Vec<(&'a Entry, f64)> = (entries.iter())
         .filter_map(|entry| Some((*entry, entry.error()?)))
         .collect();
-    answered.sort_by(|(a, x), (b, y)| a.seconds.total_cmp(&b.seconds).then(x.total_cmp(y)));
+    answered.sort_by(|(a, x), (b, y)| a.row.seconds.total_cmp(&b.row.seconds).then(x.total_cmp(y)));
     let mut best = f64::INFINITY;
     answered.retain(|(_, error)| {
         // What is exact to the references' digits cannot be beaten by more digits.

@@ -5,6 +5,8 @@
 
 use std::sync::Arc;
 
+use indexmap::IndexSet;
+
 use kuva::backend::svg::SvgBackend;
 use kuva::prelude::{LegendEntry, LegendShape, LinePlot, MarkerShape, ScatterPlot};
 use kuva::render::annotations::{ShadedRegion, TextAnnotation};
@@ -49,7 +51,11 @@ struct Plane {
 
 impl Plane {
     fn of(entries: &[Entry]) -> Self {
-        let logs = || entries.iter().map(|entry| entry.seconds.max(1e-9).log10());
+        let logs = || {
+            entries
+                .iter()
+                .map(|entry| entry.row.seconds.max(1e-9).log10())
+        };
         let errors = entries.iter().filter_map(Entry::error);
         let largest = errors.fold(1e-2, f64::max).log10().ceil();
         Self {
@@ -71,7 +77,7 @@ impl Plane {
             Some(error) => error.max(FLOOR).log10(),
             None => self.failures(),
         };
-        [entry.seconds.max(1e-9).log10(), y]
+        [entry.row.seconds.max(1e-9).log10(), y]
     }
 
     fn size() -> [f64; 2] {
@@ -99,17 +105,15 @@ impl Plane {
 
 /// The chart as SVG: the same bytes for the same table.
 pub fn picture(entries: &[Entry]) -> String {
-    let mut cases: Vec<&str> = Vec::new();
-    for entry in entries {
-        if !cases.contains(&entry.case.as_str()) {
-            cases.push(&entry.case);
-        }
-    }
+    let cases: IndexSet<String> = entries.iter().map(|e| e.row.scene_name()).collect();
     let methods = methods(entries);
     let plane = Plane::of(entries);
     let (mut plots, mut layouts) = (Vec::new(), Vec::new());
     for case in &cases {
-        let own: Vec<&Entry> = entries.iter().filter(|e| e.case == *case).collect();
+        let own: Vec<&Entry> = entries
+            .iter()
+            .filter(|e| e.row.scene_name() == *case)
+            .collect();
         let (panel, layout) = panel(&own, &methods, plane);
         plots.push(panel);
         layouts.push(layout);
@@ -143,8 +147,8 @@ fn look(index: usize) -> (&'static str, MarkerShape) {
 fn methods(entries: &[Entry]) -> Vec<&str> {
     let mut names: Vec<&str> = METHODS.iter().map(|method| method.name()).collect();
     for entry in entries {
-        if !names.contains(&entry.method.as_str()) {
-            names.push(&entry.method);
+        if !names.contains(&entry.row.method.as_str()) {
+            names.push(&entry.row.method);
         }
     }
     names
@@ -162,7 +166,7 @@ fn panel(own: &[&Entry], methods: &[&str], plane: Plane) -> (Vec<Plot>, Layout) 
             .with_stroke_width(2.0),
     ));
     for (index, method) in methods.iter().enumerate() {
-        let of_method: Vec<&&Entry> = own.iter().filter(|e| e.method == *method).collect();
+        let of_method: Vec<&&Entry> = own.iter().filter(|e| e.row.method == *method).collect();
         if of_method.is_empty() {
             continue;
         }
@@ -243,7 +247,9 @@ fn layout(own: &[&Entry], plane: Plane) -> Layout {
         let source = format!("{} {}", known.kind.name(), known.method);
         format!(" against {} ({source})", short(known.value, 6))
     });
-    let case = own.first().map_or("", |entry| entry.case.as_str());
+    let case = own
+        .first()
+        .map_or(String::new(), |entry| entry.row.scene_name());
     let limit = plane.errors[1] - 1.0;
     let failures = plane.failures();
     let error = move |y: f64| {

@@ -1,6 +1,7 @@
 //! The one value that everything about a scene is measured against.
 
-use crate::case::{Case, Kind, Quantity, Reference};
+use crate::case::{Case, Kind as Source, Quantity, Reference};
+use crate::method::{Kind, kind};
 use crate::scene::HeadJoints;
 
 /// The case's best reference for the collapse multiplier of a scene: an exact one, else what another
@@ -13,18 +14,18 @@ use crate::scene::HeadJoints;
 pub fn reference(case: &Case, head_joints: HeadJoints) -> Option<&Reference> {
     let mut candidates: Vec<&Reference> = (case.references.iter())
         .filter(|r| r.head_joints.is_none_or(|only| only == head_joints))
-        .filter(|r| r.method != "macro-block" && r.deviation.is_none() && r.value > 0.0)
+        .filter(|r| kind(&r.method) != Kind::ClosedForm && r.deviation.is_none() && r.value > 0.0)
         .filter(|r| matches!(r.quantity, Quantity::Lambda | Quantity::Lower))
         .collect();
     // A stable sort: of equal ones, the first in the case.
     candidates.sort_by_key(|r| {
-        let kind = match r.kind {
-            Kind::Analytic => 0,
-            Kind::Independent => 1,
-            Kind::Published => 2,
+        let source = match r.kind {
+            Source::Analytic => 0,
+            Source::Independent => 1,
+            Source::Published => 2,
         };
-        let bound = r.method == "associative" && r.kind != Kind::Analytic;
-        (bound, kind, r.method != "interval")
+        let bound = kind(&r.method) == Kind::AssociativeBounds && r.kind != Source::Analytic;
+        (bound, source, kind(&r.method) != Kind::CollapseStates)
     });
     candidates.first().copied()
 }

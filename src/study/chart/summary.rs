@@ -1,6 +1,9 @@
 //! Each method with each setting over all scenes.
 
+use indexmap::IndexSet;
+
 use super::table::Entry;
+use crate::run::{self, Value};
 
 /// What one method with one setting is worth over all scenes that it ran on.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,15 +30,10 @@ pub const WITHIN: [f64; 3] = [1e-3, 1e-2, 5e-2];
 
 /// One line a method and setting, in the order in which they first come.
 pub fn summaries(entries: &[Entry]) -> Vec<Summary> {
-    let mut names: Vec<(&str, &str)> = Vec::new();
-    for entry in entries {
-        let name = (entry.method.as_str(), entry.setting.as_str());
-        if !names.contains(&name) {
-            names.push(name);
-        }
-    }
-    let summary = |(method, setting): (&str, &str)| {
-        let of_name = |e: &&Entry| e.method == method && e.setting == setting;
+    let name = |entry: &'_ Entry| (entry.row.method.clone(), entry.setting().to_owned());
+    let names: IndexSet<(String, String)> = entries.iter().map(name).collect();
+    let summary = |(method, setting): (String, String)| {
+        let of_name = |e: &&Entry| e.row.method == method && e.setting() == setting;
         let own: Vec<&Entry> = entries.iter().filter(of_name).collect();
         let count = own.len() as f64;
         let share = |limit: f64| {
@@ -44,14 +42,14 @@ pub fn summaries(entries: &[Entry]) -> Vec<Summary> {
                 .filter(|e| e.error().is_some_and(|error| error <= limit));
             good.count() as f64 / count
         };
-        let logs = own.iter().map(|entry| (entry.seconds + SHIFT).ln());
+        let logs = own.iter().map(|entry| (entry.row.seconds + SHIFT).ln());
         Summary {
-            method: method.to_owned(),
-            setting: setting.to_owned(),
             scenes: own.len(),
             seconds: (logs.sum::<f64>() / count).exp() - SHIFT,
             within: WITHIN.map(share),
             answered: share(f64::INFINITY),
+            method,
+            setting,
         }
     };
     names.into_iter().map(summary).collect()
@@ -94,8 +92,7 @@ pub fn table(summaries: &[Summary]) -> String {
 /// # Errors
 /// Those of the CSV writer; none is expected in memory.
 pub fn csv(summaries: &[Summary]) -> Result<String, csv::Error> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record([
+    let headings = [
         "method",
         "setting",
         "scenes",
@@ -104,15 +101,13 @@ pub fn csv(summaries: &[Summary]) -> Result<String, csv::Error> {
         "within_1",
         "within_5",
         "answered",
-    ])?;
-    for s in summaries {
+    ];
+    let line = |s: &Summary| {
         let [a, b, c] = s.within;
-        let numbers = [s.seconds, a, b, c, s.answered].map(crate::number::nine_digits);
-        let words = [s.method.clone(), s.setting.clone(), s.scenes.to_string()];
-        writer.write_record(words.into_iter().chain(numbers))?;
-    }
-    let bytes = writer
-        .into_inner()
-        .map_err(|e| csv::Error::from(e.into_error()))?;
-    Ok(String::from_utf8_lossy(&bytes).into_owned())
+        let mut line = vec![s.method.as_str().into(), s.setting.as_str().into()];
+        line.push(Value::Count(s.scenes));
+        line.extend([s.seconds, a, b, c, s.answered].map(Value::Number));
+        line
+    };
+    run::csv(headings, summaries.iter().map(line))
 }

@@ -1,37 +1,26 @@
 //! The table behind the picture: case × method × setting, each timed until its median is stable.
 
+use std::borrow::Cow;
 use std::io;
 
-use super::ladder::{Rung, ladder};
+use super::ladder::{Step, ladder};
 use super::reference;
-use crate::answer::{Bracket, Status};
+use crate::answer::Status;
 use crate::case::{Case, Reference};
 use crate::method::Method;
-use crate::number::nine_digits;
+use crate::run::{self, Progress, Row, Subject, Task, Value, values};
 use crate::scene::HeadJoints;
-use crate::study::sweep::{self, Point, Row, Subject};
+use crate::study::sweep;
 
 /// One point of the chart.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct Entry {
-    /// Name of the case, with `@open` where head joints are open.
-    pub case: String,
-    /// Name of the method.
-    pub method: String,
-    /// What is not as by default.
-    pub setting: String,
-    /// What the answer is worth.
-    pub status: Status,
-    /// The answer, where there is one.
-    pub bracket: Option<Bracket>,
-    /// Median of the CPU time, seconds.
-    pub seconds: f64,
+    /// The answer; its time is the median of all runs.
+    pub row: Row,
     /// Number of runs that the median is of.
     pub runs: usize,
     /// What the scene's answers are measured against.
     pub reference: Option<Reference>,
-    /// Why this status, in words.
-    pub reason: String,
 }
 
 impl Entry {
@@ -39,34 +28,43 @@ impl Entry {
     /// where there is no answer: `undecided`, `failed` and the like.
     pub fn error(&self) -> Option<f64> {
         let answered = matches!(
-            self.status,
+            self.row.status(),
             Status::Verified | Status::Bracketed | Status::Estimate
         );
-        let bracket = self.bracket.filter(|_| answered)?;
+        let bracket = self.row.bracket().filter(|_| answered)?;
         Some(bracket.error(self.reference.as_ref()?.value))
     }
 
     /// Distance of the nearer end, relative to the reference; 0 where it lies in the bracket.
     pub fn nearest(&self) -> Option<f64> {
-        let (bracket, known) = (self.bracket?, self.reference.as_ref()?.value);
+        let (bracket, known) = (self.row.bracket()?, self.reference.as_ref()?.value);
         let outside = (bracket.lower - known).max(known - bracket.upper).max(0.0);
         Some(outside / known.abs().max(1e-3))
     }
 
+    /// What is not as by default.
+    pub fn setting(&self) -> &str {
+        self.row.parameter(SETTING).unwrap_or_default()
+    }
+
     /// Method and setting for people.
     pub fn name(&self) -> String {
-        match self.setting.as_str() {
-            "default" => self.method.clone(),
-            setting => format!("{} {setting}", self.method),
+        match self.setting() {
+            "default" => self.row.method.clone(),
+            setting => format!("{} {setting}", self.row.method),
         }
     }
 }
+
+/// Names of the parameters of a task: what is not as by default, and which run of several it is.
+const SETTING: &str = "setting";
+const REPEAT: &str = "repeat";
 
 /// CPU time that the runs of one entry fill together, seconds, and how many they are at most.
 const FILL: f64 = 0.4;
 const MOST_RUNS: usize = 9;
 
-/// Runs every rung on every scene of the cases that has a reference, through the sweep's runner:
+/// Runs every step on every scene of the cases that has a reference, through the sweep's runner:
 /// once, then quick ones again until their median is stable.
 ///
 /// # Errors
@@ -75,7 +73,7 @@ pub fn run(
     cases: &[Case],
     head_joints: Option<HeadJoints>,
     externals: &[&'static dyn Method],
-    finished: impl Fn(&Point, &Row) + Sync,
+    progress: &dyn Progress,
 ) -> io::Result<Vec<Entry>> {
     let mut first = Vec::new();
     for case in cases {
@@ -85,24 +83,24 @@ pub fn run(
                 continue;
             }
             let blocks = case.scene(of_case).blocks().len();
-            for rung in ladder(blocks, externals) {
+            for step in ladder(blocks, externals) {
                 first.push(Planned {
                     case,
                     head_joints: of_case,
                     blocks,
-                    rung,
+                    step,
                 });
             }
         }
     }
-    let points: Vec<Point> = first.iter().map(|planned| planned.point(0)).collect();
-    let rows = sweep::run(&points, None, &finished)?;
+    let tasks: Vec<Task> = first.iter().map(|planned| planned.task(0)).collect();
+    let rows = sweep::run(&tasks, None, progress)?;
     let mut again = Vec::new();
     for (planned, row) in first.iter().zip(&rows) {
         let runs = (FILL / row.seconds.max(1e-9)).min(MOST_RUNS as f64) as usize;
-        again.extend((1..runs).map(|repeat| planned.point(repeat)));
+        again.extend((1..runs).map(|repeat| planned.task(repeat)));
     }
-    let repeated = sweep::run(&again, None, &finished)?;
+    let repeated = sweep::run(&again, None, progress)?;
     let mut repeated = repeated.into_iter().peekable();
     let mut entries = Vec::new();
     for (planned, row) in first.iter().zip(rows) {
@@ -117,7 +115,9 @@ pub fn run(
 
 /// Whether two rows are runs of one entry.
 fn same(a: &Row, b: &Row) -> bool {
-    a.case == b.case && a.method == b.method && a.parameter("setting") == b.parameter("setting")
+    a.scene_name() == b.scene_name()
+        && a.method == b.method
+        && a.parameter(SETTING) == b.parameter(SETTING)
 }
 
 /// An entry before it has run.
@@ -125,41 +125,35 @@ struct Planned<'a> {
     case: &'a Case,
     head_joints: HeadJoints,
     blocks: usize,
-    rung: Rung<'static>,
+    step: Step<'static>,
 }
 
 impl<'a> Planned<'a> {
-    fn point(&self, repeat: usize) -> Point<'a> {
+    fn task(&self, repeat: usize) -> Task<'a> {
         let (case, head_joints) = (self.case, self.head_joints);
         let subject = Subject {
-            case: match head_joints {
-                HeadJoints::Contact => case.name.clone(),
-                HeadJoints::Open => format!("{}@open", case.name),
-            },
+            case: case.name.clone(),
+            head_joints,
             parameters: vec![
-                ("setting".to_owned(), self.rung.label.clone()),
-                ("repeat".to_owned(), repeat.to_string()),
+                (SETTING.to_owned(), self.step.label.clone()),
+                (REPEAT.to_owned(), repeat.to_string()),
             ],
             blocks: self.blocks,
-            sides: Box::new(move || case.sides(head_joints)),
+            sides: Box::new(move || Cow::Owned(case.sides(head_joints))),
             determined_by: Vec::new(),
         };
-        Point::new(subject, self.rung.method, self.rung.settings)
+        Task::new(subject, self.step.method, self.step.settings)
     }
 
     fn entry(&self, row: Row, seconds: &mut [f64]) -> Entry {
         seconds.sort_by(f64::total_cmp);
-        let ends = row.lower.zip(row.upper);
         Entry {
-            setting: self.rung.label.clone(),
-            bracket: ends.map(|(lower, upper)| Bracket { lower, upper }),
-            seconds: seconds[seconds.len() / 2],
             runs: seconds.len(),
             reference: reference(self.case, self.head_joints).cloned(),
-            case: row.case,
-            method: row.method,
-            status: row.status,
-            reason: row.reason,
+            row: Row {
+                seconds: seconds[seconds.len() / 2],
+                ..row
+            },
         }
     }
 }
@@ -169,8 +163,7 @@ impl<'a> Planned<'a> {
 /// # Errors
 /// Those of the CSV writer; none is expected in memory.
 pub fn csv(entries: &[Entry]) -> Result<String, csv::Error> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record([
+    let headings = [
         "case",
         "method",
         "setting",
@@ -186,30 +179,29 @@ pub fn csv(entries: &[Entry]) -> Result<String, csv::Error> {
         "reference_method",
         "reference_source",
         "reason",
-    ])?;
-    for entry in entries {
-        let text = |value: Option<f64>| value.map_or(String::new(), nine_digits);
-        let known = entry.reference.as_ref();
-        writer.write_record([
-            entry.case.as_str(),
-            &entry.method,
-            &entry.setting,
-            entry.status.name(),
-            &text(entry.bracket.map(|b| b.lower)),
-            &text(entry.bracket.map(|b| b.upper)),
-            &text(entry.error()),
-            &text(entry.bracket.map(|b| b.relative_width())),
-            &nine_digits(entry.seconds),
-            &entry.runs.to_string(),
-            &text(known.map(|r| r.value)),
-            known.map_or("", |r| r.kind.name()),
-            known.map_or("", |r| r.method.as_str()),
-            known.map_or("", |r| r.source.as_str()),
-            &entry.reason,
-        ])?;
-    }
-    let bytes = writer
-        .into_inner()
-        .map_err(|e| csv::Error::from(e.into_error()))?;
-    Ok(String::from_utf8_lossy(&bytes).into_owned())
+    ];
+    run::csv(headings, entries.iter().map(line))
+}
+
+fn line(entry: &Entry) -> Vec<Value> {
+    let known = entry.reference.as_ref();
+    let width = entry.row.bracket().map(|bracket| bracket.relative_width());
+    let of_reference: [Value; 4] = [
+        known.map(|r| r.value).into(),
+        known.map(|r| r.kind.name().to_owned()).into(),
+        known.map(|r| r.method.clone()).into(),
+        known.map(|r| r.source.clone()).into(),
+    ];
+    let row = |names| values(&entry.row, names);
+    [
+        row(&["case", "method"]),
+        vec![entry.setting().into()],
+        row(&["status", "lower", "upper"]),
+        vec![entry.error().into(), width.into()],
+        row(&["seconds"]),
+        vec![Value::Count(entry.runs)],
+        of_reference.to_vec(),
+        row(&["reason"]),
+    ]
+    .concat()
 }

@@ -1,48 +1,45 @@
-//! Runs the points of a sweep on all cores.
+//! Runs the tasks of a sweep, with its journal.
 
-use std::any::Any;
 use std::io;
-use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Mutex, OnceLock};
 
-use super::{Journal, Point, Row};
-use crate::answer::{Outcome, Status};
-use crate::run::{Answer, Task, in_turn, solve};
+use super::Journal;
+use crate::run::{Progress, Row, Task, longest_first};
 
-/// Runs every point that the journal does not know, long ones first, and returns the rows in the
-/// order of the points. Each row goes to the journal as it finishes, and then to `finished`; rows
-/// that the journal knows go there at once.
+/// Runs every task that the journal does not know and returns the rows in the order of the tasks.
+/// Each row goes to the journal as it finishes, and then to `progress`; rows that the journal knows
+/// go there at once.
 ///
 /// # Errors
 /// Where the journal cannot be written; nothing further is begun then.
 pub fn run(
-    points: &[Point],
+    tasks: &[Task],
     journal: Option<&Journal>,
-    finished: impl Fn(&Point, &Row) + Sync,
+    progress: &dyn Progress,
 ) -> io::Result<Vec<Row>> {
-    let rows: Vec<OnceLock<Row>> = points.iter().map(|_| OnceLock::new()).collect();
+    let rows: Vec<OnceLock<Row>> = tasks.iter().map(|_| OnceLock::new()).collect();
     let mut open = Vec::new();
-    for (index, point) in points.iter().enumerate() {
-        match journal.and_then(|journal| journal.get(point.id())) {
+    for (index, task) in tasks.iter().enumerate() {
+        match journal.and_then(|journal| journal.get(task.id())) {
             Some(row) => {
-                finished(point, row);
+                progress.done(task, row);
                 rows[index].get_or_init(|| row.clone());
             }
             None => open.push(index),
         }
     }
-    let longest = |index: &usize| -points[*index].expected_seconds();
-    // A stable sort: of equal points, the first.
-    open.sort_by(|a, b| longest(a).total_cmp(&longest(b)));
+    let seconds: Vec<f64> = (open.iter().map(|&index| tasks[index].expected_seconds())).collect();
+    progress.expected(seconds.iter().sum());
     let error: Mutex<Option<io::Error>> = Mutex::new(None);
-    in_turn(&open, |index| {
+    longest_first(&seconds, |turn| {
+        let index = open[turn];
         let has_failed = error.lock().expect("no other thread panicked").is_some();
         if has_failed {
             return;
         }
-        let row = row(&points[index]);
+        let row = tasks[index].run().kept();
         match journal.map_or(Ok(()), |journal| journal.append(&row)) {
-            Ok(()) => finished(&points[index], &row),
+            Ok(()) => progress.done(&tasks[index], &row),
             Err(e) => *error.lock().expect("no other thread panicked") = Some(e),
         }
         rows[index].get_or_init(|| row);
@@ -53,47 +50,21 @@ pub fn run(
     }
 }
 
-/// Runs one point. A method that panics has failed, and the other points go on.
-fn row(point: &Point) -> Row {
-    let sides = point.sides();
-    let task = Task {
-        sides: &sides,
-        method: point.method(),
-        settings: point.settings(),
-    };
-    let solved = catch_unwind(AssertUnwindSafe(|| solve(&task)));
-    let answer = solved.unwrap_or_else(|panic| Answer {
-        outcome: Outcome::without_number(Status::Failed, said(&*panic)),
-        side: 0,
-        residual: None,
-        seconds: 0.0,
-    });
-    let scene = &sides[answer.side];
-    Row::new(point, [scene.blocks().len(), scene.joints().len()], &answer)
-}
-
-fn said(panic: &(dyn Any + Send)) -> String {
-    let text = panic.downcast_ref::<String>().map(String::as_str);
-    let text = text.or_else(|| panic.downcast_ref::<&str>().copied());
-    let words: Vec<&str> = text
-        .unwrap_or("without a word")
-        .split_whitespace()
-        .collect();
-    format!("the method panicked: {}", words.join(" "))
-}
-
 #[cfg(test)]
 mod tests {
+    use std::borrow::Cow;
     use std::fs;
     use std::sync::atomic::{AtomicUsize, Ordering};
 
     use super::*;
+    use crate::answer::{Outcome, Status};
     use crate::case;
     use crate::method::{Method, Settings};
+    use crate::run::Subject;
     use crate::scene::{HeadJoints, Scene};
-    use crate::study::sweep::{Subject, sweep_csv};
+    use crate::study::sweep::sweep_csv;
 
-    /// Counts its calls; panics on the third point.
+    /// Counts its calls; panics on the third task.
     struct Counting<'a>(&'a AtomicUsize, usize);
 
     impl Method for Counting<'_> {
@@ -108,19 +79,20 @@ mod tests {
         }
     }
 
-    fn points(calls: &AtomicUsize) -> Vec<Point<'_>> {
+    fn tasks(calls: &AtomicUsize) -> Vec<Task<'_>> {
         let number = |number: usize| {
             let subject = Subject {
                 case: "sliding-block".into(),
                 parameters: vec![("number".into(), number.to_string())],
                 blocks: number,
+                head_joints: HeadJoints::Contact,
                 sides: Box::new(|| {
                     let case = case::find("sliding-block").expect("it is built in");
-                    case[0].sides(HeadJoints::Contact)
+                    Cow::Owned(case[0].sides(HeadJoints::Contact))
                 }),
                 determined_by: Vec::new(),
             };
-            Point::new(subject, Counting(calls, number), Settings::default())
+            Task::new(subject, Counting(calls, number), Settings::default())
         };
         (1..=5).map(number).collect()
     }
@@ -130,8 +102,8 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("deep/journal.jsonl");
         let calls = AtomicUsize::new(0);
-        let points = points(&calls);
-        let sweep = |journal: Option<&Journal>| run(&points, journal, |_, _| {}).unwrap();
+        let tasks = tasks(&calls);
+        let sweep = |journal: Option<&Journal>| run(&tasks, journal, &()).unwrap();
         let alone = sweep_csv(&sweep(None)).unwrap();
         let crashed = "sliding-block,counting,failed,,,,,,,";
         assert!(alone.contains(crashed), "{alone}");
@@ -155,7 +127,7 @@ mod tests {
         let journal = Journal::open(&path).unwrap();
         let refused = Journal::open(&path).err().unwrap();
         assert!(refused.title().contains("another process"), "{refused}");
-        run(&points(&calls), Some(&journal), |_, _| {}).unwrap();
+        run(&tasks(&calls), Some(&journal), &()).unwrap();
         drop(journal);
         let text = fs::read_to_string(&path).unwrap();
         let line = text.lines().next().unwrap();

@@ -6,8 +6,8 @@ use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
-use super::Row;
 use crate::case::Complaint;
+use crate::run::Row;
 
 /// Rows that are finished, on disk. One process at a time: the file stays locked, and the lock ends
 /// with the process, however that ends.

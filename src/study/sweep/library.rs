@@ -101,7 +101,7 @@ mod tests {
         assert_eq!(known, paths, "add the new sweep to EMBEDDED");
         for path in known {
             let sweep = Sweep::find(path).unwrap_or_else(|complaint| panic!("{complaint}"));
-            assert!(!sweep.points().is_empty() && !sweep.source.is_empty());
+            assert!(!sweep.tasks().is_empty() && !sweep.source.is_empty());
         }
     }
 }

@@ -11,15 +11,13 @@
 
 mod execute;
 mod file;
-mod fingerprint;
 mod journal;
 mod library;
 mod neighbours;
 mod plan;
-mod point;
 mod replace;
-mod row;
 mod shard;
+mod table;
 mod values;
 mod variants;
 
@@ -27,6 +25,5 @@ pub use execute::run;
 pub use journal::Journal;
 pub use library::embedded;
 pub use plan::Sweep;
-pub use point::{Point, Subject};
-pub use row::{Row, sweep_csv, times_csv};
 pub use shard::{MOST_SHARDS, Shard, merge};
+pub use table::{sweep_csv, times_csv};

@@ -1,5 +1,6 @@
-//! From a sweep file to its points.
+//! From a sweep file to its tasks.
 
+use std::borrow::Cow;
 use std::path::Path;
 
 use toml::Spanned;
@@ -7,9 +8,9 @@ use toml::Spanned;
 use super::file::{self, CaseSource, File};
 use super::neighbours::FromNeighbours;
 use super::variants::{Axis, Base, Variant, axes, settings, variants};
-use super::{Point, Subject};
 use crate::case::{self, Complaint, Document, Found, listed, nearest};
-use crate::method::{METHODS, Method, defaults};
+use crate::method::{Kind, METHODS, Method, defaults, kind, methods as all_methods};
+use crate::run::{Subject, Task};
 use crate::scene::HeadJoints;
 
 /// A sweep: walls, methods and settings, in a fixed order.
@@ -54,39 +55,31 @@ impl Sweep {
         })
     }
 
-    /// Every point: walls slowest, then methods, then head joints, as in the tables of `run`.
-    pub fn points(&self) -> Vec<Point<'_>> {
-        let mut points = Vec::new();
+    /// Every task: walls slowest, then methods, then head joints, as in the tables of `run`.
+    pub fn tasks(&self) -> Vec<Task<'_>> {
+        let mut tasks = Vec::new();
         for (index, variant) in self.variants.iter().enumerate() {
             for &method in &self.methods {
                 for &head_joints in &variant.case.head_joints {
-                    points.push(self.point(index, method, head_joints));
+                    tasks.push(self.task(index, method, head_joints));
                 }
             }
         }
-        points
+        tasks
     }
 
-    fn point(
-        &self,
-        index: usize,
-        method: &'static dyn Method,
-        head_joints: HeadJoints,
-    ) -> Point<'_> {
+    fn task(&self, index: usize, method: &'static dyn Method, head_joints: HeadJoints) -> Task<'_> {
         let variant = &self.variants[index];
-        let name = &variant.case.name;
         let mut subject = Subject {
-            case: match head_joints {
-                HeadJoints::Contact => name.clone(),
-                HeadJoints::Open => format!("{name}@open"),
-            },
+            case: variant.case.name.clone(),
+            head_joints,
             parameters: variant.parameters.clone(),
             blocks: variant.blocks,
-            sides: Box::new(move || variant.case.sides(head_joints)),
+            sides: Box::new(move || Cow::Owned(variant.case.sides(head_joints))),
             determined_by: variant.determined_by.clone(),
         };
-        if method.name() != "interval" || self.neighbours.is_none() {
-            return Point::new(subject, method, variant.settings);
+        if kind(method.name()) != Kind::CollapseStates || self.neighbours.is_none() {
+            return Task::new(subject, method, variant.settings);
         }
         let neighbours = self.beside(index);
         let texts = neighbours.iter().flat_map(|other| &other.determined_by);
@@ -95,7 +88,7 @@ impl Sweep {
             neighbours,
             head_joints,
         };
-        Point::new(subject, method, variant.settings)
+        Task::new(subject, method, variant.settings)
     }
 
     /// The walls before and after this one on the axis of neighbours.
@@ -117,16 +110,16 @@ impl Sweep {
 
 fn methods(document: &Document, file: &File) -> Result<Vec<&'static dyn Method>, Complaint> {
     let Some(written) = &file.methods else {
-        return Ok(defaults().to_vec());
+        return Ok(defaults());
     };
-    let names = METHODS.map(|method| method.name());
+    let names: Vec<&str> = METHODS.iter().map(|entry| entry.name()).collect();
     let words = &written.get_ref().0;
     for (index, word) in words.iter().enumerate() {
         let name = word.get_ref().as_str();
         if !names.contains(&name) {
-            let help = match nearest(name, names) {
+            let help = match nearest(name, names.iter().copied()) {
                 Some(near) => format!("did you mean `{near}`?"),
-                None => format!("methods are {}", listed(names)),
+                None => format!("methods are {}", listed(names.iter().copied())),
             };
             let title = format!("there is no method named `{name}`");
             return Err(document
@@ -146,7 +139,7 @@ fn methods(document: &Document, file: &File) -> Result<Vec<&'static dyn Method>,
             .help("name a method, or drop `methods` for all of them"));
     }
     let named = |method: &&dyn Method| words.iter().any(|word| word.get_ref() == method.name());
-    Ok(METHODS.into_iter().filter(named).collect())
+    Ok(all_methods().into_iter().filter(named).collect())
 }
 
 /// The cases before anything is replaced in them.

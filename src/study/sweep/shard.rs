@@ -5,9 +5,9 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
-use super::{Point, Row};
 use crate::case::Complaint;
 use crate::files::write_whole;
+use crate::run::{Row, Task};
 
 /// The `index`-th of `count` shards, from 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,10 +44,10 @@ impl fmt::Display for Shard {
 impl Shard {
     /// The points of this shard, in their order. Long and short points are dealt out evenly: one by
     /// one in the order of their expected time.
-    pub fn deal<'a>(self, points: Vec<Point<'a>>) -> Vec<Point<'a>> {
-        let turns = turns(&points);
+    pub fn deal<'a>(self, tasks: Vec<Task<'a>>) -> Vec<Task<'a>> {
+        let turns = turns(&tasks);
         let mine = |turn: usize| turn % self.count == self.index - 1;
-        let dealt = points.into_iter().zip(turns);
+        let dealt = tasks.into_iter().zip(turns);
         dealt
             .filter(|(_, turn)| mine(*turn))
             .map(|(point, _)| point)
@@ -85,7 +85,7 @@ impl Shard {
 }
 
 /// For every point, when it is dealt out.
-fn turns(points: &[Point]) -> Vec<usize> {
+fn turns(points: &[Task]) -> Vec<usize> {
     let mut order: Vec<usize> = (0..points.len()).collect();
     let seconds = |index: usize| points[index].expected_seconds();
     order.sort_by(|&a, &b| seconds(b).total_cmp(&seconds(a)));
@@ -101,7 +101,7 @@ fn turns(points: &[Point]) -> Vec<usize> {
 /// # Errors
 /// Where a file is damaged or of another sweep, two files say different things about one point, or
 /// rows are missing: then which.
-pub fn merge(points: &[Point], folder: &Path) -> Result<Vec<Row>, Complaint> {
+pub fn merge(points: &[Task], folder: &Path) -> Result<Vec<Row>, Complaint> {
     let files = files(folder)?;
     let index = points.iter().enumerate().map(|(i, p)| (p.id(), i));
     let index: BTreeMap<&str, usize> = index.collect();
@@ -170,7 +170,7 @@ fn foreign(path: &Path, row: &Row) -> Complaint {
     )
 }
 
-fn conflict(point: &Point, first: &Path, second: &Path) -> Complaint {
+fn conflict(point: &Task, first: &Path, second: &Path) -> Complaint {
     let title = format!(
         "{} and {} disagree about the point {} ({})",
         first.display(),
@@ -184,7 +184,7 @@ fn conflict(point: &Point, first: &Path, second: &Path) -> Complaint {
 /// Missing points that are listed one by one.
 const LISTED: usize = 10;
 
-fn incomplete(points: &[Point], missing: &[usize], there: &[Shard], folder: &Path) -> Complaint {
+fn incomplete(points: &[Task], missing: &[usize], there: &[Shard], folder: &Path) -> Complaint {
     let listed = missing.iter().take(LISTED);
     let listed: Vec<String> = listed.map(|&index| points[index].describe()).collect();
     let more = match missing.len() > LISTED {
@@ -230,10 +230,10 @@ mod tests {
     #[test]
     fn every_point_is_in_one_shard_and_long_ones_are_spread() {
         let sweep = Sweep::find("fig-7").expect("it is built in");
-        let all: Vec<String> = sweep.points().iter().map(|p| p.id().to_owned()).collect();
+        let all: Vec<String> = sweep.tasks().iter().map(|p| p.id().to_owned()).collect();
         let mut dealt = Vec::new();
         for index in 1..=4 {
-            let shard = Shard { index, count: 4 }.deal(sweep.points());
+            let shard = Shard { index, count: 4 }.deal(sweep.tasks());
             let long = shard.iter().filter(|p| p.method().name() == "pushover");
             assert_eq!(long.count(), 20);
             dealt.extend(shard.iter().map(|p| p.id().to_owned()));

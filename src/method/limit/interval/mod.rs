@@ -12,8 +12,8 @@ mod outer;
 mod search;
 mod starts;
 
+use super::ending::Ending;
 use super::own_weight::{own_weight, without_optimum};
-use super::program::Ending;
 use super::reduction::{self, Part};
 use super::scale::Scale;
 use crate::answer::{
@@ -48,7 +48,7 @@ impl Interval {
             stop_below: f64::NEG_INFINITY,
             further,
         };
-        requested(scene, &request)
+        solve(scene, &request)
     }
 }
 
@@ -59,7 +59,7 @@ pub(crate) fn lowest(scene: &Scene, settings: &Settings, stop_below: f64) -> Out
         stop_below,
         further: &[],
     };
-    requested(scene, &request)
+    solve(scene, &request)
 }
 
 /// What a search is asked for.
@@ -71,7 +71,7 @@ struct Request<'a> {
     further: &'a [Vec<f64>],
 }
 
-fn requested(scene: &Scene, request: &Request) -> Outcome {
+fn solve(scene: &Scene, request: &Request) -> Outcome {
     let mut work = Work::default();
     let at_rest = match own_weight(scene, &mut work) {
         Ok(forces) => forces,
@@ -203,7 +203,7 @@ fn collapse_state(
         None => (forces, mechanism),
         Some(part) => (
             part.complete(scene, lambda, &forces, work)?,
-            part.lift(scene, &mechanism),
+            part.extend(scene, &mechanism),
         ),
     };
     Some(CollapseState {

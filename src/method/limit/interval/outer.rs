@@ -1,7 +1,8 @@
 //! The rigorous outer bound from below, so that nobody takes the lowest state found for one.
 
 use crate::answer::{JointForce, Mechanism, Motion, StaticResidual, VERIFIED_RESIDUAL, Work};
-use crate::method::limit::program::{Ending, Program};
+use crate::method::limit::ending::Ending;
+use crate::method::limit::program::Program;
 use crate::scene::{Scene, Vector};
 
 /// λ of forces without friction, which no collapse multiplier undercuts; `None` where the scene

@@ -11,7 +11,8 @@
 
 use super::noise::Noise;
 use crate::answer::{JointForce, SearchFailure, Work, dead_power};
-use crate::method::limit::program::{Ending, FrictionLaw, Program, Solution};
+use crate::method::limit::ending::{Ending, Solution};
+use crate::method::limit::program::{FrictionLaw, Program};
 use crate::scene::{JointClass, Scene};
 
 /// Largest gap of a collapse state. The judge allows 1e-8; a state must keep away from that.
@@ -239,8 +240,9 @@ impl<'a> Search<'a> {
     }
 
     /// The lowest state of another mechanism that much the same normal forces allow: frozen
-    /// capacities raised a little pick another corner of the mechanisms' face. The solver by itself
-    /// lands in its middle, where most joints move and the fewest states remain.
+    /// capacities raised a little pick another corner of the face of optimal mechanisms. The solver
+    /// by itself lands in the middle of that face, where most joints move and the fewest states
+    /// remain.
     pub(super) fn neighbour(&mut self, state: &State, step: usize) -> Option<State> {
         let raise = RAISES[step % RAISES.len()];
         let unit = 1.0 / self.scene.blocks().len() as f64;
@@ -268,8 +270,8 @@ enum NormalRaise {
     Random(f64),
 }
 
-/// What the steps of a descent raise, in turn. Head joints alone suffice on walls of up to 55 blocks; on 1176
-/// blocks the larger, random ones find the way down (measured).
+/// What the steps of a descent raise, in turn. Head joints alone suffice on walls of up to 55
+/// blocks; on 1176 blocks the larger, random raises find lower states (measured).
 const RAISES: [NormalRaise; 3] = [
     NormalRaise::HeadJoints(1e-3),
     NormalRaise::Random(1e-2),

@@ -3,7 +3,7 @@
 use super::noise::Noise;
 use super::search::{Search, totals};
 use crate::answer::SearchStart;
-use crate::method::limit::program::Ending;
+use crate::method::limit::ending::Ending;
 use crate::scene::{HeadJoints, JointClass, Scene};
 
 /// Normal forces to begin with.

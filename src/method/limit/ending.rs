@@ -1,0 +1,43 @@
+//! How a linear program ended.
+
+use crate::answer::{JointForce, SolverEnding};
+
+/// How a program ended.
+#[derive(Clone, Debug)]
+pub enum Ending {
+    /// The solver reports an optimum. That is no proof.
+    Solved(Solution),
+    /// No force state satisfies the rows, for any λ; velocities as in [`Solution`] by which the
+    /// solver shows that. No proof either.
+    Infeasible(Vec<f64>),
+    /// λ can grow without limit.
+    Unbounded,
+    /// The solver gave up; its own name for why.
+    GaveUp(String),
+}
+
+impl Ending {
+    /// The ending without its numbers.
+    pub fn kind(&self) -> SolverEnding {
+        match self {
+            Ending::Solved(_) => SolverEnding::Optimum,
+            Ending::Infeasible(_) => SolverEnding::Infeasible,
+            Ending::Unbounded => SolverEnding::Unbounded,
+            Ending::GaveUp(why) => SolverEnding::GaveUp(why.clone()),
+        }
+    }
+}
+
+/// A force state and the mechanism dual to it, in dimensionless form: total weight 1, wall height
+/// 1, and a mechanism on which the live load for λ = 1 does unit work.
+#[derive(Clone, Debug)]
+pub struct Solution {
+    /// Multiplier of the force state.
+    pub lambda: f64,
+    /// Corner forces and shear of every joint.
+    pub forces: Vec<JointForce>,
+    /// Velocities (fx, fy about the centroid, rotation times height), three a block.
+    pub velocity: Vec<f64>,
+    /// Interior-point iterations.
+    pub iterations: usize,
+}

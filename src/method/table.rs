@@ -1,0 +1,328 @@
+//! The one table that says everything about every method but how it works. A new method is one file
+//! and one entry here; whoever needs to know something of a method asks this table.
+
+use super::Method;
+use super::auto::Auto;
+use super::limit::{Associative, Interval, Sequential};
+use super::macro_block::MacroBlock;
+use super::pushover::Pushover;
+
+/// What a method's answers are claims about. Relations between methods follow from it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// The range of a closed form for an assumed mechanism. It does not see head joints.
+    ClosedForm,
+    /// Bounds of λ_A, the multiplier of associative friction: no collapse multiplier is above it.
+    AssociativeBounds,
+    /// One collapse state without dilatancy, that an iteration converged to.
+    CollapseState,
+    /// The lowest and the highest collapse state without dilatancy that were found.
+    CollapseStates,
+    /// What was seen in an experiment: the last load at rest and the first that collapsed.
+    Observed,
+    /// The lowest collapse state found and λ_A, made of other methods' answers.
+    Enclosure,
+    /// The answer of an outside program; it says itself what it is.
+    Outside,
+}
+
+/// A mark in plots.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs, reason = "the names say it")]
+pub enum Mark {
+    Square,
+    Circle,
+    Triangle,
+    Diamond,
+    TriangleDown,
+    Star,
+    Plus,
+    Cross,
+}
+
+/// How a method looks in every plot.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Look {
+    /// Colour, `#rrggbb` (Okabe and Ito, for all eyes).
+    pub colour: &'static str,
+    /// Mark.
+    pub mark: Mark,
+}
+
+/// Rough CPU time of a method with default settings, which grows with a power of the blocks.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Cost {
+    /// CPU seconds on paper-1, 33 blocks.
+    pub of_33_blocks: f64,
+    /// Exponent of growth in the number of blocks.
+    pub growth: f64,
+}
+
+impl Cost {
+    /// CPU seconds on a scene of so many blocks, roughly.
+    pub fn seconds(self, blocks: usize) -> f64 {
+        self.of_33_blocks * (blocks.max(1) as f64 / 33.0).powf(self.growth)
+    }
+}
+
+/// Settings that are not as by default: names and values.
+pub type Changes = &'static [(&'static str, &'static str)];
+
+/// A rung of a method's ladder: its settings, and the scenes that are worth it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rung {
+    /// What is not as by default.
+    pub changes: Changes,
+    /// The scenes that it runs on.
+    pub scenes: Scenes,
+}
+
+/// Scenes by their number of blocks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Scenes {
+    /// All.
+    All,
+    /// Those of fewer than 200 blocks: on others the rung takes minutes.
+    Small,
+    /// Those of 200 blocks and more: on others the rung changes nothing.
+    Large,
+}
+
+/// Blocks from which a scene is large.
+const LARGE: usize = 200;
+
+impl Scenes {
+    /// Whether a scene of so many blocks is one of them.
+    pub fn hold(self, blocks: usize) -> bool {
+        match self {
+            Scenes::All => true,
+            Scenes::Small => blocks < LARGE,
+            Scenes::Large => blocks >= LARGE,
+        }
+    }
+}
+
+const fn all(changes: Changes) -> Rung {
+    let scenes = Scenes::All;
+    Rung { changes, scenes }
+}
+
+const fn small(changes: Changes) -> Rung {
+    let scenes = Scenes::Small;
+    Rung { changes, scenes }
+}
+
+const fn large(changes: Changes) -> Rung {
+    let scenes = Scenes::Large;
+    Rung { changes, scenes }
+}
+
+/// One method with everything that others need to know of it.
+pub struct Entry {
+    /// The method.
+    pub method: &'static dyn Method,
+    /// What it is, in one line.
+    pub summary: &'static str,
+    /// What its answers claim.
+    pub kind: Kind,
+    /// Whether it runs where no method is named.
+    pub by_default: bool,
+    /// Whether its drawing is among those that are shown first (the paper's Figs. 4 and 5).
+    pub drawn_first: bool,
+    /// Its colour and mark.
+    pub look: Look,
+    /// Its CPU time, measured on the paper's walls.
+    pub cost: Cost,
+    /// Settings that the chart runs it with beside the default, from cheap to dear.
+    pub ladder: &'static [Rung],
+}
+
+impl Entry {
+    /// The method's name.
+    pub fn name(&self) -> &'static str {
+        self.method.name()
+    }
+}
+
+const fn look(colour: &'static str, mark: Mark) -> Look {
+    Look { colour, mark }
+}
+
+const fn cost(of_33_blocks: f64, growth: f64) -> Cost {
+    Cost {
+        of_33_blocks,
+        growth,
+    }
+}
+
+/// Every method, in the order in which tables show them.
+pub static METHODS: &[Entry] = &[
+    Entry {
+        method: &MacroBlock,
+        summary: "closed form: one crack, two bodies; λ_low without and λ_upp with all friction \
+                  along it",
+        kind: Kind::ClosedForm,
+        by_default: true,
+        drawn_first: true,
+        look: look("#999999", Mark::Square),
+        cost: cost(1e-5, 0.0),
+        ladder: &[],
+    },
+    Entry {
+        method: &Associative,
+        summary: "limit analysis with dilatant friction: an upper bound of every collapse multiplier",
+        kind: Kind::AssociativeBounds,
+        by_default: true,
+        drawn_first: false,
+        look: look("#0072B2", Mark::Circle),
+        cost: cost(2e-3, 1.6),
+        ladder: &[
+            all(&[("lp-tolerance", "1e-2")]),
+            all(&[("lp-tolerance", "1e-4")]),
+            all(&[("lp-tolerance", "1e-6")]),
+            all(&[("lp-tolerance", "1e-8")]),
+            large(&[("reduction", "false")]),
+        ],
+    },
+    Entry {
+        method: &Sequential,
+        summary: "the published sequence of linear programs for friction without dilatancy",
+        kind: Kind::CollapseState,
+        by_default: true,
+        drawn_first: false,
+        look: look("#E69F00", Mark::Triangle),
+        cost: cost(4e-2, 1.6),
+        ladder: &[
+            all(&[("alpha", "0.1")]),
+            small(&[("beta", "0.3")]),
+            small(&[("c0", "1e-4")]),
+            all(&[("lp-tolerance", "1e-6")]),
+        ],
+    },
+    Entry {
+        method: &Interval,
+        summary: "lowest and highest collapse state found that satisfies every condition; not \
+                  bounds",
+        kind: Kind::CollapseStates,
+        by_default: true,
+        drawn_first: true,
+        look: look("#009E73", Mark::Diamond),
+        cost: cost(4e-2, 1.8),
+        ladder: &[
+            all(&[("starts", "1")]),
+            small(&[("starts", "4")]),
+            small(&[("starts", "8")]),
+            small(&[("starts", "16")]),
+            large(&[("reduction", "false")]),
+        ],
+    },
+    Entry {
+        method: &Pushover,
+        summary: "rigid bodies in contact, pushed harder until they collapse: last rest and first \
+                  collapse",
+        kind: Kind::Observed,
+        by_default: true,
+        drawn_first: true,
+        look: look("#D55E00", Mark::TriangleDown),
+        cost: cost(0.5, 1.4),
+        ladder: &[
+            all(&[("accuracy", "coarse")]),
+            small(&[("accuracy", "fine")]),
+            all(&[("substep", "4")]),
+            all(&[("substep", "2")]),
+            all(&[("stiffness", "0.25")]),
+        ],
+    },
+    Entry {
+        method: &Auto,
+        summary: "no more model than the scene needs: λ_A and the lowest state found, from cheap \
+                  to dear",
+        kind: Kind::Enclosure,
+        // It is made of the others and would only repeat them.
+        by_default: false,
+        drawn_first: false,
+        look: look("#CC79A7", Mark::Star),
+        cost: cost(4e-2, 1.8),
+        ladder: &[
+            all(&[("tolerance", "0.05")]),
+            small(&[("tolerance", "0.001")]),
+        ],
+    },
+];
+
+/// How outside programs look, in their order; the last look is for all further ones.
+const OUTSIDE: [Look; 2] = [look("#000000", Mark::Plus), look("#56B4E9", Mark::Cross)];
+
+/// A program of which nothing is known counts as long.
+const OUTSIDE_COST: Cost = cost(0.5, 1.4);
+
+/// The entry of this name; `None` for an outside program.
+pub fn entry(name: &str) -> Option<&'static Entry> {
+    METHODS.iter().find(|entry| entry.name() == name)
+}
+
+/// What the answers of the method of this name claim.
+pub fn kind(name: &str) -> Kind {
+    entry(name).map_or(Kind::Outside, |entry| entry.kind)
+}
+
+/// Rough CPU time of the method of this name.
+pub fn expected_cost(name: &str) -> Cost {
+    entry(name).map_or(OUTSIDE_COST, |entry| entry.cost)
+}
+
+/// Colour and mark of the method of this name; `outside` counts the outside programs of the plot
+/// before it.
+pub fn method_look(name: &str, outside: usize) -> Look {
+    let other = OUTSIDE[outside.min(OUTSIDE.len() - 1)];
+    entry(name).map_or(other, |entry| entry.look)
+}
+
+/// Every method, in the order of the table.
+pub fn methods() -> Vec<&'static dyn Method> {
+    METHODS.iter().map(|entry| entry.method).collect()
+}
+
+/// The methods of a run that names none.
+pub fn defaults() -> Vec<&'static dyn Method> {
+    let wanted = METHODS.iter().filter(|entry| entry.by_default);
+    wanted.map(|entry| entry.method).collect()
+}
+
+/// The first method whose answers claim this; every kind but [`Kind::Outside`] has one.
+pub fn of_kind(kind: Kind) -> Option<&'static Entry> {
+    METHODS.iter().find(|entry| entry.kind == kind)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::Settings;
+    use super::*;
+
+    #[test]
+    fn every_entry_is_complete_and_its_own() {
+        for (index, one) in METHODS.iter().enumerate() {
+            assert!(!one.summary.is_empty());
+            assert_ne!(one.kind, Kind::Outside, "{}", one.name());
+            for other in &METHODS[..index] {
+                assert_ne!(one.name(), other.name());
+                assert_ne!(one.look, other.look, "{} {}", one.name(), other.name());
+            }
+        }
+        assert!(defaults().len() < METHODS.len());
+        assert_eq!(kind("no-such"), Kind::Outside);
+    }
+
+    #[test]
+    fn every_rung_can_be_set() {
+        for entry in METHODS {
+            for rung in entry.ladder {
+                let mut settings = Settings::default();
+                for (name, value) in rung.changes {
+                    settings.set(name, value).unwrap();
+                }
+                assert_ne!(settings, Settings::default(), "{}", entry.name());
+            }
+        }
+    }
+}

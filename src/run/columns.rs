@@ -1,0 +1,279 @@
+//! The one list of columns. CSV, JSON, tables, the report, sweeps, chart and atlas name columns of
+//! it; a new one is one entry.
+
+use super::row::Row;
+use crate::answer::{Bracket, Status};
+use crate::case::{Kind as Source, Quantity, Reference};
+use crate::method::Kind;
+use crate::number::{nine_digits, number, short};
+
+/// What a row says in one column.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Value {
+    /// There is nothing to vouch for.
+    Nothing,
+    /// Words.
+    Text(String),
+    /// A number, written with nine digits.
+    Number(f64),
+    /// A count.
+    Count(usize),
+}
+
+impl Value {
+    /// As CSV has it; empty for nothing, and for numbers that are not finite.
+    pub fn csv(&self) -> String {
+        match self {
+            Value::Nothing => String::new(),
+            Value::Text(text) => text.clone(),
+            Value::Number(number) => nine_digits(*number),
+            Value::Count(count) => count.to_string(),
+        }
+    }
+
+    /// As JSON has it: numbers as numbers, `null` for nothing and for numbers that are not finite.
+    pub fn json(&self) -> serde_json::Value {
+        match self {
+            Value::Nothing => serde_json::Value::Null,
+            Value::Text(text) => text.clone().into(),
+            Value::Number(number) => {
+                let parsed = nine_digits(*number).parse::<f64>().ok();
+                parsed.map_or(serde_json::Value::Null, serde_json::Value::from)
+            }
+            Value::Count(count) => (*count).into(),
+        }
+    }
+
+    /// As tables for people have it: a dash for nothing.
+    pub fn shown(&self) -> String {
+        match self {
+            Value::Nothing => "-".to_owned(),
+            other => other.csv(),
+        }
+    }
+}
+
+impl From<Option<f64>> for Value {
+    fn from(number: Option<f64>) -> Self {
+        number.map_or(Value::Nothing, Value::Number)
+    }
+}
+
+impl From<Option<String>> for Value {
+    fn from(text: Option<String>) -> Self {
+        text.map_or(Value::Nothing, Value::Text)
+    }
+}
+
+impl From<&str> for Value {
+    fn from(text: &str) -> Self {
+        Value::Text(text.to_owned())
+    }
+}
+
+/// Whom a column is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Audience {
+    /// Programs: CSV and JSON have it.
+    Programs,
+    /// People: tables and the report have it, with the digits that the status vouches for.
+    People,
+}
+
+/// A column.
+pub struct Column {
+    /// Its name in CSV and JSON, and in lists of columns.
+    pub name: &'static str,
+    /// Whom it is for.
+    pub audience: Audience,
+    /// What a row says in it.
+    pub value: fn(&Row) -> Value,
+}
+
+const fn data(name: &'static str, value: fn(&Row) -> Value) -> Column {
+    let audience = Audience::Programs;
+    Column {
+        name,
+        audience,
+        value,
+    }
+}
+
+const fn words(name: &'static str, value: fn(&Row) -> Value) -> Column {
+    let audience = Audience::People;
+    Column {
+        name,
+        audience,
+        value,
+    }
+}
+
+/// Every column. Those for programs stand in the order of `results.csv`; the first eleven are a
+/// contract with scripts, further ones are only ever added behind the others.
+pub static COLUMNS: &[Column] = &[
+    data("case", |row| Value::Text(row.scene_name())),
+    data("method", |row| row.method.as_str().into()),
+    data("status", |row| row.status().name().into()),
+    data("lower", |row| row.bracket().map(|b| b.lower).into()),
+    data("upper", |row| row.bracket().map(|b| b.upper).into()),
+    data("tan_beta", |row| row.crack().map(|c| c.tan_beta).into()),
+    data("c", |row| row.crack().and_then(|c| c.c).into()),
+    data("e", |row| row.crack().and_then(|c| c.e).into()),
+    data("residual", |row| row.residual.into()),
+    data("seconds", |row| Value::Number(row.seconds)),
+    data("reason", |row| Value::Text(row.outcome.reason())),
+    data("blocks", |row| Value::Count(row.blocks)),
+    data("joints", |row| Value::Count(row.joints)),
+    data("modelled", |row| Value::Count(row.outcome.work.modelled)),
+    data("programs", |row| Value::Count(row.outcome.work.programs)),
+    data("iterations", |row| {
+        Value::Count(row.outcome.work.iterations)
+    }),
+    data("block_steps", |row| {
+        Value::Count(row.outcome.work.block_steps)
+    }),
+    data("stated_error", |row| row.outcome.stated_error.into()),
+    data("reference", |row| reference_end(row, 0)),
+    data("reference_upper", |row| reference_end(row, 1)),
+    data("error", |row| row.error().into()),
+    data("verdict", |row| {
+        row.verdict.map(|v| v.name().to_owned()).into()
+    }),
+    data("friction", |row| row.friction_words().into()),
+    data("push", |row| row.push.name().into()),
+    words("head_joints", |row| row.head_joints.name().into()),
+    words("lambda", multiplier),
+    words("lambda_reference", multiplier_reference),
+    words("error_percent", |row| {
+        row.error().map(|error| number(100.0 * error, 2)).into()
+    }),
+    words("slope", slope),
+    words("slope_reference", |row| {
+        row.reference(Quantity::TanBeta).map(with_letter).into()
+    }),
+    words("width_c", |row| width(row.crack().and_then(|c| c.c))),
+    words("width_e", |row| width(row.crack().and_then(|c| c.e))),
+    words("note", |row| Value::Text(note(row))),
+    words("cpu_seconds", |row| Value::Text(number(row.seconds, 2))),
+];
+
+/// The column of this name.
+///
+/// # Panics
+/// Where there is none: names of columns are written in the program.
+pub fn column(name: &str) -> &'static Column {
+    let found = COLUMNS.iter().find(|column| column.name == name);
+    found.unwrap_or_else(|| panic!("no column `{name}`"))
+}
+
+/// What a row says in the columns of these names.
+pub fn values(row: &Row, names: &[&str]) -> Vec<Value> {
+    names.iter().map(|name| (column(name).value)(row)).collect()
+}
+
+/// CSV of these headings and lines.
+///
+/// # Errors
+/// Those of the CSV writer; none is expected in memory.
+pub fn csv<'a>(
+    headings: impl IntoIterator<Item = &'a str>,
+    lines: impl IntoIterator<Item = Vec<Value>>,
+) -> Result<String, csv::Error> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    writer.write_record(headings)?;
+    for line in lines {
+        writer.write_record(line.iter().map(Value::csv))?;
+    }
+    let bytes = writer
+        .into_inner()
+        .map_err(|e| csv::Error::from(e.into_error()))?;
+    Ok(String::from_utf8_lossy(&bytes).into_owned())
+}
+
+/// One end of what the multiplier is compared with; there is a second where the ends of a range have
+/// values of their own.
+fn reference_end(row: &Row, end: usize) -> Value {
+    let references = row.multiplier_references();
+    references.get(end).map(|reference| reference.value).into()
+}
+
+/// λ with the digits that its status vouches for.
+fn multiplier(row: &Row) -> Value {
+    let Some(Bracket { lower, upper }) = row.bracket() else {
+        return Value::Nothing;
+    };
+    // The closed form and the pushover's grid are exact in 5 decimals, and so is a proof to 1e-6.
+    let exact = row.status() != Status::Estimate || row.kind() == Kind::ClosedForm;
+    let decimals = if exact { 5 } else { 4 };
+    let [lower_end, upper_end] = [lower, upper].map(|end| number(end, decimals));
+    let one = upper - lower <= 2e-6 * upper.abs().max(1e-3);
+    Value::Text(if one {
+        lower_end
+    } else {
+        format!("{lower_end} - {upper_end}")
+    })
+}
+
+/// The value of a reference and what is behind it: p published, a analytic, i independent code.
+fn with_letter(reference: &Reference) -> String {
+    let letter = match reference.kind {
+        Source::Published => 'p',
+        Source::Analytic => 'a',
+        Source::Independent => 'i',
+    };
+    format!("{} {letter}", short(reference.value, 6))
+}
+
+fn multiplier_reference(row: &Row) -> Value {
+    match row.multiplier_references().as_slice() {
+        [] => Value::Nothing,
+        [one] => Value::Text(with_letter(one)),
+        [low, high, ..] => Value::Text(format!("{} - {}", short(low.value, 6), with_letter(high))),
+    }
+}
+
+/// tan β, with `~` where c or e is not sharp.
+fn slope(row: &Row) -> Value {
+    let text = row.crack().map(|crack| {
+        let mark = if crack.sharp { "" } else { "~" };
+        format!("{}{mark}", number(crack.tan_beta, 4))
+    });
+    text.into()
+}
+
+fn width(value: Option<f64>) -> Value {
+    value.map(|value| short(value, 3)).into()
+}
+
+/// The reason, and the residual where it fails what `verified` asks for.
+fn note(row: &Row) -> String {
+    let mut note = row.outcome.reason();
+    let fails = row
+        .residual
+        .is_some_and(|r| r > crate::answer::VERIFIED_RESIDUAL);
+    if fails && row.status() != Status::Failed {
+        note.push_str(", residual above 1e-8");
+    }
+    if row.crack().is_some_and(|crack| !crack.sharp) {
+        if !note.is_empty() {
+            note.push_str("; ");
+        }
+        note.push_str("~ crack not sharp");
+    }
+    note
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_are_unique_and_the_contract_comes_first() {
+        let contract = "case,method,status,lower,upper,tan_beta,c,e,residual,seconds,reason";
+        let names: Vec<&str> = COLUMNS.iter().map(|column| column.name).collect();
+        assert_eq!(names[..11].join(","), contract);
+        for (index, name) in names.iter().enumerate() {
+            assert!(!names[..index].contains(name), "{name}");
+        }
+    }
+}

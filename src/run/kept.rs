@@ -1,0 +1,180 @@
+//! A row as files keep it: the flat facts, in nine digits, without forces or mechanisms.
+
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};
+
+use super::row::Row;
+use crate::answer::{Bracket, Crack, Outcome, Status, Work};
+use crate::number::nine_digits;
+use crate::scene::{HeadJoints, Push};
+
+/// The line of a journal. A row that was kept is the row that is read back, to the last bit.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct KeptRow {
+    id: String,
+    case: String,
+    head_joints: String,
+    push: String,
+    method: String,
+    parameters: Vec<(String, String)>,
+    friction: Option<[f64; 2]>,
+    blocks: usize,
+    joints: usize,
+    status: String,
+    lower: Option<f64>,
+    upper: Option<f64>,
+    stated_error: Option<f64>,
+    tan_beta: Option<f64>,
+    c: Option<f64>,
+    e: Option<f64>,
+    sharp: bool,
+    residual: Option<f64>,
+    reason: String,
+    /// Blocks that were modelled as movable, linear programs, their iterations, block steps.
+    work: [usize; 4],
+    seconds: f64,
+}
+
+impl From<Row> for KeptRow {
+    fn from(row: Row) -> Self {
+        let reason = row.outcome.reason();
+        let Outcome {
+            status,
+            bracket,
+            crack,
+            stated_error,
+            work,
+            ..
+        } = row.outcome;
+        Self {
+            head_joints: row.head_joints.name().to_owned(),
+            push: row.push.name().to_owned(),
+            status: status.name().to_owned(),
+            lower: bracket.and_then(|b| rounded(b.lower)),
+            upper: bracket.and_then(|b| rounded(b.upper)),
+            stated_error,
+            tan_beta: crack.and_then(|crack| rounded(crack.tan_beta)),
+            c: crack.and_then(|crack| crack.c).and_then(rounded),
+            e: crack.and_then(|crack| crack.e).and_then(rounded),
+            sharp: crack.is_none_or(|crack| crack.sharp),
+            residual: row.residual.and_then(rounded),
+            reason,
+            work: [
+                work.modelled,
+                work.programs,
+                work.iterations,
+                work.block_steps,
+            ],
+            seconds: rounded(row.seconds).unwrap_or(0.0),
+            id: row.id,
+            case: row.case,
+            method: row.method,
+            parameters: row.parameters,
+            friction: row.friction,
+            blocks: row.blocks,
+            joints: row.joints,
+        }
+    }
+}
+
+/// A word that a file has in the place of a status, a push or the like.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error("no {what} is called `{word}`")]
+struct UnknownWord {
+    what: &'static str,
+    word: String,
+}
+
+fn named<T: Copy>(
+    what: &'static str,
+    known: impl IntoIterator<Item = T>,
+    name: impl Fn(T) -> &'static str,
+    word: String,
+) -> Result<T, UnknownWord> {
+    let found = known.into_iter().find(|&known| name(known) == word);
+    found.ok_or(UnknownWord { what, word })
+}
+
+impl TryFrom<KeptRow> for Row {
+    type Error = UnknownWord;
+
+    fn try_from(kept: KeptRow) -> Result<Self, UnknownWord> {
+        let head_joints = [HeadJoints::Contact, HeadJoints::Open];
+        let pushes = [Push::Right, Push::Left];
+        let status = named("status", Status::ALL, Status::name, kept.status)?;
+        let [modelled, programs, iterations, block_steps] = kept.work;
+        let ends = kept.lower.zip(kept.upper);
+        let crack = kept.tan_beta.map(|tan_beta| Crack {
+            c: kept.c,
+            e: kept.e,
+            tan_beta,
+            sharp: kept.sharp,
+        });
+        Ok(Self {
+            head_joints: named(
+                "head joints",
+                head_joints,
+                HeadJoints::name,
+                kept.head_joints,
+            )?,
+            push: named("push", pushes, Push::name, kept.push)?,
+            outcome: Outcome {
+                bracket: ends.map(|(lower, upper)| Bracket { lower, upper }),
+                crack,
+                stated_error: kept.stated_error,
+                work: Work {
+                    modelled,
+                    programs,
+                    iterations,
+                    block_steps,
+                },
+                ..Outcome::without_number(status, kept.reason)
+            },
+            id: kept.id,
+            case: kept.case,
+            method: kept.method,
+            parameters: kept.parameters,
+            friction: kept.friction,
+            blocks: kept.blocks,
+            joints: kept.joints,
+            residual: kept.residual,
+            seconds: kept.seconds,
+            references: Vec::new(),
+            verdict: None,
+        })
+    }
+}
+
+impl Serialize for Row {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        KeptRow::from(self.clone()).serialize(serializer)
+    }
+}
+
+impl<'de> Deserialize<'de> for Row {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let kept = KeptRow::deserialize(deserializer)?;
+        kept.try_into().map_err(D::Error::custom)
+    }
+}
+
+impl Row {
+    /// The row as it would be read back from a file.
+    pub fn kept(self) -> Self {
+        let kept = KeptRow::from(self);
+        kept.try_into().expect("the words are the program's own")
+    }
+
+    /// Whether files keep the same of both rows, but for the time.
+    pub fn agrees(&self, other: &Row) -> bool {
+        let timeless = |row: &Row| KeptRow {
+            seconds: 0.0,
+            ..KeptRow::from(row.clone())
+        };
+        timeless(self) == timeless(other)
+    }
+}
+
+fn rounded(value: f64) -> Option<f64> {
+    nine_digits(value).parse().ok()
+}

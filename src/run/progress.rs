@@ -1,0 +1,16 @@
+//! What is told while tasks run.
+
+use super::row::Row;
+use super::task::Task;
+
+/// Who is told.
+pub trait Progress: Sync {
+    /// CPU seconds that tasks may take together, roughly, before the first of them begins.
+    fn expected(&self, _seconds: f64) {}
+
+    /// A task is done.
+    fn done(&self, _task: &Task, _row: &Row) {}
+}
+
+/// Nobody.
+impl Progress for () {}

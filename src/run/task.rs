@@ -1,0 +1,239 @@
+//! One task: a method on a scene, solved, judged, and answered as a row. The only place with a clock
+//! and the only place where a panic is caught.
+
+use std::any::Any;
+use std::borrow::Cow;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+
+use cpu_time::ThreadTime;
+
+use super::row::{Row, scene_name};
+use super::weaker::{Answer, weaker};
+use crate::answer::{Outcome, Status};
+use crate::fingerprint::Fingerprint;
+use crate::judge::judge;
+use crate::method::{Method, Settings, expected_cost};
+use crate::scene::{HeadJoints, Scene};
+
+/// Fingerprint of the sources that this program was compiled from.
+const SOURCES: &str = env!("TRILITH_SOURCES");
+
+/// Builds the scenes of a task, one a direction of the push, when its turn comes.
+pub type Sides<'a> = Box<dyn Fn() -> Cow<'a, [Scene]> + Send + Sync + 'a>;
+
+/// What a method is asked about.
+pub struct Subject<'a> {
+    /// Name of the case.
+    pub case: String,
+    /// What its head joints carry.
+    pub head_joints: HeadJoints,
+    /// What varies in a study, by name, in the order of the columns.
+    pub parameters: Vec<(String, String)>,
+    /// Number of blocks: long tasks are begun first. It decides nothing else.
+    pub blocks: usize,
+    /// The scenes. Where there are two, the weaker side counts.
+    pub sides: Sides<'a>,
+    /// Texts that determine these scenes, and the method beyond its name and settings: the text of
+    /// a case, a command with its version.
+    pub determined_by: Vec<String>,
+}
+
+impl<'a> Subject<'a> {
+    /// Scenes that are there already, one a direction of the push.
+    ///
+    /// # Panics
+    /// Where there is none.
+    pub fn of_scenes(case: &str, sides: &'a [Scene]) -> Self {
+        Self {
+            case: case.to_owned(),
+            head_joints: sides[0].head_joints(),
+            parameters: Vec::new(),
+            blocks: sides[0].blocks().len(),
+            sides: Box::new(move || Cow::Borrowed(sides)),
+            determined_by: Vec::new(),
+        }
+    }
+}
+
+/// One method with its settings on one subject.
+pub struct Task<'a> {
+    subject: Subject<'a>,
+    method: Box<dyn Method + Send + 'a>,
+    settings: Settings,
+    id: String,
+}
+
+impl<'a> Task<'a> {
+    /// A task. Its id is the fingerprint of everything in it, and of the program's sources.
+    pub fn new(subject: Subject<'a>, method: impl Method + Send + 'a, settings: Settings) -> Self {
+        let mut id = Fingerprint::new();
+        let mut add = |text: &str| id.add(text.as_bytes());
+        add(SOURCES);
+        add(&subject.case);
+        add(subject.head_joints.name());
+        for (name, value) in &subject.parameters {
+            add(name);
+            add(value);
+        }
+        add(method.name());
+        // Every field with its name; what it looks like can only change with the sources.
+        add(&format!("{settings:?}"));
+        subject.determined_by.iter().for_each(|text| add(text));
+        Self {
+            id: id.hex(),
+            method: Box::new(method),
+            subject,
+            settings,
+        }
+    }
+
+    /// 32 hexadecimal digits, the same on every machine.
+    pub fn id(&self) -> &str {
+        &self.id
+    }
+
+    /// What the method is asked about.
+    pub fn subject(&self) -> &Subject<'a> {
+        &self.subject
+    }
+
+    /// The method.
+    pub fn method(&self) -> &dyn Method {
+        &*self.method
+    }
+
+    /// What the task is, for people: case, method and parameters.
+    pub fn describe(&self) -> String {
+        let Subject {
+            case, head_joints, ..
+        } = &self.subject;
+        let mut text = format!("{} {}", scene_name(case, *head_joints), self.method.name());
+        for (name, value) in &self.subject.parameters {
+            text.push_str(&format!(" {name}={value}"));
+        }
+        text
+    }
+
+    /// CPU seconds that the task may take, roughly: long ones are begun first, and the time left is
+    /// told by it.
+    pub fn expected_seconds(&self) -> f64 {
+        expected_cost(self.method.name()).seconds(self.subject.blocks)
+    }
+
+    /// Runs and judges the method on every side of the push; the side that gives way first answers.
+    /// A method that panics has failed.
+    ///
+    /// # Panics
+    /// Where the subject has no scene.
+    pub fn run(&self) -> Row {
+        let sides = (self.subject.sides)();
+        let answers = sides.iter().map(|scene| self.answer(scene)).collect();
+        self.row(weaker(answers))
+    }
+
+    fn row(&self, answer: Answer) -> Row {
+        let scene = answer.scene;
+        Row {
+            id: self.id.clone(),
+            case: self.subject.case.clone(),
+            head_joints: self.subject.head_joints,
+            push: scene.push(),
+            method: self.method.name().to_owned(),
+            parameters: self.subject.parameters.clone(),
+            friction: friction(scene),
+            blocks: scene.blocks().len(),
+            joints: scene.joints().len(),
+            outcome: answer.outcome,
+            residual: answer.residual,
+            seconds: answer.seconds,
+            references: Vec::new(),
+            verdict: None,
+        }
+    }
+
+    fn answer<'s>(&self, scene: &'s Scene) -> Answer<'s> {
+        let clock = ThreadTime::now();
+        let solved = catch_unwind(AssertUnwindSafe(|| {
+            let (mut outcome, spent) = self.method.solve_timed(scene, &self.settings);
+            let spent = spent.unwrap_or_else(|| clock.elapsed());
+            let residual = judge(scene, &mut outcome);
+            (outcome, residual, spent)
+        }));
+        let (outcome, residual, spent) = solved.unwrap_or_else(|panic| {
+            let failed = Outcome::without_number(Status::Failed, panicked(&*panic));
+            (failed, None, clock.elapsed())
+        });
+        Answer {
+            scene,
+            outcome,
+            residual,
+            seconds: spent.as_secs_f64(),
+        }
+    }
+}
+
+/// A method's judged answer on scenes of no case: one scene, or one a direction of the push, of which
+/// the weaker answers.
+///
+/// # Panics
+/// Where there is no scene.
+pub fn answer(sides: &[Scene], method: &dyn Method, settings: Settings) -> Row {
+    Task::new(Subject::of_scenes("", sides), method, settings).run()
+}
+
+/// Least and largest coefficient of friction of the joints.
+fn friction(scene: &Scene) -> Option<[f64; 2]> {
+    let of_joints = scene.joints().iter().map(|joint| joint.friction);
+    let widened = |range: [f64; 2], mu: f64| [range[0].min(mu), range[1].max(mu)];
+    let first = of_joints.clone().next()?;
+    Some(of_joints.fold([first; 2], widened))
+}
+
+/// What a panic said, in words.
+fn panicked(panic: &(dyn Any + Send)) -> String {
+    let text = panic.downcast_ref::<String>().map(String::as_str);
+    let text = text.or_else(|| panic.downcast_ref::<&str>().copied());
+    let words: Vec<&str> = text
+        .unwrap_or("without a word")
+        .split_whitespace()
+        .collect();
+    format!("the method panicked: {}", words.join(" "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::method::METHODS;
+
+    fn id(case: &str, parameter: &str, method: usize, starts: &str, text: &str) -> String {
+        let subject = Subject {
+            case: case.into(),
+            head_joints: HeadJoints::Contact,
+            parameters: vec![("friction".into(), parameter.into())],
+            blocks: 1,
+            sides: Box::new(|| Cow::Owned(Vec::new())),
+            determined_by: vec![text.into()],
+        };
+        let mut settings = Settings::default();
+        settings.set("starts", starts).unwrap();
+        Task::new(subject, METHODS[method].method, settings)
+            .id()
+            .into()
+    }
+
+    #[test]
+    fn the_id_tells_whatever_determines_the_answer() {
+        let mut ids = vec![
+            id("a", "0.5", 0, "2", "x"),
+            id("b", "0.5", 0, "2", "x"),
+            id("a", "0.6", 0, "2", "x"),
+            id("a", "0.5", 1, "2", "x"),
+            id("a", "0.5", 0, "3", "x"),
+            id("a", "0.5", 0, "2", "y"),
+        ];
+        assert_eq!(ids[0], id("a", "0.5", 0, "2", "x"));
+        ids.sort();
+        ids.dedup();
+        assert_eq!(ids.len(), 6);
+    }
+}
