@@ -158,7 +158,7 @@ mod tests {
                 stiffness: 0.5,
                 mirrored: true,
             }),
-            ..check(Checked::SettledBalance, 1.25e-6, 1e-4)
+            ..check(Checked::SettledBalance, 1.2e-6, 1e-4)
         };
         assert_eq!(
             balance.to_string(),

@@ -59,91 +59,123 @@ pub fn surfaces(scene: &Scene, reach: f64) -> Result<Surfaces, PushoverFact> {
             most: SUPPORT_COEFFICIENTS as usize,
         });
     }
-    let mut joints_of: Vec<Vec<&Joint>> = vec![Vec::new(); scene.blocks().len()];
-    for joint in scene.joints() {
-        joints_of[joint.to].push(joint);
-        if let Side::Block(from) = joint.from {
-            joints_of[from].push(joint);
-        }
-    }
-    // All surfaces of blocks in one list: the block and the coefficient.
-    let mut of_block: Vec<Vec<usize>> = vec![Vec::new(); scene.blocks().len()];
-    let mut list: Vec<f64> = Vec::new();
-    for (own, joints) in of_block.iter_mut().zip(&joints_of) {
-        let joints = joints.iter().copied();
-        if coefficients(joints.clone().filter(|joint| rests(joint))).len() > 1 {
-            return Err(PushoverFact::BlockOnTwoFrictions);
-        }
-        let mut all = coefficients(joints);
-        if all.is_empty() {
-            all.push(0.0);
-        }
-        *own = (list.len()..list.len() + all.len()).collect();
-        list.extend(all);
-    }
-    let surface = |block: usize, friction: f64| {
-        let own = of_block[block].iter().copied();
-        own.clone()
-            .find(|&i| list[i] == friction)
-            .or(own.clone().next())
-    };
-    let mut joined = vec![Vec::new(); list.len()];
-    let mut meets = vec![0u32; list.len()];
-    for joint in scene.joints() {
-        let Some(to) = surface(joint.to, joint.friction) else {
-            continue;
-        };
-        match joint.from {
-            Side::Block(from) => {
-                if let Some(from) = surface(from, joint.friction) {
-                    joined[from].push(to);
-                    joined[to].push(from);
-                }
-            }
-            Side::Support(_) => meets[to] |= support_group(&on_supports, joint.friction),
-        }
-    }
-    let near = neighbours(scene, reach);
-    let near_surfaces: Vec<Vec<usize>> = of_block
-        .iter()
-        .zip(&near)
-        .flat_map(|(own, near)| {
-            let others: Vec<usize> = near.iter().flat_map(|&b| of_block[b].clone()).collect();
-            own.iter().map(move |_| others.clone())
-        })
-        .collect();
-    let group = colours(&joined, &near_surfaces).ok_or(PushoverFact::Crowded)?;
+    let list = List::new(scene)?;
+    let joined = list.joined(scene);
+    let near = list.near(&neighbours(scene, reach));
+    let group = colours(&joined, &near).ok_or(PushoverFact::Crowded)?;
+    let mut meets = list.meet_supports(scene, &on_supports);
     for (one, joined) in joined.iter().enumerate() {
         for &other in joined {
             meets[one] |= 1 << group[other];
         }
     }
-    let of_block = of_block.iter().map(|own| {
-        let surface = |&i: &usize| Surface {
-            friction: list[i],
-            groups: Groups {
-                member: 1 << group[i],
-                meets: meets[i],
-            },
-        };
-        own.iter().map(surface).collect()
-    });
+    let surface = |&i: &usize| Surface {
+        friction: list.friction[i],
+        groups: Groups {
+            member: 1 << group[i],
+            meets: meets[i],
+        },
+    };
+    let blocks = list.of_block.iter();
+    Ok(Surfaces {
+        blocks: blocks
+            .map(|own| own.iter().map(surface).collect())
+            .collect(),
+        supports: support_surfaces(scene, &on_supports),
+    })
+}
+
+/// Surfaces of every support, which all blocks may touch.
+fn support_surfaces(scene: &Scene, on_supports: &[f64]) -> Vec<Vec<Surface>> {
     let of_support = (0..scene.supports().len()).map(|support| {
         let from = |joint: &&Joint| joint.from == Side::Support(support);
         let own = coefficients(scene.joints().iter().filter(from));
         let surface = |&friction: &f64| Surface {
             friction,
             groups: Groups {
-                member: support_group(&on_supports, friction),
+                member: support_group(on_supports, friction),
                 meets: (1 << BLOCKS) - 1,
             },
         };
         own.iter().map(surface).collect()
     });
-    Ok(Surfaces {
-        blocks: of_block.collect(),
-        supports: of_support.collect(),
-    })
+    of_support.collect()
+}
+
+/// The surfaces of all blocks in one list: one for every coefficient of friction of a block's
+/// joints, and one for a block without joints.
+struct List {
+    /// Coefficient of every surface.
+    friction: Vec<f64>,
+    /// Surfaces of every block.
+    of_block: Vec<Vec<usize>>,
+}
+
+impl List {
+    fn new(scene: &Scene) -> Result<Self, PushoverFact> {
+        let mut joints_of: Vec<Vec<&Joint>> = vec![Vec::new(); scene.blocks().len()];
+        for joint in scene.joints() {
+            joints_of[joint.to].push(joint);
+            if let Side::Block(from) = joint.from {
+                joints_of[from].push(joint);
+            }
+        }
+        let (mut friction, mut of_block) = (Vec::new(), Vec::new());
+        for joints in &joints_of {
+            let joints = joints.iter().copied();
+            if coefficients(joints.clone().filter(|joint| rests(joint))).len() > 1 {
+                return Err(PushoverFact::BlockOnTwoFrictions);
+            }
+            let mut all = coefficients(joints);
+            if all.is_empty() {
+                all.push(0.0);
+            }
+            of_block.push((friction.len()..friction.len() + all.len()).collect());
+            friction.extend(all);
+        }
+        Ok(Self { friction, of_block })
+    }
+
+    /// The surface of a block with the friction of one of its joints.
+    fn surface(&self, block: usize, joint: &Joint) -> usize {
+        let own = &self.of_block[block];
+        let same = own.iter().find(|&&i| self.friction[i] == joint.friction);
+        *same.unwrap_or(&own[0])
+    }
+
+    /// For every surface those of other blocks that it has joints with.
+    fn joined(&self, scene: &Scene) -> Vec<Vec<usize>> {
+        let mut joined = vec![Vec::new(); self.friction.len()];
+        for joint in scene.joints() {
+            if let Side::Block(from) = joint.from {
+                let (from, to) = (self.surface(from, joint), self.surface(joint.to, joint));
+                joined[from].push(to);
+                joined[to].push(from);
+            }
+        }
+        joined
+    }
+
+    /// For every surface the groups of supports that it collides with.
+    fn meet_supports(&self, scene: &Scene, on_supports: &[f64]) -> Vec<u32> {
+        let mut meets = vec![0; self.friction.len()];
+        for joint in scene.joints().iter().filter(|joint| rests(joint)) {
+            let group = support_group(on_supports, joint.friction);
+            meets[self.surface(joint.to, joint)] |= group;
+        }
+        meets
+    }
+
+    /// For every surface those of neighbouring blocks.
+    fn near(&self, neighbours: &[Vec<usize>]) -> Vec<Vec<usize>> {
+        let of_blocks = self.of_block.iter().zip(neighbours);
+        let near = of_blocks.flat_map(|(own, near)| {
+            let others = near.iter().flat_map(|&block| self.of_block[block].clone());
+            let others: Vec<usize> = others.collect();
+            own.iter().map(move |_| others.clone())
+        });
+        near.collect()
+    }
 }
 
 fn rests(joint: &Joint) -> bool {

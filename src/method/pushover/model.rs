@@ -5,7 +5,7 @@
 
 use super::groups::{Surface, surfaces};
 use crate::answer::PushoverFact;
-use crate::scene::{Point, Polygon, Scene, Side, Vector};
+use crate::scene::{Block, Point, Polygon, Scene, Side, Vector};
 
 /// A force at a point that turns with its block.
 pub struct Force {
@@ -82,83 +82,113 @@ impl Model {
     /// # Errors
     /// What this method cannot honour in the scene.
     pub fn new(scene: &Scene, frozen: &[bool]) -> Result<Self, PushoverFact> {
-        if scene.blocks().is_empty() {
-            return Err(PushoverFact::NoBlocks);
-        }
-        let (low, high) = scene.bounds();
-        let length = course_height(scene);
-        let force = scene.total_weight() / scene.blocks().len() as f64;
-        if force <= 0.0 {
-            return Err(PushoverFact::NoWeight);
-        }
-        let areas: f64 = scene.blocks().iter().map(|block| block.shape.area()).sum();
-        let area = areas / scene.blocks().len() as f64;
-        let point = |p: Point| -> [f64; 2] { ((p - low) / length).into() };
-        let vector = |v: Vector| -> [f64; 2] { (v / force).into() };
-        let surfaces = surfaces(scene, NEAR * length)?;
+        let units = Units::of(scene)?;
+        let surfaces = surfaces(scene, NEAR * units.length)?;
         let supports = scene.supports().iter().zip(surfaces.supports).enumerate();
         let mut supports: Vec<Support> = supports
-            .map(|(index, (shape, surfaces))| Support {
-                side: Side::Support(index),
-                centre: point(shape.centroid()),
-                outline: outline(shape, length),
-                surfaces,
-            })
+            .map(|(index, (shape, surfaces))| units.support(Side::Support(index), shape, surfaces))
             .collect();
         let mut blocks = Vec::with_capacity(scene.blocks().len());
         for (index, (block, surfaces)) in scene.blocks().iter().zip(surfaces.blocks).enumerate() {
-            let shape = &block.shape;
-            let centroid = shape.centroid();
-            let outline = outline(shape, length);
             if frozen.get(index) == Some(&true) {
-                let centre = point(centroid);
-                supports.push(Support {
-                    side: Side::Block(index),
-                    centre,
-                    outline,
-                    surfaces,
-                });
-                continue;
+                supports.push(units.support(Side::Block(index), &block.shape, surfaces));
+            } else {
+                blocks.push(units.body(index, block, surfaces));
             }
-            let mass = (shape.area() / area).clamp(MASS_RANGE[0], MASS_RANGE[1]);
-            let loads = block.loads.iter().map(|load| Force {
-                arm: ((load.point - centroid) / length).into(),
-                dead: vector(load.dead),
-                live: vector(load.live),
-            });
-            let corners = shape.corners().iter();
-            let reach = corners.map(|c| (c - centroid).norm()).fold(0.0, f64::max);
-            blocks.push(Body {
-                index,
-                centre: point(centroid),
-                outline,
-                mass,
-                inertia: mass * gyration_squared(shape) / (length * length),
-                reach: reach / length,
-                surfaces,
-                loads: loads.collect(),
-            });
         }
-        let sum = |part: fn(&Force) -> [f64; 2]| {
-            let loads = blocks.iter().flat_map(|block: &Body| &block.loads);
-            loads
-                .map(part)
-                .fold([0.0; 2], |[x, y], f| [x + f[0], y + f[1]])
-        };
+        let (low, high) = scene.bounds();
         Ok(Self {
-            dead: sum(|load| load.dead),
-            live: sum(|load| load.live),
+            dead: total(&blocks, |load| load.dead),
+            live: total(&blocks, |load| load.live),
             supports,
             blocks,
-            length,
-            courses: ((high.y - low.y) / length).max(1.0),
+            length: units.length,
+            courses: ((high.y - low.y) / units.length).max(1.0),
         })
     }
 }
 
+/// What lengths, forces and areas of a scene are divided by.
+struct Units {
+    origin: Point,
+    /// Course height.
+    length: f64,
+    /// Mean block weight.
+    force: f64,
+    /// Mean block area.
+    area: f64,
+}
+
+impl Units {
+    fn of(scene: &Scene) -> Result<Self, PushoverFact> {
+        if scene.blocks().is_empty() {
+            return Err(PushoverFact::NoBlocks);
+        }
+        let count = scene.blocks().len() as f64;
+        let force = scene.total_weight() / count;
+        if force <= 0.0 {
+            return Err(PushoverFact::NoWeight);
+        }
+        let areas: f64 = scene.blocks().iter().map(|block| block.shape.area()).sum();
+        Ok(Self {
+            origin: scene.bounds().0,
+            length: course_height(scene),
+            force,
+            area: areas / count,
+        })
+    }
+
+    fn point(&self, point: Point) -> [f64; 2] {
+        ((point - self.origin) / self.length).into()
+    }
+
+    fn vector(&self, force: Vector) -> [f64; 2] {
+        (force / self.force).into()
+    }
+
+    fn support(&self, side: Side, shape: &Polygon, surfaces: Vec<Surface>) -> Support {
+        Support {
+            side,
+            centre: self.point(shape.centroid()),
+            outline: outline(shape, self.length),
+            surfaces,
+        }
+    }
+
+    fn body(&self, index: usize, block: &Block, surfaces: Vec<Surface>) -> Body {
+        let shape = &block.shape;
+        let centroid = shape.centroid();
+        let mass = (shape.area() / self.area).clamp(MASS_RANGE[0], MASS_RANGE[1]);
+        let loads = block.loads.iter().map(|load| Force {
+            arm: ((load.point - centroid) / self.length).into(),
+            dead: self.vector(load.dead),
+            live: self.vector(load.live),
+        });
+        let corners = shape.corners().iter();
+        let reach = corners.map(|c| (c - centroid).norm()).fold(0.0, f64::max);
+        Body {
+            index,
+            centre: self.point(centroid),
+            outline: outline(shape, self.length),
+            mass,
+            inertia: mass * gyration_squared(shape) / (self.length * self.length),
+            reach: reach / self.length,
+            surfaces,
+            loads: loads.collect(),
+        }
+    }
+}
+
+/// Sum of a part of all forces.
+fn total(blocks: &[Body], part: fn(&Force) -> [f64; 2]) -> [f64; 2] {
+    let loads = blocks.iter().flat_map(|block| &block.loads);
+    let add = |[x, y]: [f64; 2], force: [f64; 2]| [x + force[0], y + force[1]];
+    loads.map(part).fold([0.0; 2], add)
+}
+
 /// Median height of the blocks.
 fn course_height(scene: &Scene) -> f64 {
-    let height = |block: &crate::scene::Block| {
+    let height = |block: &Block| {
         let (low, high) = block.shape.bounds();
         high.y - low.y
     };
