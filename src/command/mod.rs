@@ -160,12 +160,6 @@ struct ReportArguments {
     /// Also plot this sweep's `sweep.csv`; the overburden's is the paper's Fig. 7.
     #[arg(long, value_name = "FILE.csv")]
     sweep: Vec<PathBuf>,
-    /// Also take in the figures and tables in this folder: speed against accuracy.
-    #[arg(long, value_name = "DIR")]
-    chart: Option<PathBuf>,
-    /// Also take in the figures and tables in this folder: the atlas.
-    #[arg(long, value_name = "DIR")]
-    atlas: Option<PathBuf>,
     /// Folder for report.html, results.csv, results.json and one record a case.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,

@@ -1,11 +1,11 @@
 //! `trilith report`.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use trilith::case;
 use trilith::files::write_whole;
 use trilith::method::Settings;
-use trilith::report::html::{Attached, Report, SweepTable, attached, page};
+use trilith::report::html::{Report, SweepTable, page};
 use trilith::run::CaseResult;
 
 use super::run::{refuted, write};
@@ -16,48 +16,22 @@ pub(super) fn report(arguments: &ReportArguments) -> Result<u8, Stop> {
     let (cases, mut plan) = arguments.plan.read(&arguments.cases, case::paper)?;
     plan.settings.recording = true;
     // Before the long work: a file that cannot be read is known now.
-    let extras = Extras::read(arguments)?;
+    let sweeps = read(&arguments.sweep)?;
     let settings = plan.settings;
     let results = solve(&cases, &plan, |complete| {
-        let path = hand_out(
-            &arguments.out,
-            complete,
-            &settings,
-            Extras::read(arguments)?,
-        )?;
+        let path = hand_out(&arguments.out, complete, &settings, read(&arguments.sweep)?)?;
         Ok(format!("reported in {path}"))
     });
-    let path = hand_out(&arguments.out, &results, &settings, extras)?;
+    let path = hand_out(&arguments.out, &results, &settings, sweeps)?;
     print(&format!("wrote {path}\n"))?;
     Ok(if refuted(&results) { REFUTED } else { 0 })
 }
 
-/// Files that the report takes in.
-struct Extras {
-    sweeps: Vec<SweepTable>,
-    chart: Vec<Attached>,
-    atlas: Vec<Attached>,
-}
-
-impl Extras {
-    fn read(arguments: &ReportArguments) -> Result<Self, Stop> {
-        let sweep = |path: &std::path::PathBuf| {
-            SweepTable::read(path).map_err(|e| Stop::bad_input(format!("error: {e}")))
-        };
-        let folder = |folder: &Option<std::path::PathBuf>| match folder {
-            Some(folder) => attached(folder).map_err(|e| Stop::bad_input(format!("error: {e}"))),
-            None => Ok(Vec::new()),
-        };
-        Ok(Self {
-            sweeps: arguments
-                .sweep
-                .iter()
-                .map(sweep)
-                .collect::<Result<_, _>>()?,
-            chart: folder(&arguments.chart)?,
-            atlas: folder(&arguments.atlas)?,
-        })
-    }
+/// The sweeps that the report plots.
+fn read(paths: &[PathBuf]) -> Result<Vec<SweepTable>, Stop> {
+    let read =
+        |path: &PathBuf| SweepTable::read(path).map_err(|e| Stop::bad_input(format!("error: {e}")));
+    paths.iter().map(read).collect()
 }
 
 /// Writes the page and, beside it, what `run` writes.
@@ -65,14 +39,12 @@ fn hand_out(
     folder: &Path,
     results: &[CaseResult],
     settings: &Settings,
-    extras: Extras,
+    sweeps: Vec<SweepTable>,
 ) -> Result<String, Stop> {
     let text = page(&Report {
         results,
         settings,
-        sweeps: extras.sweeps,
-        chart: extras.chart,
-        atlas: extras.atlas,
+        sweeps,
     });
     write(folder, results)?;
     let path = folder.join("report.html");

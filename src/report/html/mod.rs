@@ -2,12 +2,11 @@
 //! or printed.
 //!
 //! ```text
-//! html ── summary, table ── ranges (Fig. 6), sweeps (Fig. 7), further figures
+//! html ── summary, table ── ranges (Fig. 6), sweeps (Fig. 7)
 //!     └── a panel a case: drawings, replay, certificates, record
 //! ```
 
 mod certificates;
-mod files;
 mod panel;
 mod plot;
 mod prose;
@@ -17,7 +16,6 @@ mod summary;
 mod sweep;
 mod table;
 
-pub use files::{Attached, attached};
 pub use sweep::{SweepError, SweepTable};
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
@@ -33,10 +31,6 @@ pub struct Report<'a> {
     pub settings: &'a Settings,
     /// Sweeps to plot, each under its own heading.
     pub sweeps: Vec<SweepTable>,
-    /// Speed against accuracy: figures and tables that `trilith chart` wrote.
-    pub chart: Vec<Attached>,
-    /// The atlas: figures and tables that `trilith atlas` wrote.
-    pub atlas: Vec<Attached>,
 }
 
 /// The page. It refers to nothing outside itself.
@@ -107,8 +101,6 @@ fn sections(report: &Report) -> Vec<(String, String, Markup)> {
         let body = sweep::section(table);
         add(&format!("sweep-{}", index + 1), &table.title(), Some(body));
     }
-    add("chart", "Speed and accuracy", files::section(&report.chart));
-    add("atlas", "Atlas", files::section(&report.atlas));
     for result in results {
         let name = &result.case.name;
         add(&format!("case-{name}"), name, Some(panel::panel(result)));
