@@ -63,9 +63,13 @@ pub fn reading() -> Markup {
         p { "Blocks are shown displaced along their velocities, much amplified, over their outlines. "
             "Velocities are first order: distances between blocks mean openings and slips." }
         figure { (PreEscaped(legend(350.0))) }
-        p { "Residuals are the largest violations after scaling total weight, height and live power to 1, "
-            "recomputed by a judge that shares no code with the methods. A reference is published (p), "
-            "analytic (a) or from an independent code (i); its error is that of the farther end of the range. What is unfolded is printed." }
+        p { "Residuals are the largest violations after scaling total weight, height and live power to 1. "
+            "The methods may use the same formulas to decide whether to go on; the verdict is the judge's own "
+            "evaluation, from forces and mechanism on the whole scene, and no matrix, scaling or tolerance of a "
+            "method enters it. The three limit analyses share one program, so that they do not confirm each "
+            "other as the closed form, the pushover and an independent code do." }
+        p { "A reference is published (p), analytic (a) or from an independent code (i); its error is that of "
+            "the farther end of the range. What is unfolded is printed." }
     }
 }
 
