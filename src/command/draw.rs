@@ -42,19 +42,19 @@ pub(super) fn draw(arguments: &DrawArguments) -> Result<u8, Stop> {
     }
     let known = |name: &str| METHODS.iter().any(|method| method.name() == name);
     let named = plan.methods.iter().map(|method| method.name().to_owned());
-    let drawn: Vec<String> = match arguments.plan.names_methods() {
-        true => named.collect(),
-        false => {
-            let own: &[&str] = match arguments.side_by_side {
-                true => &SIDE_BY_SIDE,
-                false => &ONE,
-            };
-            let external = named.filter(|name| !known(name));
-            own.iter()
-                .map(|&name| name.to_owned())
-                .chain(external)
-                .collect()
-        }
+    let drawn: Vec<String> = if arguments.plan.names_methods() {
+        named.collect()
+    } else {
+        let own: &[&str] = if arguments.side_by_side {
+            &SIDE_BY_SIDE
+        } else {
+            &ONE
+        };
+        let external = named.filter(|name| !known(name));
+        own.iter()
+            .map(|&name| name.to_owned())
+            .chain(external)
+            .collect()
     };
     let wanted = |method: &&dyn Method| {
         method.name() == MACRO_BLOCK || drawn.iter().any(|name| name == method.name())

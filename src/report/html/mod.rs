@@ -8,7 +8,6 @@
 
 mod certificates;
 mod panel;
-mod plot;
 mod prose;
 mod ranges;
 mod replay;

@@ -3,6 +3,7 @@
 use super::cell::{Cell, Verdict};
 use super::grid::Grid;
 use crate::number::nine_digits;
+use crate::picture::lines;
 
 /// Cells as CSV, one line each.
 ///
@@ -61,7 +62,9 @@ pub fn table(grids: &[Grid], cells: &[Cell]) -> String {
             });
             text.push_str(&format!("  {method:<12} {}\n", counts.join("  ")));
         }
-        text.push_str(&wrapped(grid.causes, 98, "  "));
+        for line in lines(grid.causes, 96) {
+            text.push_str(&format!("  {line}\n"));
+        }
         text.push('\n');
     }
     let wrong: Vec<&Cell> = cells
@@ -98,21 +101,4 @@ pub(super) fn methods<'a>(grid: &Grid, cells: &'a [Cell]) -> Vec<&'a str> {
         }
     }
     names
-}
-
-/// A text in lines of at most `width` characters, each after `indent`.
-pub(super) fn wrapped(text: &str, width: usize, indent: &str) -> String {
-    let mut lines = vec![indent.to_owned()];
-    for word in text.split_whitespace() {
-        let line = lines.last_mut().expect("there is always a line");
-        if line.chars().count() + 1 + word.chars().count() > width && line.len() > indent.len() {
-            lines.push(format!("{indent}{word}"));
-        } else {
-            if line.len() > indent.len() {
-                line.push(' ');
-            }
-            line.push_str(word);
-        }
-    }
-    lines.join("\n") + "\n"
 }
