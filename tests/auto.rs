@@ -2,7 +2,7 @@
 
 mod scenes;
 
-use trilith::answer::{AutoFact, Bracket, Fact, Outcome, Status, Uniqueness};
+use trilith::answer::{AutoFact, Fact, Outcome, Status, Uniqueness};
 use trilith::case::library;
 use trilith::method::{Auto, Settings};
 use trilith::run::answer;
