@@ -381,7 +381,7 @@ fn read(toml: &str, csv: &str) -> Result<Case, String> {
         "blocks.csv" => Ok(csv.as_bytes().to_vec()),
         _ => Err("there is no such file".to_owned()),
     };
-    let case = Case::read_beside("scene.toml", toml.as_bytes(), &beside);
+    let case = Case::read_with("scene.toml", toml.as_bytes(), &beside);
     case.map_err(|complaint| complaint.to_string())
 }
 
@@ -451,7 +451,7 @@ fn broken_bytes_are_complained_about_and_never_panic() {
             }
         }
         let [toml, csv] = bytes;
-        let case = Case::read_beside("a.toml", &toml, &|_| Ok(csv.clone()));
+        let case = Case::read_with("a.toml", &toml, &|_| Ok(csv.clone()));
         if let Err(complaint) = case {
             complaints += 1;
             let shown = complaint.to_string();

@@ -10,16 +10,16 @@ use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet, normali
 #[derive(Clone, Debug, PartialEq)]
 pub struct Complaint {
     title: String,
-    place: Option<Box<Place>>,
+    /// The offending text, and the label below it.
+    marked: Option<Box<(Place, String)>>,
     help: Option<String>,
 }
 
-/// The offending text in its file.
+/// A part of a file's text, within one line.
 #[derive(Clone, Debug, PartialEq)]
-struct Place {
+pub(crate) struct Place {
     document: Document,
     span: Range<usize>,
-    label: String,
 }
 
 /// A file's path, as the user wrote it, and its text.
@@ -37,7 +37,7 @@ impl Complaint {
     pub(crate) fn new(title: impl Into<String>) -> Self {
         Self {
             title: title.into(),
-            place: None,
+            marked: None,
             help: None,
         }
     }
@@ -54,31 +54,26 @@ impl Complaint {
     }
 
     /// What is wrong, in one line.
-    pub fn title(&self) -> &str {
+    pub(crate) fn title(&self) -> &str {
         &self.title
     }
 
     /// The file and the line (from 1), where the complaint is about a text.
     pub fn line(&self) -> Option<(&str, usize)> {
-        let place = self.place.as_deref()?;
-        let before = &place.document.text.as_bytes()[..place.span.start];
-        let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
-        Some((&place.document.path, line))
+        let (place, _) = self.marked.as_deref()?;
+        Some((&place.document.path, place.line()))
     }
+}
 
-    /// The complaint as the terminal shows it, without a final newline.
-    pub fn render(&self, colour: bool) -> String {
-        let renderer = if colour {
-            Renderer::styled()
-        } else {
-            Renderer::plain()
-        };
+/// As the terminal shows it, without a final newline.
+impl fmt::Display for Complaint {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let printable = |text: &str| normalize_untrusted_str(&shorten(text, LONGEST));
         let mut report = Group::with_title(Level::ERROR.primary_title(printable(&self.title)));
-        if let Some(place) = &self.place {
+        if let Some((place, label)) = self.marked.as_deref() {
             let mark = AnnotationKind::Primary
                 .span(place.span.clone())
-                .label(printable(&place.label));
+                .label(printable(label));
             report = report.element(
                 Snippet::source(&*place.document.text)
                     .path(printable(&place.document.path))
@@ -88,13 +83,7 @@ impl Complaint {
         if let Some(help) = &self.help {
             report = report.element(Level::HELP.message(printable(help)));
         }
-        renderer.render(&[report])
-    }
-}
-
-impl fmt::Display for Complaint {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.render(false))
+        f.write_str(&Renderer::plain().render(&[report]))
     }
 }
 
@@ -122,24 +111,46 @@ impl Document {
         title: impl Into<String>,
         label: impl Into<String>,
     ) -> Complaint {
-        let start = floor_boundary(&self.text, span.start);
-        let end = floor_boundary(&self.text, span.end).max(start);
-        let line = self.text[start..end].split(['\n', '\r']).next();
-        let span = start..start + line.map_or(0, str::len);
-        Complaint {
-            title: title.into(),
-            place: Some(Box::new(Place {
-                document: self.clone(),
-                span,
-                label: label.into(),
-            })),
-            help: None,
-        }
+        Place::new(self, span).complain(title, label)
     }
 
     /// The text in `span`; empty where the span is not one of this text.
     pub fn at(&self, span: Range<usize>) -> &str {
         self.text.get(span).unwrap_or_default()
+    }
+}
+
+impl Place {
+    /// The text in `span`, of which at most the first line counts.
+    pub fn new(document: &Document, span: Range<usize>) -> Self {
+        let text = &document.text;
+        let start = floor_boundary(text, span.start);
+        let end = floor_boundary(text, span.end).max(start);
+        let line = text[start..end].split(['\n', '\r']).next();
+        Self {
+            document: document.clone(),
+            span: start..start + line.map_or(0, str::len),
+        }
+    }
+
+    /// A complaint about this text, with a label below it.
+    pub fn complain(&self, title: impl Into<String>, label: impl Into<String>) -> Complaint {
+        Complaint {
+            title: title.into(),
+            marked: Some(Box::new((self.clone(), label.into()))),
+            help: None,
+        }
+    }
+
+    /// The line, from 1.
+    pub fn line(&self) -> usize {
+        let before = &self.document.text.as_bytes()[..self.span.start];
+        1 + before.iter().filter(|&&byte| byte == b'\n').count()
+    }
+
+    /// File and line, to speak of this place in a complaint about another.
+    pub fn path_and_line(&self) -> String {
+        format!("{}:{}", self.document.path, self.line())
     }
 }
 
@@ -185,45 +196,6 @@ pub(crate) fn shorten(text: &str, longest: usize) -> String {
     }
 }
 
-/// The known word nearest to `word`, if it is near enough to be a slip of the keyboard.
-pub(crate) fn nearest<'a>(word: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    let word = shorten(word, 60).to_lowercase();
-    let allowed = 1 + word.chars().count() / 3;
-    known
-        .into_iter()
-        .map(|candidate| (distance(&word, candidate), candidate))
-        .filter(|&(distance, _)| distance <= allowed.min(3))
-        .min_by_key(|&(distance, _)| distance)
-        .map(|(_, candidate)| candidate)
-}
-
-/// Levenshtein distance, a swap of neighbours counting as one.
-fn distance(a: &str, b: &str) -> usize {
-    let (a, b): (Vec<char>, Vec<char>) = (a.chars().collect(), b.chars().collect());
-    let mut rows = vec![vec![0; b.len() + 1]; a.len() + 1];
-    rows[0] = (0..=b.len()).collect();
-    for i in 1..=a.len() {
-        rows[i][0] = i;
-        for j in 1..=b.len() {
-            let change = usize::from(a[i - 1] != b[j - 1]);
-            let mut best = (rows[i - 1][j - 1] + change)
-                .min(rows[i - 1][j] + 1)
-                .min(rows[i][j - 1] + 1);
-            if i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1] {
-                best = best.min(rows[i - 2][j - 2] + 1);
-            }
-            rows[i][j] = best;
-        }
-    }
-    rows[a.len()][b.len()]
-}
-
-/// Words in backticks with commas between, for help lines.
-pub(crate) fn listed<'a>(words: impl IntoIterator<Item = &'a str>) -> String {
-    let quoted: Vec<String> = words.into_iter().map(|word| format!("`{word}`")).collect();
-    quoted.join(", ")
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -259,14 +231,5 @@ error: unknown key `frction`
             let shown = document.complain(span, "title", "label").to_string();
             assert!(shown.contains("a.toml:"), "{shown}");
         }
-    }
-
-    #[test]
-    fn slips_find_their_word_and_nonsense_does_not() {
-        let known = ["friction", "overburden", "push"];
-        assert_eq!(nearest("frction", known), Some("friction"));
-        assert_eq!(nearest("psuh", known), Some("push"));
-        assert_eq!(nearest("Overburden", known), Some("overburden"));
-        assert_eq!(nearest("mortar", known), None);
     }
 }

@@ -1,11 +1,12 @@
 //! Values that results are compared with.
 
+use crate::method::METHODS;
 use crate::scene::HeadJoints;
 
 /// A value that a result is compared with.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reference {
-    /// Name of the method, one of [`METHOD_NAMES`].
+    /// Name of the method.
     pub method: String,
     /// The setting it holds for; `None` stands for every setting of the case.
     pub head_joints: Option<HeadJoints>,
@@ -25,15 +26,10 @@ pub struct Reference {
     pub deviation: Option<String>,
 }
 
-/// The methods that a reference can name, the planned ones included.
-pub const METHOD_NAMES: [&str; 6] = [
-    "macro-block",
-    "associative",
-    "sequential",
-    "interval",
-    "pushover",
-    "auto",
-];
+/// The methods that a reference can name: all of them, in the order of tables.
+pub(super) fn known_method_names() -> impl Iterator<Item = &'static str> {
+    METHODS.into_iter().map(|method| method.name())
+}
 
 /// A number of a result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -56,7 +52,7 @@ pub enum Quantity {
 
 impl Quantity {
     /// Every quantity.
-    pub const ALL: [Quantity; 7] = [
+    pub(crate) const ALL: [Quantity; 7] = [
         Quantity::Lambda,
         Quantity::Lower,
         Quantity::Upper,
@@ -93,7 +89,7 @@ pub enum Kind {
 
 impl Kind {
     /// Every kind.
-    pub const ALL: [Kind; 3] = [Kind::Published, Kind::Analytic, Kind::Independent];
+    pub(crate) const ALL: [Kind; 3] = [Kind::Published, Kind::Analytic, Kind::Independent];
 
     /// The word in case files.
     pub fn name(self) -> &'static str {

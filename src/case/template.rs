@@ -1,5 +1,8 @@
 //! The cases that `trilith new NAME` writes.
 
+use super::reference::{Quantity, known_method_names};
+use crate::scene::{BONDS, Bond, LowestCourse};
+
 /// The forms of a case that there is a template of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Template {
@@ -12,12 +15,9 @@ pub enum Template {
 }
 
 impl Template {
-    /// Every form.
-    pub const ALL: [Template; 3] = [Template::Wall, Template::Blocks, Template::Arch];
-
     /// A small case of this form that runs as it is, with every key explained.
     pub fn text(self, name: &str) -> String {
-        let template = match self {
+        let form = match self {
             Template::Wall => include_str!("templates/wall.toml"),
             Template::Blocks => include_str!("templates/blocks.toml"),
             Template::Arch => include_str!("templates/arch.toml"),
@@ -27,14 +27,43 @@ impl Template {
             .chars()
             .filter(|c| !c.is_control() && !"\"\\".contains(*c))
             .collect();
-        template.replace("NAME", &title)
+        let methods: Vec<&str> = known_method_names().collect();
+        let quantities = Quantity::ALL.map(Quantity::name);
+        let references = include_str!("templates/references.txt")
+            .replace("METHODS", &methods.join(", "))
+            .replace("QUANTITIES", &quantities.join(", "));
+        let form = form
+            .replace("OTHER_BONDS", &other_bonds())
+            .replace("# LOWEST_COURSES\n", &lowest_courses());
+        (form + &references).replace("NAME", &title)
     }
+}
+
+/// The bonds but the first, which the template itself lays.
+fn other_bonds() -> String {
+    let names = BONDS
+        .iter()
+        .skip(1)
+        .map(|bond| format!("\"{}\"", bond.name));
+    names.collect::<Vec<_>>().join(", ")
+}
+
+/// What the lowest course can be in those, a remark a bond.
+fn lowest_courses() -> String {
+    let remark = |bond: &Bond| {
+        let LowestCourse { cut, whole, .. } = bond.lowest.as_ref()?;
+        Some(format!(
+            "#                       # {}: \"{cut}\" or \"{whole}\"\n",
+            bond.name
+        ))
+    };
+    BONDS.iter().skip(1).filter_map(remark).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use super::Template;
-    use crate::case::Case;
+    use crate::case::model::Case;
     use crate::scene::{HeadJoints, Push};
 
     fn read(text: &str) -> Case {
@@ -77,7 +106,7 @@ mod tests {
 
     #[test]
     fn every_form_runs_as_it_stands() {
-        for template in Template::ALL {
+        for template in [Template::Wall, Template::Blocks, Template::Arch] {
             let case = read(&template.text("garden"));
             assert!(!case.scene(HeadJoints::Contact).joints().is_empty());
         }

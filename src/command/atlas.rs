@@ -8,7 +8,7 @@ use trilith::study::atlas::{self, Verdict};
 
 use super::chart::{keeping_rows, write};
 use super::plan::externals;
-use super::{REFUTED, Stop, print};
+use super::stop::{REFUTED, Stop, print};
 
 #[derive(Args)]
 pub(super) struct AtlasArguments {

@@ -1,5 +1,6 @@
 //! `trilith list`, `trilith show`, `trilith new`.
 
+use clap::ValueEnum;
 use std::fmt::Write;
 use std::path::Path;
 
@@ -9,7 +10,27 @@ use trilith::method::{METHODS, PushoverSettings, pushover};
 use trilith::scene::{Forces, Friction, Push};
 use trilith::study::sweep::{self, Sweep};
 
-use super::{Stop, print};
+use super::stop::{Stop, print};
+
+#[derive(Clone, Copy, ValueEnum)]
+pub(super) enum KindArgument {
+    /// A coursed wall.
+    Wall,
+    /// Blocks of any convex shape.
+    Blocks,
+    /// A circular voussoir arch.
+    Arch,
+}
+
+impl From<KindArgument> for Template {
+    fn from(argument: KindArgument) -> Self {
+        match argument {
+            KindArgument::Wall => Template::Wall,
+            KindArgument::Blocks => Template::Blocks,
+            KindArgument::Arch => Template::Arch,
+        }
+    }
+}
 
 pub(super) fn list() -> Result<u8, Stop> {
     let mut text = String::from("cases built in:\n");

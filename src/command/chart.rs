@@ -10,10 +10,11 @@ use trilith::files::write_whole;
 use trilith::study::chart;
 use trilith::study::sweep::{sweep_csv, times_csv};
 
+use super::interrupt;
 use super::plan::HeadJointsArgument;
 use super::plan::{collect, externals};
 use super::progress::Bar;
-use super::{Stop, interrupt, print};
+use super::stop::{Stop, print};
 
 #[derive(Args)]
 pub(super) struct ChartArguments {

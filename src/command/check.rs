@@ -1,12 +1,28 @@
 //! `trilith check`.
 
+use std::path::PathBuf;
+
+use clap::Args;
 use trilith::case;
 use trilith::report;
 use trilith::run::CaseResult;
 
+use super::plan::PlanArguments;
 use super::run::{handed_out, refuted, write};
 use super::solve::solve;
-use super::{CheckArguments, REFUTED, Stop, print};
+use super::stop::{REFUTED, Stop, print};
+
+#[derive(Args)]
+pub(super) struct CheckArguments {
+    /// Case files, folders of them, or names of built-in cases; none: the whole library.
+    #[arg(value_name = "CASE")]
+    cases: Vec<String>,
+    #[command(flatten)]
+    plan: PlanArguments,
+    /// Also write results.csv, results.json and one record a case into this folder.
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+}
 
 pub(super) fn check(arguments: &CheckArguments) -> Result<u8, Stop> {
     let (cases, plan) = arguments.plan.read(&arguments.cases, case::library)?;

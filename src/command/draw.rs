@@ -1,5 +1,8 @@
 //! `trilith draw`.
 
+use std::path::PathBuf;
+
+use clap::Args;
 use trilith::case;
 use trilith::files::write_whole;
 use trilith::method::{Entry, Kind, METHODS, Method, kind, methods};
@@ -7,8 +10,26 @@ use trilith::picture::{Options, View, figure};
 use trilith::run::{CaseResult, Plan};
 use trilith::scene::HeadJoints;
 
+use super::plan::PlanArguments;
 use super::solve::solve;
-use super::{DrawArguments, Stop, print};
+use super::stop::{Stop, print};
+
+#[derive(Args)]
+pub(super) struct DrawArguments {
+    /// A case file, or the name of a built-in case.
+    case: String,
+    #[command(flatten)]
+    plan: PlanArguments,
+    /// Macro-block, interval and pushover beside each other, unless `--method` names others.
+    #[arg(long)]
+    side_by_side: bool,
+    /// Also draw the contact forces of each method that gives them.
+    #[arg(long)]
+    forces: bool,
+    /// The file to write.
+    #[arg(short, long, value_name = "FILE.svg")]
+    output: PathBuf,
+}
 
 pub(super) fn draw(arguments: &DrawArguments) -> Result<u8, Stop> {
     if arguments.output.extension().is_none_or(|end| end != "svg") {

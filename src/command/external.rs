@@ -1,10 +1,19 @@
 //! `trilith export`, `trilith schema`.
 
+use clap::ValueEnum;
 use trilith::case;
 use trilith::external;
 use trilith::scene::HeadJoints;
 
-use super::{SchemaOf, Stop, print};
+use super::stop::{Stop, print};
+
+#[derive(Clone, Copy, ValueEnum)]
+pub(super) enum SchemaOf {
+    /// The scene, on standard input.
+    Scene,
+    /// The answer, on standard output.
+    Result,
+}
 
 pub(super) fn export(argument: &str, head_joints: Option<HeadJoints>) -> Result<u8, Stop> {
     let cases = case::find(argument).map_err(|complaint| Stop::bad_input(complaint.to_string()))?;

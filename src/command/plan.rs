@@ -7,8 +7,8 @@ use trilith::method::{self, Collapse, Kind, Method, kind};
 use trilith::run::Plan;
 use trilith::scene::HeadJoints;
 
-use super::Stop;
 use super::settings::SettingArguments;
+use super::stop::Stop;
 
 #[derive(Args)]
 pub(super) struct PlanArguments {

@@ -1,5 +1,8 @@
 //! `trilith report`.
 
+use std::path::PathBuf;
+
+use clap::Args;
 use std::path::Path;
 
 use trilith::case;
@@ -8,9 +11,31 @@ use trilith::method::Settings;
 use trilith::report::html::{Attached, Report, SweepTable, attached, page};
 use trilith::run::CaseResult;
 
+use super::plan::PlanArguments;
 use super::run::{refuted, write};
 use super::solve::solve;
-use super::{REFUTED, ReportArguments, Stop, print};
+use super::stop::{REFUTED, Stop, print};
+
+#[derive(Args)]
+pub(super) struct ReportArguments {
+    /// Case files, folders of them, or names of built-in cases; none: the paper's three walls.
+    #[arg(value_name = "CASE")]
+    cases: Vec<String>,
+    #[command(flatten)]
+    plan: PlanArguments,
+    /// Also plot this sweep's `sweep.csv`; the overburden's is the paper's Fig. 7.
+    #[arg(long, value_name = "FILE.csv")]
+    sweep: Vec<PathBuf>,
+    /// Also take in the figures and tables in this folder: speed against accuracy.
+    #[arg(long, value_name = "DIR")]
+    chart: Option<PathBuf>,
+    /// Also take in the figures and tables in this folder: the atlas.
+    #[arg(long, value_name = "DIR")]
+    atlas: Option<PathBuf>,
+    /// Folder for report.html, results.csv, results.json and one record a case.
+    #[arg(long, value_name = "DIR")]
+    out: PathBuf,
+}
 
 pub(super) fn report(arguments: &ReportArguments) -> Result<u8, Stop> {
     let (cases, mut plan) = arguments.plan.read(&arguments.cases, case::paper)?;

@@ -1,5 +1,8 @@
 //! `trilith run`.
 
+use std::path::PathBuf;
+
+use clap::{Args, ValueEnum};
 use std::path::Path;
 
 use trilith::answer::Status;
@@ -10,8 +13,34 @@ use trilith::record::{Comparison, compare as compare_record, record};
 use trilith::report;
 use trilith::run::CaseResult;
 
+use super::plan::PlanArguments;
 use super::solve::solve;
-use super::{Format, REFUTED, RunArguments, Stop, print};
+use super::stop::{REFUTED, Stop, print};
+
+#[derive(Args)]
+pub(super) struct RunArguments {
+    /// Case files, folders of them, or names of built-in cases; none: the paper's three walls.
+    #[arg(value_name = "CASE")]
+    cases: Vec<String>,
+    #[command(flatten)]
+    plan: PlanArguments,
+    /// Also write results.csv, results.json and one record a case into this folder.
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// How results are printed.
+    #[arg(long, default_value = "table")]
+    format: Format,
+    /// Compare records with the .snap files in this folder; write .snap.new and exit 1 on change.
+    #[arg(long, value_name = "DIR")]
+    record: Option<PathBuf>,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+pub(super) enum Format {
+    Table,
+    Csv,
+    Json,
+}
 
 pub(super) fn run(arguments: &RunArguments) -> Result<u8, Stop> {
     let (cases, plan) = arguments.plan.read(&arguments.cases, case::paper)?;

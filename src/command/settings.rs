@@ -6,7 +6,7 @@ use clap::error::ErrorKind;
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, Error, FromArgMatches};
 use trilith::method::{Allowed, Setting, Settings};
 
-use super::Stop;
+use super::stop::Stop;
 
 const HEADING: &str = "Settings of the methods, each also as --set NAME=VALUE";
 

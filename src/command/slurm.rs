@@ -2,7 +2,7 @@
 
 use std::path::{Path, absolute};
 
-use super::Stop;
+use super::stop::Stop;
 
 /// A script that submits a job array of the shards and a merge that waits for all of them.
 pub(super) fn script(file: &str, name: &str, folder: &Path, shards: u64) -> Result<String, Stop> {

@@ -5,8 +5,9 @@ use std::sync::Mutex;
 use trilith::case::Case;
 use trilith::run::{CaseResult, Plan, Results, run_into};
 
+use super::interrupt;
 use super::progress::Bar;
-use super::{Stop, interrupt};
+use super::stop::Stop;
 
 /// Runs the plan with progress and shows each case's result as soon as those before it are shown. On
 /// Ctrl-C the results of all complete cases are shown, `keep` writes what else is to be left of them

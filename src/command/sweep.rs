@@ -14,7 +14,8 @@ use trilith::run::{Progress, Row, Task};
 use trilith::study::sweep::{self, Journal, MOST_SHARDS, Shard, Sweep};
 
 use super::progress::Bar;
-use super::{REFUTED, Stop, interrupt, print, slurm};
+use super::stop::{REFUTED, Stop, print};
+use super::{interrupt, slurm};
 
 /// What a sweep file looks like, below the help.
 pub(super) const FORMAT: &str = r#"A sweep file names a case and what varies in it:

@@ -1,10 +1,12 @@
 //! Named blocks of any convex shape on named supports: explicit scenes, and what generators make.
 
+use super::block::{Block, Load};
 use super::friction::Friction;
 use super::joints::Side;
+use super::model::Scene;
 use super::parts::{SceneError, SceneParts};
 use super::polygon::{Point, Polygon, Vector};
-use super::{Block, HeadJoints, Load, Push, Scene};
+use super::push::{HeadJoints, Push};
 
 /// A block of an assembly.
 #[derive(Clone, Debug, PartialEq)]

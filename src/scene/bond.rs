@@ -1,144 +1,215 @@
 //! Bonds in elevation: the regular patterns that courses are laid in, defined once each.
 
 use super::wall::{Course, Piece};
+use Piece::{Half, Quarter, Unit};
 
-/// A regular pattern of courses. A unit is a stretcher; in elevation a header is half as long, and
-/// a closer half as long as a header.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Bond {
-    /// Stretchers; every second course is out of step with the one below by `overlap`, a fraction
-    /// of the unit up to 1/2, and begins with a piece of that length.
-    Running {
-        /// The shorter lap of units in adjacent courses, over the unit's length.
-        overlap: f64,
-    },
-    /// Units directly above each other.
-    Stack,
-    /// A course of stretchers, then a course of headers with a closer beside each outer header.
-    English,
-    /// Stretcher and header in turn in every course, a header over the middle of each stretcher;
-    /// every second course begins and ends with a header and a closer.
-    Flemish,
-    /// Headers; every second course is out of step by half a header and has closers at its ends.
-    Header,
+/// A regular pattern of two courses that take turns: one with whole ends, one with cut ends (half
+/// units, headers or closers). A unit is a stretcher; in elevation a header is half as long, and a
+/// closer half as long as a header.
+#[derive(Debug)]
+pub(crate) struct Bond {
+    /// The word in case files.
+    pub name: &'static str,
+    /// What the lowest course can be; `None` where all courses are alike.
+    pub lowest: Option<LowestCourse>,
+    /// How the courses are made.
+    pattern: Pattern,
 }
 
-/// Widths of a wall in Flemish bond, in units: 4, 7, 10, …
-const FLEMISH_STEP: usize = 3;
+/// The words for the lowest course of a bond.
+#[derive(Debug)]
+pub(crate) struct LowestCourse {
+    /// It has the cut ends.
+    pub cut: &'static str,
+    /// It has the whole ends.
+    pub whole: &'static str,
+    /// Whether it has the cut ends where nobody says.
+    pub cut_unless_said: bool,
+}
 
-/// Why a bond cannot be laid.
+/// The two courses of a bond, each as wide as this number of units: whole ends, then cut ends.
+#[derive(Debug)]
+enum Pattern {
+    /// Always the same, or the nearest width that closes where this one does not.
+    Fixed(fn(usize) -> Result<[Course; 2], usize>),
+    /// With a free overlap: the shorter lap of units in adjacent courses, a fraction of the unit's
+    /// length up to 1/2.
+    Lapped(fn(usize, f64) -> [Course; 2]),
+}
+
+/// Every bond. A new one is an entry here and its pattern below; case files, complaints and the
+/// template follow.
+pub(crate) const BONDS: &[Bond] = &[
+    Bond {
+        name: "running",
+        lowest: Some(LowestCourse {
+            cut: "half",
+            whole: "whole",
+            cut_unless_said: true,
+        }),
+        pattern: Pattern::Lapped(running),
+    },
+    Bond {
+        name: "stack",
+        lowest: None,
+        pattern: Pattern::Fixed(stack),
+    },
+    Bond {
+        name: "english",
+        lowest: Some(LowestCourse {
+            cut: "header",
+            whole: "stretcher",
+            cut_unless_said: false,
+        }),
+        pattern: Pattern::Fixed(english),
+    },
+    Bond {
+        name: "flemish",
+        lowest: Some(LowestCourse {
+            cut: "closer",
+            whole: "whole",
+            cut_unless_said: false,
+        }),
+        pattern: Pattern::Fixed(flemish),
+    },
+    Bond {
+        name: "header",
+        lowest: Some(LowestCourse {
+            cut: "closer",
+            whole: "whole",
+            cut_unless_said: false,
+        }),
+        pattern: Pattern::Fixed(header),
+    },
+];
+
+/// Stretchers; every second course is out of step with the one below by `overlap`, and begins with
+/// a piece of that length.
+fn running(units: usize, overlap: f64) -> [Course; 2] {
+    let [first, last] = [overlap, 1.0 - overlap].map(|part| match part {
+        0.5 => Half,
+        0.25 => Quarter,
+        part => Piece::Part(part),
+    });
+    let between = vec![Unit; units.saturating_sub(1)];
+    let cut = [vec![first], between, vec![last]].concat();
+    [vec![Unit; units], cut]
+}
+
+/// Units directly above each other.
+fn stack(units: usize) -> Result<[Course; 2], usize> {
+    Ok([vec![Unit; units], vec![Unit; units]])
+}
+
+/// A course of stretchers, then a course of headers with a closer beside each outer header.
+fn english(units: usize) -> Result<[Course; 2], usize> {
+    if units < 2 {
+        return Err(2);
+    }
+    let headers = ends(&[Half, Quarter], vec![Half; 2 * units - 3]);
+    Ok([vec![Unit; units], headers])
+}
+
+/// Stretcher and header in turn in every course, a header over the middle of each stretcher; every
+/// second course begins and ends with a header and a closer. It closes at 4, 7, 10, … units.
+fn flemish(units: usize) -> Result<[Course; 2], usize> {
+    const STEP: usize = 3;
+    let steps = units.saturating_sub(1) / STEP;
+    if steps == 0 || units % STEP != 1 {
+        return Err((units / STEP).max(1) * STEP + 1);
+    }
+    // Stretchers with a header between each two.
+    let turns = |stretchers: usize| {
+        let mut course = [Unit, Half].repeat(stretchers);
+        course.pop();
+        course
+    };
+    let cut = ends(&[Half, Quarter], turns(2 * steps));
+    Ok([turns(2 * steps + 1), cut])
+}
+
+/// Headers; every second course is out of step by half a header and has closers at its ends.
+fn header(units: usize) -> Result<[Course; 2], usize> {
+    let cut = ends(&[Quarter], vec![Half; 2 * units - 1]);
+    Ok([vec![Half; 2 * units], cut])
+}
+
+/// A course that begins with `end` and ends with its mirror image.
+fn ends(end: &[Piece], middle: Course) -> Course {
+    let back = end.iter().rev().copied();
+    [end.to_vec(), middle, back.collect()].concat()
+}
+
+/// The pattern of a bond does not close at this width.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-pub enum BondError {
-    /// The pattern does not close at this width.
-    #[error("{bond} bond does not close at a width of {units} units")]
-    Width {
-        /// The bond's name.
-        bond: &'static str,
-        /// The width asked for.
-        units: usize,
-        /// The nearest width that closes.
-        nearest: usize,
-    },
+#[error("{bond} bond does not close at a width of {units} units")]
+pub(crate) struct BondError {
+    /// The bond's name.
+    bond: &'static str,
+    /// The width asked for.
+    units: usize,
+    /// The nearest width that closes.
+    pub nearest: usize,
 }
+
+/// Half a unit out of step.
+const HALF: f64 = 0.5;
 
 impl Bond {
-    /// Half a unit out of step.
-    pub const RUNNING: Self = Bond::Running { overlap: 0.5 };
-
-    /// The word in case files.
-    pub fn name(self) -> &'static str {
-        match self {
-            Bond::Running { .. } => "running",
-            Bond::Stack => "stack",
-            Bond::English => "english",
-            Bond::Flemish => "flemish",
-            Bond::Header => "header",
-        }
+    /// Whether it can be laid with any overlap.
+    pub fn has_overlap(&self) -> bool {
+        matches!(self.pattern, Pattern::Lapped(_))
     }
 
-    /// `courses` courses from the bottom, each `units` units wide. The two courses of the pattern
-    /// take turns; `cut_first` lays the one with the cut ends lowest: half units, headers or
-    /// closers. A stack has no such course.
+    /// `courses` courses from the bottom, each `units` units wide. `cut_first` lays the one with the
+    /// cut ends lowest. `overlap`, half a unit where there is none, is for bonds that
+    /// [have one](Self::has_overlap).
     ///
     /// # Errors
     /// [`BondError`] where the pattern does not close at this width.
     pub fn lay(
-        self,
+        &self,
         courses: usize,
         units: usize,
         cut_first: bool,
+        overlap: Option<f64>,
     ) -> Result<Vec<Course>, BondError> {
-        let [whole, cut] = self.pattern(units)?;
-        let course = |i: usize| match i.is_multiple_of(2) == cut_first {
-            true => cut.clone(),
-            false => whole.clone(),
+        let [whole, cut] = self.pair(units, overlap)?;
+        let course = |i: usize| {
+            if i.is_multiple_of(2) == cut_first {
+                cut.clone()
+            } else {
+                whole.clone()
+            }
         };
         Ok((0..courses).map(course).collect())
     }
 
     /// The course with whole ends and the one with cut ends.
-    fn pattern(self, units: usize) -> Result<[Course; 2], BondError> {
-        use Piece::{Half, Quarter, Unit};
-        let ends = |end: &[Piece], middle: Course| {
-            let back = end.iter().rev().copied();
-            [end.to_vec(), middle, back.collect()].concat()
-        };
-        let wrong = |nearest| BondError::Width {
-            bond: self.name(),
-            units,
-            nearest,
-        };
-        Ok(match self {
-            Bond::Stack => [vec![Unit; units], vec![Unit; units]],
-            Bond::Running { overlap } => {
-                let between = vec![Unit; units.saturating_sub(1)];
-                let [first, last] = [overlap, 1.0 - overlap].map(|part| match part {
-                    0.5 => Half,
-                    0.25 => Quarter,
-                    part => Piece::Part(part),
-                });
-                let cut = [vec![first], between, vec![last]].concat();
-                [vec![Unit; units], cut]
-            }
-            Bond::English if units < 2 => return Err(wrong(2)),
-            Bond::English => [
-                vec![Unit; units],
-                ends(&[Half, Quarter], vec![Half; 2 * units - 3]),
-            ],
-            Bond::Flemish => {
-                let steps = units.saturating_sub(1) / FLEMISH_STEP;
-                if steps == 0 || units % FLEMISH_STEP != 1 {
-                    let nearest = (units / FLEMISH_STEP).max(1) * FLEMISH_STEP + 1;
-                    return Err(wrong(nearest));
-                }
-                // Stretchers with a header between each two.
-                let turns = |stretchers: usize| {
-                    let mut course = [Unit, Half].repeat(stretchers);
-                    course.pop();
-                    course
-                };
-                let stretchers = 2 * steps + 1;
-                [
-                    turns(stretchers),
-                    ends(&[Half, Quarter], turns(stretchers - 1)),
-                ]
-            }
-            Bond::Header => [
-                vec![Half; 2 * units],
-                ends(&[Quarter], vec![Half; 2 * units - 1]),
-            ],
-        })
+    fn pair(&self, units: usize, overlap: Option<f64>) -> Result<[Course; 2], BondError> {
+        match self.pattern {
+            Pattern::Lapped(pattern) => Ok(pattern(units, overlap.unwrap_or(HALF))),
+            Pattern::Fixed(pattern) => pattern(units).map_err(|nearest| BondError {
+                bond: self.name,
+                units,
+                nearest,
+            }),
+        }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use Piece::{Half, Part, Quarter, Unit};
+    use Piece::Part;
+
+    fn bond(name: &str) -> &'static Bond {
+        BONDS.iter().find(|bond| bond.name == name).unwrap()
+    }
 
     #[test]
     fn patterns_are_the_textbooks() {
-        let running = Bond::RUNNING.lay(3, 2, true).unwrap();
+        let running = bond("running").lay(3, 2, true, None).unwrap();
         assert_eq!(
             running,
             [
@@ -147,15 +218,18 @@ mod tests {
                 vec![Half, Unit, Half]
             ]
         );
-        let third = Bond::Running { overlap: 0.2 }.lay(2, 2, false).unwrap();
+        let third = bond("running").lay(2, 2, false, Some(0.2)).unwrap();
         assert_eq!(third, [vec![Unit; 2], vec![Part(0.2), Unit, Part(0.8)]]);
-        assert_eq!(Bond::Stack.lay(2, 1, true).unwrap(), [[Unit], [Unit]]);
-        let english = Bond::English.lay(2, 3, false).unwrap();
+        assert_eq!(
+            bond("stack").lay(2, 1, true, None).unwrap(),
+            [[Unit], [Unit]]
+        );
+        let english = bond("english").lay(2, 3, false, None).unwrap();
         assert_eq!(english[1], [Half, Quarter, Half, Half, Half, Quarter, Half]);
-        let flemish = Bond::Flemish.lay(2, 4, false).unwrap();
+        let flemish = bond("flemish").lay(2, 4, false, None).unwrap();
         assert_eq!(flemish[0], [Unit, Half, Unit, Half, Unit]);
         assert_eq!(flemish[1], [Half, Quarter, Unit, Half, Unit, Quarter, Half]);
-        let header = Bond::Header.lay(2, 1, true).unwrap();
+        let header = bond("header").lay(2, 1, true, None).unwrap();
         assert_eq!(header, [vec![Quarter, Half, Quarter], vec![Half, Half]]);
     }
 
@@ -168,14 +242,13 @@ mod tests {
             Quarter => 0.25,
             Part(part) => *part,
         };
-        let bonds = [
-            Bond::RUNNING,
-            Bond::Running { overlap: 0.3 },
-            Bond::English,
-            Bond::Flemish,
-            Bond::Header,
-        ];
-        for bond in bonds {
+        // All courses of a stack are alike.
+        let staggered = BONDS.iter().filter(|bond| bond.lowest.is_some());
+        let with = |bond: &'static Bond| {
+            let other = bond.has_overlap().then_some((bond, Some(0.3)));
+            [Some((bond, None)), other].into_iter().flatten()
+        };
+        for (bond, overlap) in staggered.flat_map(with) {
             let perpends = |course: &Course| -> Vec<f64> {
                 let ends = course.iter().scan(0.0, |x, piece| {
                     *x += part(piece);
@@ -183,7 +256,10 @@ mod tests {
                 });
                 ends.collect()
             };
-            let [a, b] = bond.pattern(7).unwrap().map(|course| perpends(&course));
+            let [a, b] = bond
+                .pair(7, overlap)
+                .unwrap()
+                .map(|course| perpends(&course));
             for course in [&a, &b] {
                 assert!((course.last().unwrap() - 7.0).abs() < 1e-12, "{bond:?}");
             }
@@ -196,10 +272,9 @@ mod tests {
     #[test]
     fn a_width_that_does_not_close_is_refused_with_the_nearest() {
         for (units, nearest) in [(1, 4), (2, 4), (3, 4), (5, 4), (6, 7), (9, 10)] {
-            let error = Bond::Flemish.lay(2, units, true).unwrap_err();
-            let BondError::Width { nearest: found, .. } = error;
-            assert_eq!(found, nearest, "{units}");
+            let error = bond("flemish").lay(2, units, true, None).unwrap_err();
+            assert_eq!(error.nearest, nearest, "{units}");
         }
-        assert!(Bond::English.lay(2, 1, true).is_err());
+        assert!(bond("english").lay(2, 1, true, None).is_err());
     }
 }

@@ -1,8 +1,10 @@
 //! Scenes made from another scene, each by one change.
 
+use super::block::{Block, Load};
 use super::joints::{Joint, JointClass, Side};
+use super::model::Scene;
 use super::polygon::{Point, Polygon, PolygonError, Vector};
-use super::{Block, HeadJoints, Load, Push, Scene};
+use super::push::{HeadJoints, Push};
 
 impl Scene {
     /// The scene with head joints that carry what this says. Open ones are taken away; a scene that

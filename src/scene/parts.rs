@@ -1,9 +1,12 @@
 //! The one way to make a scene: bodies, friction and push in, joints found and everything checked.
 
+use super::block::{Block, Load};
 use super::friction::Friction;
 use super::joints::{JointClass, TOUCHING, find_joints};
+use super::model::Scene;
 use super::polygon::Polygon;
-use super::{Block, HeadJoints, Push, Scene, WallFacts};
+use super::push::{HeadJoints, Push};
+use super::regular::WallFacts;
 
 /// What a scene is made of, before its joints are found.
 #[derive(Clone, Debug, PartialEq)]
@@ -81,7 +84,7 @@ impl Scene {
             return Err(SceneError::Tolerance(parts.tolerance));
         }
         for (block, of_block) in parts.blocks.iter().enumerate() {
-            let finite = |load: &super::Load| {
+            let finite = |load: &Load| {
                 let numbers = [load.point.coords, load.dead, load.live];
                 numbers.iter().all(|v| v.x.is_finite() && v.y.is_finite())
             };

@@ -1,10 +1,13 @@
 //! Coursed walls: laying courses into blocks, the overburden, the closed-form description.
 
+use super::block::{Block, Load};
 use super::friction::Friction;
 use super::joints::Side;
+use super::model::Scene;
 use super::parts::{SceneError, SceneParts};
 use super::polygon::{Point, Polygon, PolygonError, Vector};
-use super::{Block, Coursing, HeadJoints, Load, Push, Scene, WallFacts};
+use super::push::{HeadJoints, Push};
+use super::regular::{Coursing, Irregularity, RegularWall, WallFacts};
 
 /// One piece of a course.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,50 +53,6 @@ pub struct Wall {
     pub overburden: f64,
     /// Direction of the live load.
     pub push: Push,
-}
-
-/// The regular wall of the closed form (paper, Figs. 1-3).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RegularWall {
-    /// Height H.
-    pub height: f64,
-    /// Width L.
-    pub length: f64,
-    /// Overlap s of units in adjacent courses.
-    pub overlap: f64,
-    /// Height h of a unit.
-    pub unit_height: f64,
-    /// Thickness b.
-    pub thickness: f64,
-    /// Specific weight γ.
-    pub specific_weight: f64,
-    /// Overburden p, force per area.
-    pub overburden: f64,
-    /// Coefficient of friction f.
-    pub friction: f64,
-}
-
-/// Why a wall is not a regular one.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum Irregularity {
-    /// One course has no stagger.
-    #[error("a single course has no stagger line")]
-    SingleCourse,
-    /// The course (from 1, bottom to top) breaks the running bond.
-    #[error("course {0} is not laid in regular running bond")]
-    NotRunningBond(usize),
-    /// The course (from 1, bottom to top) holds pieces by which units do not lap by half.
-    #[error("course {0} is not of units and halves: the closed form assumes an overlap s = l/2")]
-    NotHalves(usize),
-    /// Bed joints and base joint of different friction, of which Eq. (1) knows one.
-    #[error("bed joints and base differ in friction")]
-    Friction,
-    /// Courses of different widths.
-    #[error("course {0} is not as wide as the first")]
-    Width(usize),
-    /// Not made of courses.
-    #[error("the scene is not a coursed wall")]
-    NotCoursed,
 }
 
 /// Why a wall cannot be laid. Courses and pieces count from 1.

@@ -3,29 +3,15 @@
 use std::path::Path;
 
 use super::Sweep;
+use super::name::stem;
 use crate::case::{Complaint, listed, nearest};
 
-macro_rules! embed {
-    ($($path:literal,)*) => {
-        [$(($path, include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/", $path)))),*]
-    };
-}
-
-/// Path from the top of the repository, and text.
-const EMBEDDED: [(&str, &str); 8] = embed![
-    "cases/sweeps/fig-6.sweep.toml",
-    "cases/sweeps/fig-7.sweep.toml",
-    "cases/sweeps/study-bond.sweep.toml",
-    "cases/sweeps/study-courses.sweep.toml",
-    "cases/sweeps/study-friction.sweep.toml",
-    "cases/sweeps/study-overlap.sweep.toml",
-    "cases/sweeps/study-unit-aspect.sweep.toml",
-    "cases/sweeps/study-wall-aspect.sweep.toml",
-];
+/// Path from the top of the repository, and text, of all sweeps below `cases/`.
+const SWEEPS: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/embedded_sweeps.rs"));
 
 /// The embedded sweeps as (path from the top of the repository, text).
 pub fn embedded() -> impl Iterator<Item = (&'static str, &'static str)> {
-    EMBEDDED.into_iter()
+    SWEEPS.iter().copied()
 }
 
 impl Sweep {
@@ -63,28 +49,6 @@ fn unknown(argument: &str) -> Complaint {
     Complaint::new(format!("there is no sweep {argument}")).help(help)
 }
 
-fn stem(path: &str) -> &str {
-    let file = path.rsplit(['/', '\\']).next().unwrap_or(path);
-    let file = file.strip_suffix(".toml").unwrap_or(file);
-    file.strip_suffix(".sweep").unwrap_or(file)
-}
-
-/// The name of a sweep, which goes into the names of files.
-pub(super) fn sweep_name(path: &str) -> Result<String, Complaint> {
-    let name = stem(path);
-    let plain = |c: char| c.is_alphanumeric() || "-_.".contains(c);
-    if path.ends_with(".toml") && !name.is_empty() && name.chars().all(plain) {
-        return Ok(name.to_owned());
-    }
-    let title = format!("{path}: a sweep is named by its file, and `{name}` is not a plain word");
-    let title = match path.ends_with(".toml") {
-        true => title,
-        false => format!("{path} is not a sweep: its name does not end in `.toml`"),
-    };
-    Err(Complaint::new(title)
-        .help("use letters, digits, `-`, `_` and `.`, and let the name end in `.sweep.toml`"))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -95,10 +59,12 @@ mod tests {
         let files = std::fs::read_dir(folder).expect("the folder is there");
         let names = files.map(|file| file.expect("it can be listed").file_name());
         let mut names: Vec<String> = names.map(|n| n.to_string_lossy().into_owned()).collect();
+        names.retain(|name| !name.starts_with('.'));
         names.sort();
         let paths: Vec<String> = names.iter().map(|n| format!("cases/sweeps/{n}")).collect();
-        let known: Vec<&str> = embedded().map(|(path, _)| path).collect();
-        assert_eq!(known, paths, "add the new sweep to EMBEDDED");
+        let mut known: Vec<&str> = embedded().map(|(path, _)| path).collect();
+        known.sort_unstable();
+        assert_eq!(known, paths);
         for path in known {
             let sweep = Sweep::find(path).unwrap_or_else(|complaint| panic!("{complaint}"));
             assert!(!sweep.tasks().is_empty() && !sweep.source.is_empty());

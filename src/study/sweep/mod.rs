@@ -13,6 +13,7 @@ mod execute;
 mod file;
 mod journal;
 mod library;
+mod name;
 mod neighbours;
 mod plan;
 mod replace;

@@ -6,9 +6,10 @@ use std::path::Path;
 use toml::Spanned;
 
 use super::file::{self, CaseSource, File};
+use super::name::sweep_name;
 use super::neighbours::FromNeighbours;
 use super::variants::{Axis, Base, Variant, axes, settings, variants};
-use crate::case::{self, Complaint, Document, Found, listed, nearest};
+use crate::case::{self, Complaint, Document, UnreadCase, listed, nearest};
 use crate::method::{Kind, METHODS, Method, defaults, kind, methods as all_methods};
 use crate::run::{Subject, Task};
 use crate::scene::HeadJoints;
@@ -36,7 +37,7 @@ impl Sweep {
     /// What is wrong, where, and what to write instead: the first mistake of the file, or of a case
     /// that it makes.
     pub fn read(path: &str, bytes: &[u8]) -> Result<Self, Complaint> {
-        let name = super::library::sweep_name(path)?;
+        let name = sweep_name(path)?;
         let document = Document::read(path, bytes)?;
         let file = file::parse(&document)?;
         let methods = methods(&document, &file)?;
@@ -152,7 +153,7 @@ fn bases(document: &Document, file: &File, name: &str) -> Result<Vec<Base>, Comp
             true => beside.to_string_lossy().into_owned(),
             false => argument.to_owned(),
         };
-        let found = case::look(&argument).map_err(|inner| {
+        let found = case::locate(&argument).map_err(|inner| {
             document
                 .complain(span.clone(), inner.title(), "named here")
                 .help(inner.advice())
@@ -181,9 +182,9 @@ fn bases(document: &Document, file: &File, name: &str) -> Result<Vec<Base>, Comp
         }
         CaseSource::Inline(table) => {
             let path = folder.join(format!("{name}.toml"));
-            let found = Found {
+            let found = UnreadCase {
                 path: path.to_string_lossy().into_owned(),
-                identity: Some(path),
+                file: Some(path),
                 bytes: Vec::new(),
             };
             bases.push(Base::new(found, table.clone(), Some(file.case.span())));

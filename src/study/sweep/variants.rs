@@ -10,7 +10,7 @@ use toml::{Spanned, Table};
 use super::file::File;
 use super::replace::{Rank, replace};
 use super::values::{Placed, text, values};
-use crate::case::{Case, Complaint, Document, Found};
+use crate::case::{Case, Complaint, Document, UnreadCase};
 use crate::method::Settings;
 
 /// Most combinations of one sweep.
@@ -19,7 +19,7 @@ const MOST_VARIANTS: usize = 1_000_000;
 /// A case file before anything is replaced in it.
 pub(super) struct Base {
     /// The file, which says what lies beside it.
-    pub found: Found,
+    pub found: UnreadCase,
     /// What is in it, without title, source and references: those are about another wall as soon as
     /// a value differs.
     pub table: Table,
@@ -29,7 +29,7 @@ pub(super) struct Base {
 
 impl Base {
     /// Reads the text of a case, which has to be a sound one by itself.
-    pub fn read(found: Found) -> Result<Self, Complaint> {
+    pub fn read(found: UnreadCase) -> Result<Self, Complaint> {
         found.read()?;
         let text = String::from_utf8_lossy(&found.bytes);
         let table = toml::from_str(&text).map_err(|e| Complaint::new(e.to_string()))?;
@@ -37,7 +37,7 @@ impl Base {
     }
 
     /// The case of this table, which is written at `span` of the sweep.
-    pub fn new(found: Found, mut table: Table, span: Option<ops::Range<usize>>) -> Self {
+    pub fn new(found: UnreadCase, mut table: Table, span: Option<ops::Range<usize>>) -> Self {
         for key in ["title", "source", "references"] {
             table.remove(key);
         }
@@ -48,12 +48,12 @@ impl Base {
     fn with(&self, text: String) -> (Result<Case, Complaint>, Vec<String>) {
         let beside: RefCell<Vec<String>> = RefCell::default();
         let read = |name: &str| {
-            let bytes = self.found.beside(name)?;
+            let bytes = self.found.read_file(name)?;
             let text = String::from_utf8_lossy(&bytes).into_owned();
             beside.borrow_mut().push(text);
             Ok(bytes)
         };
-        let case = Case::read_beside(&self.found.path, text.as_bytes(), &read);
+        let case = Case::read_with(&self.found.path, text.as_bytes(), &read);
         let mut texts = beside.into_inner();
         texts.insert(0, text);
         (case, texts)

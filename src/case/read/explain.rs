@@ -5,8 +5,9 @@
 
 use std::ops::Range;
 
-use super::complaint::{Complaint, Document, listed, nearest};
-use super::file::CASE_KEYS;
+use super::keys::CASE_KEYS;
+use crate::case::complaint::{Complaint, Document};
+use crate::case::suggestion::{listed, nearest};
 
 /// A complaint for an error of the TOML reader.
 pub(crate) fn explain(document: &Document, error: &toml::de::Error) -> Complaint {
@@ -261,60 +262,4 @@ fn decimal_comma(text: &str, at: usize) -> Option<Range<usize>> {
                 .then(|| start + head.len()..start + line.len() - tail.len())
         })
         .next_back()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::case::file::parse;
-
-    fn shown(text: &str) -> String {
-        let document = Document {
-            path: "a.toml".into(),
-            text: text.into(),
-        };
-        parse(&document).unwrap_err().to_string()
-    }
-
-    #[test]
-    fn decimal_commas_are_found_in_tables_too() {
-        let text = "unit = { length = 4,0, height = 1.75 }";
-        assert!(shown(text).contains("write a decimal point: `4.0`"));
-        let text = "unit = { length = 4.0, height = 1,75 }";
-        assert!(shown(text).contains("write a decimal point: `1.75`"));
-        assert!(shown("friction = 0,65").contains("`0.65`"));
-        assert!(shown("friction = \"0,65\"").contains("no quotes: `0.65`"));
-        assert!(!shown("courses = [1,2\nunit = {}").contains("decimal"));
-    }
-
-    #[test]
-    fn common_slips_get_help() {
-        for (text, help) in [
-            ("push = right", "put words in quotes: `\"right\"`"),
-            ("friction =", "write a value behind the `=`"),
-            ("friction = .5", "both sides of the decimal point"),
-            ("friction = 1e999", "up to 1e12"),
-            ("repeat = 3.0", "such as `3`"),
-            ("[references]\nmethod = 'a'", "write `[[references]]`"),
-            ("unit = 4", "write `unit = {"),
-            ("title = 4", "put it in quotes: `\"4\"`"),
-            ("[[references]]\npush = 'left'", "move `push` up"),
-            ("[unit]\nlenght = 1", "did you mean `length`?"),
-            ("[unit]\nlength = 1", "add `height = 1.75`"),
-            ("[arch]\nthickness = 1", "add `mean_radius = "),
-            ("[[block]]\nname = 'A'\ncorners = 3", "write `corners = [["),
-            ("[block]\nname = 'A'", "write `[[block]]`"),
-            ("[blocks]\nsupports = 'A'", "write `supports = ["),
-            ("friction = ['a']", "write `friction = 0.65`, or"),
-            ("friction = { bad = 1 }", "did you mean `bed`?"),
-            ("friction = { head = 1 }", "add `bed = 0.65`"),
-            ("arch = 3", "write `[arch]`"),
-            ("block = [3]", "write the key in two brackets"),
-            ("[[load]]\nblock = 'A'\nat = 3", "write `at = [1.0, 0.0]`"),
-            ("", "add `friction = 0.65`"),
-        ] {
-            let shown = shown(text);
-            assert!(shown.contains(help), "{text:?} gives\n{shown}");
-        }
-    }
 }

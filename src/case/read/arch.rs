@@ -1,13 +1,14 @@
 //! A generated arch from a file.
 
-use super::check::{friction, positive, within};
-use super::complaint::{Complaint, Document};
-use super::courses::whole;
-use super::file::File;
-use super::forces::forces;
-use super::values::Number;
-use crate::scene::{Arch, Forces};
 use toml::Spanned;
+
+use super::checks::{positive, whole, within};
+use super::file::CaseFile;
+use super::forces::forces;
+use super::friction::friction;
+use super::values::{FrictionTable, FrictionValue, Number};
+use crate::case::complaint::{Complaint, Document};
+use crate::scene::{Arch, Forces};
 
 /// Embraces in degrees; beyond 270 the springers would meet.
 const EMBRACES: std::ops::RangeInclusive<f64> = 1.0..=270.0;
@@ -19,7 +20,7 @@ const MOST_VOUSSOIRS: usize = 1000;
 const THINNEST: f64 = 1e-3;
 
 /// The arch of a file.
-pub(super) fn arch(document: &Document, file: &File) -> Result<Arch, Complaint> {
+pub(super) fn arch(document: &Document, file: &CaseFile) -> Result<Arch, Complaint> {
     let table = file.arch.as_ref().expect("the form is an arch");
     let written = table.get_ref();
     let mean_radius = positive(document, "mean_radius", &written.mean_radius)?;
@@ -72,9 +73,9 @@ pub(super) fn arch(document: &Document, file: &File) -> Result<Arch, Complaint> 
     Ok(arch)
 }
 
-fn no_head_friction(document: &Document, file: &File) -> Result<(), Complaint> {
+fn no_head_friction(document: &Document, file: &CaseFile) -> Result<(), Complaint> {
     match file.friction.get_ref() {
-        super::values::Friction::Classes(super::values::Classes {
+        FrictionValue::Classes(FrictionTable {
             head: Some(head), ..
         }) => Err(document
             .complain(

@@ -1,14 +1,15 @@
-//! A coursed wall from a file, laid once for each setting.
+//! A coursed wall from a file, laid once with head joints in contact and once with open ones.
 
 use std::ops::Range;
 
 use toml::Spanned;
 
-use super::check::{SETTINGS, friction, not_negative, positive};
-use super::complaint::{Complaint, Document};
-use super::courses::{Laid, courses};
+use super::checks::{HEAD_JOINTS, not_negative, positive};
+use super::courses::{PlacedCourses, courses};
 use super::explain::missing_key;
-use super::file::{File, Unit};
+use super::file::{CaseFile, UnitTable};
+use super::friction::friction;
+use crate::case::complaint::{Complaint, Document};
 use crate::scene::{Course, Push, Wall, WallError};
 
 /// Units longer or higher than this times the other side would fall under the joint search's
@@ -16,7 +17,7 @@ use crate::scene::{Course, Push, Wall, WallError};
 const MOST_SLENDER: f64 = 1000.0;
 
 /// The wall of a file.
-pub(super) fn wall(document: &Document, file: &File) -> Result<Wall, Complaint> {
+pub(super) fn wall(document: &Document, file: &CaseFile) -> Result<Wall, Complaint> {
     let Some(unit) = &file.unit else {
         return Err(missing_key(document, 0..0, "unit"));
     };
@@ -26,8 +27,8 @@ pub(super) fn wall(document: &Document, file: &File) -> Result<Wall, Complaint> 
     let laid = courses(document, file, list)?;
     let wall = sized(document, file, unit.get_ref(), laid.courses.clone())?;
     not_too_slender(document, unit, &wall)?;
-    for setting in SETTINGS {
-        wall.scene(setting).map_err(|error| {
+    for head_joints in HEAD_JOINTS {
+        wall.scene(head_joints).map_err(|error| {
             let (place, label, help) = not_laid(&laid, &error);
             let place = match error {
                 WallError::Shape(_) => unit.span(),
@@ -43,8 +44,8 @@ pub(super) fn wall(document: &Document, file: &File) -> Result<Wall, Complaint> 
 
 fn sized(
     document: &Document,
-    file: &File,
-    unit: &Unit,
+    file: &CaseFile,
+    unit: &UnitTable,
     courses: Vec<Course>,
 ) -> Result<Wall, Complaint> {
     Ok(Wall {
@@ -67,7 +68,7 @@ fn sized(
 
 fn not_too_slender(
     document: &Document,
-    unit: &Spanned<Unit>,
+    unit: &Spanned<UnitTable>,
     wall: &Wall,
 ) -> Result<(), Complaint> {
     let ratio = wall.unit_length / wall.unit_height;
@@ -87,7 +88,10 @@ fn not_too_slender(
 }
 
 /// The course, or the piece of it, that cannot be laid, with its label and the help.
-fn not_laid(laid: &Laid, error: &WallError) -> (Option<Range<usize>>, String, &'static str) {
+fn not_laid(
+    laid: &PlacedCourses,
+    error: &WallError,
+) -> (Option<Range<usize>>, String, &'static str) {
     let (place, help) = match error {
         WallError::NoCourses => (None, "write at least one course"),
         WallError::EmptyCourse { course } => (

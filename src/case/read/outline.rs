@@ -1,39 +1,9 @@
-//! Blocks and supports as written, from outlines to convex shapes.
+//! The outline of a block or support as written, and its convex shape.
 
-use std::ops::Range;
-
-use super::complaint::{Complaint, Document};
+use crate::case::complaint::{Complaint, Place};
 use crate::scene::{Point, Polygon, PolygonError};
 
-/// A text of the case or of the CSV beside it.
-#[derive(Clone, Debug)]
-pub(super) struct Place {
-    document: Document,
-    span: Range<usize>,
-}
-
-impl Place {
-    pub fn new(document: &Document, span: Range<usize>) -> Self {
-        Self {
-            document: document.clone(),
-            span,
-        }
-    }
-
-    /// A complaint about this text.
-    pub fn complain(&self, title: impl Into<String>, label: impl Into<String>) -> Complaint {
-        self.document.complain(self.span.clone(), title, label)
-    }
-
-    /// File and line, to speak of one place in a complaint about another.
-    pub fn line(&self) -> String {
-        let before = &self.document.text.as_bytes()[..self.span.start];
-        let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
-        format!("{}:{line}", self.document.path)
-    }
-}
-
-/// A body's name and its corners, with the places they were read from.
+/// The name of a block or support and its corners, with the places they were read from.
 #[derive(Clone, Debug)]
 pub(super) struct Outline {
     pub name: String,
@@ -49,8 +19,8 @@ impl Outline {
     /// Line of the first row and of the last: `a.csv:3 to 6`, or `a.toml:3`.
     pub fn rows(&self) -> String {
         let (first, last) = (
-            self.place.line(),
-            self.places.last().unwrap_or(&self.place).line(),
+            self.place.path_and_line(),
+            self.places.last().unwrap_or(&self.place).path_and_line(),
         );
         match last.rsplit_once(':') {
             Some((_, line)) if last != first => format!("{first} to {line}"),

@@ -9,7 +9,7 @@ use toml::Spanned;
 /// Coefficients of friction by class of joint.
 #[derive(Debug, serde::Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct Classes {
+pub(super) struct FrictionTable {
     pub bed: Spanned<Number>,
     pub head: Option<Spanned<Number>>,
     pub base: Option<Spanned<Number>>,
@@ -17,11 +17,11 @@ pub(super) struct Classes {
 
 /// `friction` in its two forms.
 #[derive(Debug)]
-pub(super) enum Friction {
+pub(super) enum FrictionValue {
     /// One coefficient for all joints.
     One(f64),
     /// A table of classes.
-    Classes(Classes),
+    Classes(FrictionTable),
 }
 
 /// Two numbers, `[x, y]`.
@@ -30,7 +30,7 @@ pub(super) struct Pair(pub Vec<Spanned<Number>>);
 
 /// `courses` in its three forms.
 #[derive(Debug)]
-pub(super) enum Courses {
+pub(super) enum CoursesValue {
     /// One course string.
     One(String),
     /// Course strings from bottom to top.
@@ -45,9 +45,9 @@ pub(super) struct Number(pub f64);
 
 /// A whole number.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Whole(pub i64);
+pub(super) struct WholeNumber(pub i64);
 
-impl<'de> Deserialize<'de> for Friction {
+impl<'de> Deserialize<'de> for FrictionValue {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         deserializer.deserialize_any(FrictionVisitor)
     }
@@ -56,22 +56,22 @@ impl<'de> Deserialize<'de> for Friction {
 struct FrictionVisitor;
 
 impl<'de> Visitor<'de> for FrictionVisitor {
-    type Value = Friction;
+    type Value = FrictionValue;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("a coefficient of friction")
     }
 
-    fn visit_f64<E>(self, value: f64) -> Result<Friction, E> {
-        Ok(Friction::One(value))
+    fn visit_f64<E>(self, value: f64) -> Result<FrictionValue, E> {
+        Ok(FrictionValue::One(value))
     }
 
-    fn visit_i64<E>(self, value: i64) -> Result<Friction, E> {
-        Ok(Friction::One(value as f64))
+    fn visit_i64<E>(self, value: i64) -> Result<FrictionValue, E> {
+        Ok(FrictionValue::One(value as f64))
     }
 
-    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Friction, A::Error> {
-        Classes::deserialize(MapAccessDeserializer::new(map)).map(Friction::Classes)
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<FrictionValue, A::Error> {
+        FrictionTable::deserialize(MapAccessDeserializer::new(map)).map(FrictionValue::Classes)
     }
 }
 
@@ -99,7 +99,7 @@ impl<'de> Visitor<'de> for PairVisitor {
     }
 }
 
-impl<'de> Deserialize<'de> for Courses {
+impl<'de> Deserialize<'de> for CoursesValue {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         deserializer.deserialize_any(CoursesVisitor)
     }
@@ -108,26 +108,26 @@ impl<'de> Deserialize<'de> for Courses {
 struct CoursesVisitor;
 
 impl<'de> Visitor<'de> for CoursesVisitor {
-    type Value = Courses;
+    type Value = CoursesValue;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("courses")
     }
 
-    fn visit_str<E>(self, text: &str) -> Result<Courses, E> {
-        Ok(Courses::One(text.to_owned()))
+    fn visit_str<E>(self, text: &str) -> Result<CoursesValue, E> {
+        Ok(CoursesValue::One(text.to_owned()))
     }
 
-    fn visit_i64<E>(self, count: i64) -> Result<Courses, E> {
-        Ok(Courses::Count(count))
+    fn visit_i64<E>(self, count: i64) -> Result<CoursesValue, E> {
+        Ok(CoursesValue::Count(count))
     }
 
-    fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Courses, A::Error> {
+    fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<CoursesValue, A::Error> {
         let mut list = Vec::new();
         while let Some(item) = items.next_element()? {
             list.push(item);
         }
-        Ok(Courses::List(list))
+        Ok(CoursesValue::List(list))
     }
 }
 
@@ -156,7 +156,7 @@ impl Visitor<'_> for NumberVisitor {
     }
 }
 
-impl<'de> Deserialize<'de> for Whole {
+impl<'de> Deserialize<'de> for WholeNumber {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         deserializer.deserialize_any(WholeVisitor)
     }
@@ -165,13 +165,13 @@ impl<'de> Deserialize<'de> for Whole {
 struct WholeVisitor;
 
 impl Visitor<'_> for WholeVisitor {
-    type Value = Whole;
+    type Value = WholeNumber;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("a whole number")
     }
 
-    fn visit_i64<E>(self, value: i64) -> Result<Whole, E> {
-        Ok(Whole(value))
+    fn visit_i64<E>(self, value: i64) -> Result<WholeNumber, E> {
+        Ok(WholeNumber(value))
     }
 }

@@ -5,9 +5,9 @@
 
 use std::ops::Range;
 
-use super::bodies::{Outline, Place};
-use super::check::LARGEST;
-use super::complaint::{Complaint, Document, shorten};
+use super::checks::LARGEST;
+use super::outline::Outline;
+use crate::case::complaint::{Complaint, Document, Place, shorten};
 use crate::scene::Point;
 
 const HEADER: [&str; 3] = ["block", "x", "y"];

@@ -7,12 +7,9 @@ use crate::scene::{Course, Piece};
 /// Most pieces in one course.
 pub(super) const MOST_PIECES: usize = 10_000;
 
-/// Most pieces in one wall.
-pub(super) const MOST_BLOCKS: usize = 100_000;
-
 /// A course with the place in its text that each piece was read from.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Written {
+pub(super) struct CourseString {
     /// Pieces from left to right.
     pub pieces: Course,
     /// For each piece, the letter with its count.
@@ -34,10 +31,10 @@ pub(super) struct CourseError {
 const PIECES: &str =
     "write `1` for a unit, `h` for half a unit, `q` for a quarter and `g` for a gap one unit wide";
 
-impl Written {
+impl CourseString {
     /// Reads a course string.
     pub fn read(text: &str) -> Result<Self, CourseError> {
-        let mut written = Written {
+        let mut course = CourseString {
             pieces: Vec::new(),
             places: Vec::new(),
         };
@@ -53,24 +50,24 @@ impl Written {
             if text[at..].starts_with('*') {
                 (count, at) = read_count(text, at)?;
             }
-            if written.pieces.len() + count > MOST_PIECES {
+            if course.pieces.len() + count > MOST_PIECES {
                 return Err(CourseError {
                     place: start..at,
                     title: format!("a course of more than {MOST_PIECES} pieces"),
                     help: format!("keep a course to {MOST_PIECES} pieces"),
                 });
             }
-            written.pieces.extend((0..count).map(|_| piece));
-            written.places.extend((0..count).map(|_| start..at));
+            course.pieces.extend((0..count).map(|_| piece));
+            course.places.extend((0..count).map(|_| start..at));
         }
-        if written.pieces.is_empty() {
+        if course.pieces.is_empty() {
             return Err(CourseError {
                 place: 0..text.len(),
                 title: "a course without pieces".into(),
                 help: PIECES.into(),
             });
         }
-        Ok(written)
+        Ok(course)
     }
 }
 
@@ -140,15 +137,15 @@ mod tests {
 
     #[test]
     fn pieces_counts_and_spaces() {
-        let written = Written::read("h 1*3g  1*1h").unwrap();
-        assert_eq!(written.pieces, [Half, Unit, Unit, Unit, Gap, Unit, Half]);
-        assert_eq!(written.places[2], 2..5);
-        assert_eq!(written.places[6], 11..12);
+        let course = CourseString::read("h 1*3g  1*1h").unwrap();
+        assert_eq!(course.pieces, [Half, Unit, Unit, Unit, Gap, Unit, Half]);
+        assert_eq!(course.places[2], 2..5);
+        assert_eq!(course.places[6], 11..12);
     }
 
     #[test]
     fn mistakes_are_placed_in_the_string() {
-        let place = |text: &str| Written::read(text).unwrap_err().place;
+        let place = |text: &str| CourseString::read(text).unwrap_err().place;
         assert_eq!(place("h1x1h"), 2..3);
         assert_eq!(place("h1*0h"), 3..4);
         assert_eq!(place("1*"), 1..2);

@@ -2,14 +2,14 @@
 
 use toml::Spanned;
 
-use super::Beside;
-use super::bodies::Outline;
-use super::check::{friction, positive, within};
-use super::complaint::{Complaint, Document};
-use super::file::File;
+use super::bodies::{ReadFile, bodies};
+use super::checks::{positive, within};
+use super::file::CaseFile;
 use super::forces::forces;
+use super::friction::friction;
+use super::outline::Outline;
 use super::values::Number;
-use super::written::bodies;
+use crate::case::complaint::{Complaint, Document};
 use crate::scene::{
     Assembly, Forces, NamedBlock, Point, Polygon, Side, Support, TOUCHING, Unsound,
 };
@@ -24,11 +24,11 @@ const FARTHEST: f64 = 1e7;
 /// The blocks of a file, their joints possible and every one held.
 pub(super) fn assembly(
     document: &Document,
-    file: &File,
-    beside: Beside,
+    file: &CaseFile,
+    read_file: ReadFile,
 ) -> Result<Assembly, Complaint> {
     let table = file.blocks.as_ref().map(Spanned::get_ref);
-    let bodies = bodies(document, file, beside)?;
+    let bodies = bodies(document, file, read_file)?;
     let value = |key, default: f64, value: Option<&Spanned<Number>>| match value {
         None => Ok(default),
         Some(value) => positive(document, key, value),
@@ -122,15 +122,13 @@ fn sound(
     Err(match unsound {
         Unsound::Overlap { one, other, depth } => {
             let (one, other) = (outline(one), outline(Side::Block(other)));
+            let title = format!(
+                "`{}` and `{}` overlap, {depth:.3e} deep",
+                one.name, other.name
+            );
             other
                 .place
-                .complain(
-                    format!(
-                        "`{}` and `{}` overlap, {depth:.3e} deep",
-                        one.name, other.name
-                    ),
-                    format!("the other is at {}", one.rows()),
-                )
+                .complain(title, format!("the other is at {}", one.rows()))
                 .help("move or cut one of the two; where they only touch, correct the last digits")
         }
         Unsound::NearMiss { one, other, needed } => {
@@ -149,19 +147,21 @@ fn sound(
                 ))
         }
         Unsound::Floating { block, touches } => {
-            let floating = outline(Side::Block(block));
-            let name = &floating.name;
-            let title = match touches.map(outline) {
-                Some(other) => format!(
-                    "`{name}` touches `{}` at a corner alone, and floats",
-                    other.name
-                ),
-                None => format!("`{name}` floats: no joints lead from it to a support"),
-            };
-            floating
-                .place
-                .complain(title, "here")
-                .help("let an edge of it lie on an edge of a block that is held")
+            floating(outline(Side::Block(block)), touches.map(outline))
         }
     })
+}
+
+/// A block that is not held, and the one that it touches at a corner.
+fn floating(block: &Outline, touches: Option<&Outline>) -> Complaint {
+    let name = &block.name;
+    let title = match touches {
+        Some(other) => format!(
+            "`{name}` touches `{}` at a corner alone, and floats",
+            other.name
+        ),
+        None => format!("`{name}` floats: no joints lead from it to a support"),
+    };
+    let complaint = block.place.complain(title, "here");
+    complaint.help("let an edge of it lie on an edge of a block that is held")
 }

@@ -1,0 +1,43 @@
+//! A case once it is read.
+
+use super::geometry::Geometry;
+use super::reference::Reference;
+use crate::scene::{HeadJoints, Push, Scene};
+
+/// A wall, how it runs, and what its results are compared with.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Case {
+    /// The file's name without `.toml`; the name in tables, snapshots and on the command line.
+    pub name: String,
+    /// One line for people.
+    pub title: String,
+    /// Where the wall comes from; may be empty.
+    pub source: String,
+    /// What it is made of. It can be laid: reading the case has tried.
+    pub geometry: Geometry,
+    /// The directions it is pushed in, one or both; the weaker side is the answer.
+    pub pushes: Vec<Push>,
+    /// What the head joints carry, one after the other, in the order of its results; never empty.
+    pub head_joints: Vec<HeadJoints>,
+    /// Values to compare with.
+    pub references: Vec<Reference>,
+}
+
+impl Case {
+    /// What every method gets, one scene a direction of the push.
+    ///
+    /// # Panics
+    /// As [`Geometry::scene`].
+    pub fn sides(&self, head_joints: HeadJoints) -> Vec<Scene> {
+        let scene = |&push| self.geometry.scene(head_joints, push);
+        self.pushes.iter().map(scene).collect()
+    }
+
+    /// The first of [`sides`](Self::sides).
+    ///
+    /// # Panics
+    /// As [`Geometry::scene`], and where `pushes` is empty.
+    pub fn scene(&self, head_joints: HeadJoints) -> Scene {
+        self.geometry.scene(head_joints, self.pushes[0])
+    }
+}

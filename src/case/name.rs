@@ -1,0 +1,23 @@
+//! The name of a case: that of its file.
+
+use std::path::Path;
+
+use super::complaint::Complaint;
+
+/// The file's stem. It goes into tables, file names and `NAME@open`, so it is held to plain words.
+pub(super) fn case_name(path: &str) -> Result<String, Complaint> {
+    let stem = Path::new(path).file_stem().unwrap_or_default();
+    let stem = stem.to_string_lossy();
+    let plain = |c: char| c.is_alphanumeric() || "-_.".contains(c);
+    if !stem.is_empty() && stem.chars().all(plain) {
+        return Ok(stem.into_owned());
+    }
+    let renamed: String = stem
+        .chars()
+        .map(|c| if plain(c) { c } else { '-' })
+        .collect();
+    let title = format!("{path}: a case is named by its file, and `{stem}` is not a plain word");
+    Err(Complaint::new(title).help(format!(
+        "use letters, digits, `-`, `_` and `.`: rename the file to `{renamed}.toml`"
+    )))
+}

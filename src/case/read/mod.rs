@@ -1,0 +1,24 @@
+//! From the text of a file to a case and its scene.
+
+mod arch;
+mod blocks;
+mod bodies;
+mod bond;
+mod case;
+mod checks;
+mod course_string;
+mod courses;
+mod csv;
+mod explain;
+mod file;
+mod forces;
+mod form;
+mod friction;
+mod keys;
+mod outline;
+mod references;
+mod values;
+mod wall;
+
+pub use bodies::ReadFile;
+pub(crate) use explain::explain;

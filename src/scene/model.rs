@@ -1,0 +1,96 @@
+//! The scene that every method gets.
+
+use super::block::Block;
+use super::joints::Joint;
+use super::polygon::{Point, Polygon};
+use super::push::{HeadJoints, Push};
+use super::regular::{Coursing, Irregularity, RegularWall, WallFacts};
+
+/// The scene that all methods share. Forces, not masses; no g, no velocities. Made by
+/// [`Scene::new`] alone, or from another scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scene {
+    /// Blocks that may move.
+    pub(super) blocks: Vec<Block>,
+    /// Shapes that never move: the ground, springers.
+    pub(super) supports: Vec<Polygon>,
+    /// Every joint that can carry a force. With open head joints, those are not here.
+    pub(super) joints: Vec<Joint>,
+    /// What the head joints carry.
+    pub(super) head_joints: HeadJoints,
+    /// Direction of the live load.
+    pub(super) push: Push,
+    /// What only a coursed wall has.
+    pub(super) wall: Option<WallFacts>,
+}
+
+impl Scene {
+    /// Blocks that may move.
+    pub fn blocks(&self) -> &[Block] {
+        &self.blocks
+    }
+
+    /// Shapes that never move: the ground, springers.
+    pub fn supports(&self) -> &[Polygon] {
+        &self.supports
+    }
+
+    /// Every joint that can carry a force. With open head joints, those are not here.
+    pub fn joints(&self) -> &[Joint] {
+        &self.joints
+    }
+
+    /// What the head joints carry.
+    pub fn head_joints(&self) -> HeadJoints {
+        self.head_joints
+    }
+
+    /// What only a coursed wall has.
+    pub fn wall(&self) -> Option<&WallFacts> {
+        self.wall.as_ref()
+    }
+
+    /// Direction of the live load.
+    pub fn push(&self) -> Push {
+        self.push
+    }
+
+    /// Height and overlap of a staggered wall, which the crack slope is measured with.
+    pub fn coursing(&self) -> Option<Coursing> {
+        self.wall.as_ref()?.coursing
+    }
+
+    /// The wall's closed-form description, or why it has none. Only the macro-block needs it.
+    ///
+    /// # Errors
+    /// [`Irregularity`], the first that was met.
+    pub fn regular(&self) -> Result<&RegularWall, Irregularity> {
+        let wall = self.wall.as_ref().ok_or(Irregularity::NotCoursed)?;
+        wall.regular.as_ref().map_err(Clone::clone)
+    }
+
+    /// Sum of the magnitudes of all dead forces: the force unit of residuals.
+    pub fn total_weight(&self) -> f64 {
+        let loads = self.blocks.iter().flat_map(|block| &block.loads);
+        loads.map(|load| load.dead.norm()).sum()
+    }
+
+    /// Sum of the magnitudes of all live forces for λ = 1.
+    pub fn total_live(&self) -> f64 {
+        let loads = self.blocks.iter().flat_map(|block| &block.loads);
+        loads.map(|load| load.live.norm()).sum()
+    }
+
+    /// Lower-left and upper-right corner of all blocks.
+    pub fn bounds(&self) -> (Point, Point) {
+        let mut boxes = self.blocks.iter().map(|block| block.shape.bounds());
+        let first = boxes.next().unwrap_or((Point::origin(), Point::origin()));
+        boxes.fold(first, |(low, high), (l, h)| (low.inf(&l), high.sup(&h)))
+    }
+
+    /// Height of the blocks above their lowest point: the length unit of residuals.
+    pub fn height(&self) -> f64 {
+        let (low, high) = self.bounds();
+        high.y - low.y
+    }
+}

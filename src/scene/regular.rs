@@ -1,0 +1,67 @@
+//! What only a coursed wall has: what its crack is measured with, and the wall of the closed form.
+
+/// What the crack slope of a coursed wall is measured with.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Coursing {
+    /// Wall height H.
+    pub height: f64,
+    /// Overlap s = l/2.
+    pub overlap: f64,
+    /// Number of courses.
+    pub courses: usize,
+    /// Whether it is laid of units and halves alone, as the crack slope supposes.
+    pub halves: bool,
+}
+
+/// The regular wall of the closed form (paper, Figs. 1-3).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RegularWall {
+    /// Height H.
+    pub height: f64,
+    /// Width L.
+    pub length: f64,
+    /// Overlap s of units in adjacent courses.
+    pub overlap: f64,
+    /// Height h of a unit.
+    pub unit_height: f64,
+    /// Thickness b.
+    pub thickness: f64,
+    /// Specific weight γ.
+    pub specific_weight: f64,
+    /// Overburden p, force per area.
+    pub overburden: f64,
+    /// Coefficient of friction f.
+    pub friction: f64,
+}
+
+/// Why a wall is not a regular one.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum Irregularity {
+    /// One course has no stagger.
+    #[error("a single course has no stagger line")]
+    SingleCourse,
+    /// The course (from 1, bottom to top) breaks the running bond.
+    #[error("course {0} is not laid in regular running bond")]
+    NotRunningBond(usize),
+    /// The course (from 1, bottom to top) holds pieces by which units do not lap by half.
+    #[error("course {0} is not of units and halves: the closed form assumes an overlap s = l/2")]
+    NotHalves(usize),
+    /// Bed joints and base joint of different friction, of which Eq. (1) knows one.
+    #[error("bed joints and base differ in friction")]
+    Friction,
+    /// Courses of different widths.
+    #[error("course {0} is not as wide as the first")]
+    Width(usize),
+    /// Not made of courses.
+    #[error("the scene is not a coursed wall")]
+    NotCoursed,
+}
+
+/// What only a coursed wall has: what its crack slope is measured with, and the closed form's wall.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WallFacts {
+    /// Height and overlap; `None` where no course is staggered against the next.
+    pub coursing: Option<Coursing>,
+    /// The regular wall of the closed form, or why this is none.
+    pub regular: Result<RegularWall, Irregularity>,
+}
