@@ -5,9 +5,9 @@ use trilith::method::limit::{Ending, Program};
 use trilith::method::pushover::{Parameters, solve_with};
 use trilith::method::{Method, Settings, methods};
 use trilith::scene::Scene;
-use trilith::study::atlas::{self, Cell, Verdict, grids};
+use trilith::study::atlas::{self, Cell, CellVerdict, grids};
 
-fn of(cells: &[Cell], verdict: Verdict) -> Vec<&Cell> {
+fn of(cells: &[Cell], verdict: CellVerdict) -> Vec<&Cell> {
     cells
         .iter()
         .filter(|cell| cell.verdict == verdict)
@@ -23,7 +23,7 @@ fn no_cell_of_the_small_atlas_is_wrong() {
         "{} cells",
         cells.len()
     );
-    let wrong = of(&cells, Verdict::Wrong);
+    let wrong = of(&cells, CellVerdict::Wrong);
     assert!(wrong.is_empty(), "{wrong:#?}");
     // Refusing everything would be no wrong cell either.
     for method in ["associative", "interval", "pushover", "auto"] {
@@ -32,7 +32,7 @@ fn no_cell_of_the_small_atlas_is_wrong() {
             .filter(|c| c.row.method == method)
             .cloned()
             .collect();
-        let right = of(&own, Verdict::Right).len();
+        let right = of(&own, CellVerdict::Right).len();
         assert!(
             2 * right > own.len(),
             "{method}: {right} of {} are right",
@@ -111,7 +111,7 @@ fn planted_faults_are_wrong_cells() {
         .collect();
     for (method, at_least) in [(&StopsEarly as &dyn Method, 3), (&Uncalibrated, 3)] {
         let cells = atlas::run(&walls, &[method], &());
-        let wrong = of(&cells, Verdict::Wrong);
+        let wrong = of(&cells, CellVerdict::Wrong);
         assert!(wrong.len() >= at_least, "{}: {cells:#?}", method.name());
     }
 }

@@ -2,7 +2,7 @@
 
 use trilith::answer::Status;
 use trilith::case::find;
-use trilith::study::chart::{self, Entry};
+use trilith::study::chart::{self, Measurement};
 
 /// The stack has an exact answer, min(μ, b/H) = 0.4.
 #[test]
@@ -10,7 +10,8 @@ fn a_chart_shows_every_rung_with_its_error() {
     let cases = find("stack").unwrap();
     let entries = chart::run(&cases, None, &[], &()).unwrap();
     assert_eq!(entries.len(), chart::ladder(5, &[]).len());
-    let of = |method: &str| -> &Entry { entries.iter().find(|e| e.row.method == method).unwrap() };
+    let of =
+        |method: &str| -> &Measurement { entries.iter().find(|e| e.row.method == method).unwrap() };
     assert_eq!(of("macro-block").error(), None, "it does not apply");
     assert!(of("associative").error().unwrap() < 1e-6);
     assert!(of("pushover").error().unwrap() < 2e-3);

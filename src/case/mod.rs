@@ -22,6 +22,6 @@ pub use geometry::Geometry;
 pub use model::Case;
 pub use read::ReadFile;
 pub(crate) use read::explain;
-pub use reference::{Kind, Quantity, Reference};
+pub use reference::{Quantity, Reference, SourceKind};
 pub(crate) use suggestion::{listed, nearest};
 pub use template::Template;

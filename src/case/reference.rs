@@ -19,7 +19,7 @@ pub struct Reference {
     /// Where the value was printed, or which code computed it.
     pub source: String,
     /// What kind of source that is.
-    pub kind: Kind,
+    pub kind: SourceKind,
     /// Free text; may be empty.
     pub note: String,
     /// Set on a known deviation: the reason why the value is expected *not* to be met.
@@ -78,7 +78,7 @@ impl Quantity {
 
 /// What stands behind a reference; ordered as tables prefer them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Kind {
+pub enum SourceKind {
     /// Printed in the literature.
     Published,
     /// An exact answer.
@@ -87,16 +87,20 @@ pub enum Kind {
     Independent,
 }
 
-impl Kind {
+impl SourceKind {
     /// Every kind.
-    pub(crate) const ALL: [Kind; 3] = [Kind::Published, Kind::Analytic, Kind::Independent];
+    pub(crate) const ALL: [SourceKind; 3] = [
+        SourceKind::Published,
+        SourceKind::Analytic,
+        SourceKind::Independent,
+    ];
 
     /// The word in case files.
     pub fn name(self) -> &'static str {
         match self {
-            Kind::Published => "published",
-            Kind::Analytic => "analytic",
-            Kind::Independent => "independent",
+            SourceKind::Published => "published",
+            SourceKind::Analytic => "analytic",
+            SourceKind::Independent => "independent",
         }
     }
 }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use trilith::method::methods;
-use trilith::study::atlas::{self, Verdict};
+use trilith::study::atlas::{self, CellVerdict};
 
 use super::chart::{keeping_rows, write};
 use super::plan::externals;
@@ -37,6 +37,6 @@ pub(super) fn atlas(arguments: &AtlasArguments) -> Result<u8, Stop> {
     }
     write(&arguments.out, &files)?;
     print(&atlas::table(&grids, &cells))?;
-    let wrong = cells.iter().any(|cell| cell.verdict == Verdict::Wrong);
+    let wrong = cells.iter().any(|cell| cell.verdict == CellVerdict::Wrong);
     Ok(if wrong { REFUTED } else { 0 })
 }

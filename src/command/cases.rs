@@ -136,9 +136,10 @@ fn geometry(geometry: &Geometry) -> String {
 }
 
 fn forces(forces: &Forces) -> String {
-    let weight = match forces.weight_is_live {
-        true => "live load: weights sideways",
-        false => "live load: loads alone",
+    let weight = if forces.weight_is_live {
+        "live load: weights sideways"
+    } else {
+        "live load: loads alone"
     };
     match forces.extra.len() {
         0 => weight.into(),

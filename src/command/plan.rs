@@ -50,9 +50,10 @@ impl PlanArguments {
     ) -> Result<(Vec<Case>, Plan<'static>), Stop> {
         let (methods, misplaced) = methods(&self.method, &externals(&self.external)?)?;
         let named = [cases, &misplaced].concat();
-        let mut cases = match named.is_empty() {
-            true => default(),
-            false => collect(&named)?,
+        let mut cases = if named.is_empty() {
+            default()
+        } else {
+            collect(&named)?
         };
         let settings = self.settings.read()?;
         if settings.pushover.collapse == Collapse::FirstSlip {

@@ -9,7 +9,7 @@ use trilith::answer::Status;
 use trilith::case;
 use trilith::files::write_whole;
 use trilith::judge::Verdict;
-use trilith::record::{Comparison, compare as compare_record, record};
+use trilith::record::{RecordChange, compare as compare_record, record};
 use trilith::report;
 use trilith::run::CaseResult;
 
@@ -143,8 +143,8 @@ fn compare(folder: &Path, results: &[CaseResult]) -> Result<bool, Stop> {
     for result in results {
         let compared = compare_record(folder, &result.case.name, &record(result));
         match compared.map_err(|e| Stop::bad_input(format!("error: {e}")))? {
-            Comparison::Same => {}
-            Comparison::Changed(path) => {
+            RecordChange::Same => {}
+            RecordChange::Changed(path) => {
                 eprintln!(
                     "changed: {} (see it with `cargo insta review`)",
                     path.display()

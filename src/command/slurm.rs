@@ -9,9 +9,10 @@ pub(super) fn script(file: &str, name: &str, folder: &Path, shards: u64) -> Resu
     let failed = |e: std::io::Error| Stop::bad_input(format!("error: no path for the script: {e}"));
     let program = std::env::current_exe().map_err(failed)?;
     // A job begins in the folder that it was submitted from, which may be another one.
-    let file = match Path::new(file).is_file() {
-        true => absolute(file).map_err(failed)?.display().to_string(),
-        false => file.to_owned(),
+    let file = if Path::new(file).is_file() {
+        absolute(file).map_err(failed)?.display().to_string()
+    } else {
+        file.to_owned()
     };
     let folder = absolute(folder).map_err(failed)?.display().to_string();
     let program = program.display().to_string();

@@ -189,9 +189,10 @@ fn hand_out(sweep: &Sweep, rows: &[Row], folder: &Path) -> Result<u8, Stop> {
 }
 
 fn status(rows: &[Row]) -> u8 {
-    match rows.iter().any(|row| row.status() == Status::Failed) {
-        true => REFUTED,
-        false => 0,
+    if rows.iter().any(|row| row.status() == Status::Failed) {
+        REFUTED
+    } else {
+        0
     }
 }
 

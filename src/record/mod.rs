@@ -6,7 +6,7 @@
 mod snapshot;
 mod table;
 
-pub use snapshot::{Comparison, compare};
+pub use snapshot::{RecordChange, compare};
 pub use table::{LEGEND, heading, lines};
 
 use crate::judge::{Check, Verdict};

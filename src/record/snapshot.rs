@@ -9,7 +9,7 @@ use crate::files::write_whole;
 
 /// How a record compares with the accepted one.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Comparison {
+pub enum RecordChange {
     /// Equal to the accepted snapshot.
     Same,
     /// Different from the accepted snapshot, or the first; the new one stands in this file.
@@ -21,7 +21,7 @@ pub enum Comparison {
 ///
 /// # Errors
 /// Errors of the file system, and a snapshot file that cannot be read as one.
-pub fn compare(folder: &Path, name: &str, record: &str) -> io::Result<Comparison> {
+pub fn compare(folder: &Path, name: &str, record: &str) -> io::Result<RecordChange> {
     let accepted = folder.join(format!("{name}.snap"));
     let pending = folder.join(format!("{name}.snap.new"));
     if accepted.exists() {
@@ -34,12 +34,12 @@ pub fn compare(folder: &Path, name: &str, record: &str) -> io::Result<Comparison
             if pending.exists() {
                 std::fs::remove_file(&pending)?;
             }
-            return Ok(Comparison::Same);
+            return Ok(RecordChange::Same);
         }
     }
     let source = serde_json::Value::from(format!("trilith run --record: {name}"));
     write_whole(&pending, &format!("---\nsource: {source}\n---\n{record}"))?;
-    Ok(Comparison::Changed(pending))
+    Ok(RecordChange::Changed(pending))
 }
 
 #[cfg(test)]
@@ -54,14 +54,14 @@ mod tests {
         let text = "wall: mine\n\n  a line\n";
         assert_eq!(
             compare(path, "wall", text).unwrap(),
-            Comparison::Changed(pending.clone())
+            RecordChange::Changed(pending.clone())
         );
         // What `cargo insta accept` does.
         std::fs::rename(&pending, path.join("wall.snap")).unwrap();
-        assert_eq!(compare(path, "wall", text).unwrap(), Comparison::Same);
+        assert_eq!(compare(path, "wall", text).unwrap(), RecordChange::Same);
         let changed = compare(path, "wall", "wall: mine\n\n  another line\n").unwrap();
-        assert_eq!(changed, Comparison::Changed(pending.clone()));
-        assert_eq!(compare(path, "wall", text).unwrap(), Comparison::Same);
+        assert_eq!(changed, RecordChange::Changed(pending.clone()));
+        assert_eq!(compare(path, "wall", text).unwrap(), RecordChange::Same);
         assert!(!pending.exists());
     }
 }

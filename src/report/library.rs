@@ -108,9 +108,10 @@ fn ends(bracket: Option<Bracket>) -> String {
     let Some(Bracket { lower, upper }) = bracket else {
         return "-".to_owned();
     };
-    match upper - lower <= 2e-6 * upper.abs().max(1e-3) {
-        true => number(lower, 5),
-        false => format!("{} - {}", number(lower, 5), number(upper, 5)),
+    if upper - lower <= 2e-6 * upper.abs().max(1e-3) {
+        number(lower, 5)
+    } else {
+        format!("{} - {}", number(lower, 5), number(upper, 5))
     }
 }
 

@@ -3,7 +3,7 @@
 
 use super::row::Row;
 use crate::answer::{Bracket, Status};
-use crate::case::{Kind as Source, Quantity, Reference};
+use crate::case::{Quantity, Reference, SourceKind};
 use crate::method::Kind;
 use crate::number::{nine_digits, number, short};
 
@@ -217,9 +217,9 @@ fn multiplier(row: &Row) -> Value {
 /// The value of a reference and what is behind it: p published, a analytic, i independent code.
 fn with_letter(reference: &Reference) -> String {
     let letter = match reference.kind {
-        Source::Published => 'p',
-        Source::Analytic => 'a',
-        Source::Independent => 'i',
+        SourceKind::Published => 'p',
+        SourceKind::Analytic => 'a',
+        SourceKind::Independent => 'i',
     };
     format!("{} {letter}", short(reference.value, 6))
 }

@@ -104,9 +104,10 @@ impl Assembly {
     }
 
     fn loaded(&self, push: Push) -> Vec<Block> {
-        let sideways = match self.forces.weight_is_live {
-            true => push.sign(),
-            false => 0.0,
+        let sideways = if self.forces.weight_is_live {
+            push.sign()
+        } else {
+            0.0
         };
         let weighted = |block: &NamedBlock| Block {
             shape: block.shape.clone(),

@@ -3,7 +3,7 @@
 use super::checks::{HEAD_JOINTS, choose, not_negative, positive};
 use super::file::ReferenceTable;
 use crate::case::complaint::{Complaint, Document};
-use crate::case::reference::{Kind, Quantity, Reference, known_method_names};
+use crate::case::reference::{Quantity, Reference, SourceKind, known_method_names};
 use crate::scene::HeadJoints;
 
 /// Judges a reference of a case that runs with these `head_joints`.
@@ -31,7 +31,7 @@ pub(super) fn reference(
         }
     };
     let methods = known_method_names().map(|name| (name, name));
-    let kinds = Kind::ALL.map(|kind| (kind.name(), kind));
+    let kinds = SourceKind::ALL.map(|kind| (kind.name(), kind));
     let quantities = Quantity::ALL.map(|quantity| (quantity.name(), quantity));
     Ok(Reference {
         method: choose(document, "method", methods, &table.method)?.to_owned(),

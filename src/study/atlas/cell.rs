@@ -11,7 +11,7 @@ use crate::study::sweep;
 
 /// What an answer turned out to be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Verdict {
+pub enum CellVerdict {
     /// Within 1 % of the reference.
     Right,
     /// Outside, and it claims no more: an estimate, or a range that holds the reference.
@@ -23,22 +23,22 @@ pub enum Verdict {
     Wrong,
 }
 
-impl Verdict {
+impl CellVerdict {
     /// Every verdict, from good to bad.
-    pub const ALL: [Verdict; 4] = [
-        Verdict::Right,
-        Verdict::Inaccurate,
-        Verdict::Refused,
-        Verdict::Wrong,
+    pub const ALL: [CellVerdict; 4] = [
+        CellVerdict::Right,
+        CellVerdict::Inaccurate,
+        CellVerdict::Refused,
+        CellVerdict::Wrong,
     ];
 
     /// The word in tables and legends.
     pub fn name(self) -> &'static str {
         match self {
-            Verdict::Right => "right",
-            Verdict::Inaccurate => "inaccurate",
-            Verdict::Refused => "refused",
-            Verdict::Wrong => "WRONG",
+            CellVerdict::Right => "right",
+            CellVerdict::Inaccurate => "inaccurate",
+            CellVerdict::Refused => "refused",
+            CellVerdict::Wrong => "WRONG",
         }
     }
 }
@@ -60,7 +60,7 @@ pub struct Cell {
     /// The answer.
     pub row: Row,
     /// What it turned out to be.
-    pub verdict: Verdict,
+    pub verdict: CellVerdict,
 }
 
 impl Cell {
@@ -79,7 +79,7 @@ impl Cell {
 
     /// Error of the farther end, where there is an answer.
     pub fn error(&self) -> Option<f64> {
-        let answered = self.verdict != Verdict::Refused;
+        let answered = self.verdict != CellVerdict::Refused;
         Some(
             self.row
                 .bracket()
@@ -97,22 +97,22 @@ fn verdict(
     stated: f64,
     reference: f64,
     accuracy: f64,
-) -> Verdict {
+) -> CellVerdict {
     let claims = match status {
-        Status::Undecided | Status::NotApplicable | Status::Failed => return Verdict::Refused,
-        Status::Stands | Status::Falls => return Verdict::Wrong,
+        Status::Undecided | Status::NotApplicable | Status::Failed => return CellVerdict::Refused,
+        Status::Stands | Status::Falls => return CellVerdict::Wrong,
         Status::Verified | Status::Bracketed => true,
         Status::Estimate => false,
     };
     let Some(bracket) = bracket else {
-        return Verdict::Refused;
+        return CellVerdict::Refused;
     };
     let slack = (stated + accuracy) * reference.max(1e-3);
     let holds = bracket.lower - slack <= reference && reference <= bracket.upper + slack;
     match (claims && !holds, bracket.error(reference) <= RIGHT) {
-        (true, _) => Verdict::Wrong,
-        (false, true) => Verdict::Right,
-        (false, false) => Verdict::Inaccurate,
+        (true, _) => CellVerdict::Wrong,
+        (false, true) => CellVerdict::Right,
+        (false, false) => CellVerdict::Inaccurate,
     }
 }
 
@@ -165,7 +165,7 @@ mod tests {
     fn claims_are_held_to_what_they_state_and_estimates_to_one_percent() {
         let at = |lower, upper| Some(Bracket { lower, upper });
         let of = |status, bracket, stated| verdict(status, bracket, stated, 0.5, 1e-6);
-        use Verdict::*;
+        use CellVerdict::*;
         assert_eq!(of(Status::Verified, at(0.5, 0.5), 0.0), Right);
         assert_eq!(of(Status::Verified, at(0.501, 0.501), 0.0), Wrong);
         assert_eq!(of(Status::Bracketed, at(0.4985, 0.499), 2e-3), Right);

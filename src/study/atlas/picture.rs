@@ -1,6 +1,6 @@
 //! One picture a grid: a field of cells a method, and the causes of its failures below.
 
-use super::cell::{Cell, Verdict};
+use super::cell::{Cell, CellVerdict};
 use super::grid::Grid;
 use super::text::methods;
 use crate::picture::palette::{INACCURATE, REFUSED, RIGHT, Tone, WRONG};
@@ -32,7 +32,7 @@ pub fn picture(grid: &Grid, cells: &[Cell]) -> String {
     };
     picture::cells(&Cells {
         title: format!("{} (to the right) × {} (upwards)", grid.x, grid.y),
-        legend: Verdict::ALL
+        legend: CellVerdict::ALL
             .map(|verdict| (tone(verdict), meaning(verdict)))
             .to_vec(),
         x_label: grid.x,
@@ -43,21 +43,21 @@ pub fn picture(grid: &Grid, cells: &[Cell]) -> String {
     })
 }
 
-fn tone(verdict: Verdict) -> Tone {
+fn tone(verdict: CellVerdict) -> Tone {
     match verdict {
-        Verdict::Right => RIGHT,
-        Verdict::Inaccurate => INACCURATE,
-        Verdict::Refused => REFUSED,
-        Verdict::Wrong => WRONG,
+        CellVerdict::Right => RIGHT,
+        CellVerdict::Inaccurate => INACCURATE,
+        CellVerdict::Refused => REFUSED,
+        CellVerdict::Wrong => WRONG,
     }
 }
 
-fn meaning(verdict: Verdict) -> &'static str {
+fn meaning(verdict: CellVerdict) -> &'static str {
     match verdict {
-        Verdict::Right => "right: within 1 %",
-        Verdict::Inaccurate => "inaccurate: outside, and claims no more",
-        Verdict::Refused => "refused: no answer",
-        Verdict::Wrong => "WRONG: a claim refuted",
+        CellVerdict::Right => "right: within 1 %",
+        CellVerdict::Inaccurate => "inaccurate: outside, and claims no more",
+        CellVerdict::Refused => "refused: no answer",
+        CellVerdict::Wrong => "WRONG: a claim refuted",
     }
 }
 

@@ -2,7 +2,7 @@
 
 use indexmap::IndexSet;
 
-use super::cell::{Cell, Verdict};
+use super::cell::{Cell, CellVerdict};
 use super::grid::Grid;
 use crate::number::nine_digits;
 use crate::picture::lines;
@@ -54,7 +54,7 @@ pub fn table(grids: &[Grid], cells: &[Cell]) -> String {
                 .iter()
                 .filter(|c| c.grid == grid.name && c.row.method == method);
             let own: Vec<&Cell> = own.collect();
-            let counts = Verdict::ALL.map(|verdict| {
+            let counts = CellVerdict::ALL.map(|verdict| {
                 let count = own.iter().filter(|cell| cell.verdict == verdict).count();
                 format!("{count:>3} {}", verdict.name())
             });
@@ -67,7 +67,7 @@ pub fn table(grids: &[Grid], cells: &[Cell]) -> String {
     }
     let wrong: Vec<&Cell> = cells
         .iter()
-        .filter(|c| c.verdict == Verdict::Wrong)
+        .filter(|c| c.verdict == CellVerdict::Wrong)
         .collect();
     text.push_str(&format!("{} cells, {} wrong\n", cells.len(), wrong.len()));
     for cell in wrong {

@@ -1,6 +1,6 @@
 //! The Pareto front of time and error.
 
-use super::table::Entry;
+use super::table::Measurement;
 
 /// Errors below this count as it: the references have six digits.
 pub const FLOOR: f64 = 1e-6;
@@ -9,8 +9,8 @@ pub const FLOOR: f64 = 1e-6;
 const BETTER: f64 = 0.9;
 
 /// Members of the front: entries that no other one beats in both time and error, fastest first.
-pub fn front<'a>(entries: &[&'a Entry]) -> Vec<&'a Entry> {
-    let mut answered: Vec<(&'a Entry, f64)> = (entries.iter())
+pub fn front<'a>(entries: &[&'a Measurement]) -> Vec<&'a Measurement> {
+    let mut answered: Vec<(&'a Measurement, f64)> = (entries.iter())
         .filter_map(|entry| Some((*entry, entry.error()?)))
         .collect();
     answered.sort_by(|(a, x), (b, y)| a.row.seconds.total_cmp(&b.row.seconds).then(x.total_cmp(y)));

@@ -17,4 +17,4 @@ pub use ladder::{Step, ladder};
 pub use picture::picture;
 pub use reference::reference;
 pub use summary::{SHIFT, Summary, WITHIN, csv as summary_csv, summaries, table as summary_table};
-pub use table::{Entry, csv, run};
+pub use table::{Measurement, csv, run};

@@ -6,7 +6,7 @@
 use indexmap::{IndexMap, IndexSet};
 
 use super::front::{FLOOR, front};
-use super::table::Entry;
+use super::table::Measurement;
 use crate::method::{Look, METHODS, method_look};
 use crate::number::short;
 use crate::picture::palette::{FRONT, NO_ANSWER};
@@ -20,13 +20,13 @@ struct Plane {
 }
 
 impl Plane {
-    fn of(entries: &[Entry]) -> Self {
+    fn of(entries: &[Measurement]) -> Self {
         let logs = || {
             entries
                 .iter()
                 .map(|entry| entry.row.seconds.max(1e-9).log10())
         };
-        let errors = entries.iter().filter_map(Entry::error);
+        let errors = entries.iter().filter_map(Measurement::error);
         let largest = errors.fold(1e-2, f64::max).log10().ceil();
         Self {
             seconds: [
@@ -47,7 +47,7 @@ impl Plane {
         self.errors[1] - 0.5
     }
 
-    fn place(&self, entry: &Entry) -> [f64; 2] {
+    fn place(&self, entry: &Measurement) -> [f64; 2] {
         let y = match entry.error() {
             Some(error) => error.max(FLOOR).log10(),
             None => self.failures(),
@@ -77,12 +77,12 @@ impl Plane {
 }
 
 /// The chart as SVG: the same bytes for the same table.
-pub fn picture(entries: &[Entry]) -> String {
+pub fn picture(entries: &[Measurement]) -> String {
     let cases: IndexSet<String> = entries.iter().map(|e| e.row.scene_name()).collect();
     let looks = looks(entries);
     let plane = Plane::of(entries);
     let of_case = |case: &String| {
-        let own: Vec<&Entry> = entries
+        let own: Vec<&Measurement> = entries
             .iter()
             .filter(|e| e.row.scene_name() == *case)
             .collect();
@@ -94,7 +94,7 @@ pub fn picture(entries: &[Entry]) -> String {
 }
 
 /// Names and looks of the methods, those of the table first and in its order.
-fn looks(entries: &[Entry]) -> IndexMap<&str, Look> {
+fn looks(entries: &[Measurement]) -> IndexMap<&str, Look> {
     let ours = METHODS.iter().map(|entry| (entry.name(), entry.look));
     let mut looks: IndexMap<&str, Look> = ours.collect();
     for entry in entries {
@@ -106,9 +106,9 @@ fn looks(entries: &[Entry]) -> IndexMap<&str, Look> {
 }
 
 /// One scene: points with bars, the front with names, the band of failures.
-fn panel(own: &[&Entry], looks: &IndexMap<&str, Look>, plane: Plane) -> Plot {
+fn panel(own: &[&Measurement], looks: &IndexMap<&str, Look>, plane: Plane) -> Plot {
     let front = front(own);
-    let on_front = |entry: &Entry| front.iter().any(|member| std::ptr::eq(*member, entry));
+    let on_front = |entry: &Measurement| front.iter().any(|member| std::ptr::eq(*member, entry));
     let marks = looks.iter().map(|(&name, &look)| {
         let of_method = own.iter().filter(|entry| entry.row.method == name);
         let points = of_method.map(|entry| PlotPoint {
@@ -144,7 +144,7 @@ fn panel(own: &[&Entry], looks: &IndexMap<&str, Look>, plane: Plane) -> Plot {
 }
 
 /// The scene, and what its errors are measured against.
-fn title(own: &[&Entry]) -> String {
+fn title(own: &[&Measurement]) -> String {
     let known = own.first().and_then(|entry| entry.reference.as_ref());
     let against = known.map_or(String::new(), |known| {
         let source = format!("{} {}", known.kind.name(), known.method);
@@ -155,7 +155,7 @@ fn title(own: &[&Entry]) -> String {
 }
 
 /// From the error down to the nearer end of the bracket, in decades; nothing for what is one number.
-fn below(entry: &Entry) -> f64 {
+fn below(entry: &Measurement) -> f64 {
     match (entry.error(), entry.nearest()) {
         (Some(error), Some(nearest)) => error.max(FLOOR).log10() - nearest.max(FLOOR).log10(),
         _ => 0.0,
@@ -163,7 +163,7 @@ fn below(entry: &Entry) -> f64 {
 }
 
 /// The front as a staircase.
-fn steps(front: &[&Entry], plane: Plane) -> Vec<[f64; 2]> {
+fn steps(front: &[&Measurement], plane: Plane) -> Vec<[f64; 2]> {
     let mut steps: Vec<[f64; 2]> = Vec::new();
     for entry in front {
         let [x, y] = plane.place(entry);

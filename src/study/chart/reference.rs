@@ -1,6 +1,6 @@
 //! The one value that everything about a scene is measured against.
 
-use crate::case::{Case, Kind as Source, Quantity, Reference};
+use crate::case::{Case, Quantity, Reference, SourceKind};
 use crate::method::{Kind, kind};
 use crate::scene::HeadJoints;
 
@@ -20,11 +20,11 @@ pub fn reference(case: &Case, head_joints: HeadJoints) -> Option<&Reference> {
     // A stable sort: of equal ones, the first in the case.
     candidates.sort_by_key(|r| {
         let source = match r.kind {
-            Source::Analytic => 0,
-            Source::Independent => 1,
-            Source::Published => 2,
+            SourceKind::Analytic => 0,
+            SourceKind::Independent => 1,
+            SourceKind::Published => 2,
         };
-        let bound = kind(&r.method) == Kind::AssociativeBounds && r.kind != Source::Analytic;
+        let bound = kind(&r.method) == Kind::AssociativeBounds && r.kind != SourceKind::Analytic;
         (bound, source, kind(&r.method) != Kind::CollapseStates)
     });
     candidates.first().copied()

@@ -2,7 +2,7 @@
 
 use indexmap::IndexSet;
 
-use super::table::Entry;
+use super::table::Measurement;
 use crate::run::{self, Value};
 
 /// What one method with one setting is worth over all scenes that it ran on.
@@ -29,12 +29,12 @@ pub const SHIFT: f64 = 1e-3;
 pub const WITHIN: [f64; 3] = [1e-3, 1e-2, 5e-2];
 
 /// One line a method and setting, in the order in which they first come.
-pub fn summaries(entries: &[Entry]) -> Vec<Summary> {
-    let name = |entry: &'_ Entry| (entry.row.method.clone(), entry.setting().to_owned());
+pub fn summaries(entries: &[Measurement]) -> Vec<Summary> {
+    let name = |entry: &'_ Measurement| (entry.row.method.clone(), entry.setting().to_owned());
     let names: IndexSet<(String, String)> = entries.iter().map(name).collect();
     let summary = |(method, setting): (String, String)| {
-        let of_name = |e: &&Entry| e.row.method == method && e.setting() == setting;
-        let own: Vec<&Entry> = entries.iter().filter(of_name).collect();
+        let of_name = |e: &&Measurement| e.row.method == method && e.setting() == setting;
+        let own: Vec<&Measurement> = entries.iter().filter(of_name).collect();
         let count = own.len() as f64;
         let share = |limit: f64| {
             let good = own

@@ -14,7 +14,7 @@ use crate::study::sweep;
 
 /// One point of the chart.
 #[derive(Clone, Debug)]
-pub struct Entry {
+pub struct Measurement {
     /// The answer; its time is the median of all runs.
     pub row: Row,
     /// Number of runs that the median is of.
@@ -23,7 +23,7 @@ pub struct Entry {
     pub reference: Option<Reference>,
 }
 
-impl Entry {
+impl Measurement {
     /// Error of an answer: the farther end of the bracket from the reference, relative to it. `None`
     /// where there is no answer: `undecided`, `failed` and the like.
     pub fn error(&self) -> Option<f64> {
@@ -74,7 +74,7 @@ pub fn run(
     head_joints: Option<HeadJoints>,
     externals: &[&'static dyn Method],
     progress: &dyn Progress,
-) -> io::Result<Vec<Entry>> {
+) -> io::Result<Vec<Measurement>> {
     let mut first = Vec::new();
     for case in cases {
         for &of_case in &case.head_joints {
@@ -145,9 +145,9 @@ impl<'a> Planned<'a> {
         Task::new(subject, self.step.method, self.step.settings)
     }
 
-    fn entry(&self, row: Row, seconds: &mut [f64]) -> Entry {
+    fn entry(&self, row: Row, seconds: &mut [f64]) -> Measurement {
         seconds.sort_by(f64::total_cmp);
-        Entry {
+        Measurement {
             runs: seconds.len(),
             reference: reference(self.case, self.head_joints).cloned(),
             row: Row {
@@ -162,7 +162,7 @@ impl<'a> Planned<'a> {
 ///
 /// # Errors
 /// Those of the CSV writer; none is expected in memory.
-pub fn csv(entries: &[Entry]) -> Result<String, csv::Error> {
+pub fn csv(entries: &[Measurement]) -> Result<String, csv::Error> {
     let headings = [
         "case",
         "method",
@@ -183,7 +183,7 @@ pub fn csv(entries: &[Entry]) -> Result<String, csv::Error> {
     run::csv(headings, entries.iter().map(line))
 }
 
-fn line(entry: &Entry) -> Vec<Value> {
+fn line(entry: &Measurement) -> Vec<Value> {
     let known = entry.reference.as_ref();
     let width = entry.row.bracket().map(|bracket| bracket.relative_width());
     let of_reference: [Value; 4] = [

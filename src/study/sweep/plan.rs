@@ -149,9 +149,10 @@ fn bases(document: &Document, file: &File, name: &str) -> Result<Vec<Base>, Comp
     let mut bases: Vec<Base> = Vec::new();
     let mut add = |argument: &str, span: std::ops::Range<usize>| -> Result<(), Complaint> {
         let beside = folder.join(argument);
-        let argument = match beside.exists() {
-            true => beside.to_string_lossy().into_owned(),
-            false => argument.to_owned(),
+        let argument = if beside.exists() {
+            beside.to_string_lossy().into_owned()
+        } else {
+            argument.to_owned()
         };
         let found = case::locate(&argument).map_err(|inner| {
             document

@@ -187,10 +187,7 @@ const LISTED: usize = 10;
 fn incomplete(points: &[Task], missing: &[usize], there: &[Shard], folder: &Path) -> Complaint {
     let listed = missing.iter().take(LISTED);
     let listed: Vec<String> = listed.map(|&index| points[index].describe()).collect();
-    let more = match missing.len() > LISTED {
-        true => ", …",
-        false => "",
-    };
+    let more = if missing.len() > LISTED { ", …" } else { "" };
     let title = format!(
         "{} of {} points are missing in {}: {}{more}",
         missing.len(),

@@ -115,16 +115,20 @@ fn range_values(
         && ((to - from) / (count - 1) as f64).fract() == 0.0;
     Ok((0..count).map(move |i| {
         let share = i as f64 / (count - 1) as f64;
-        let value = match logarithmic {
-            // The ends are exact in either spacing.
-            _ if i == 0 => from,
-            _ if i == count - 1 => to,
-            true => from * (to / from).powf(share),
-            false => from + (to - from) * share,
+        // The ends are exact in either spacing.
+        let value = if i == 0 {
+            from
+        } else if i == count - 1 {
+            to
+        } else if logarithmic {
+            from * (to / from).powf(share)
+        } else {
+            from + (to - from) * share
         };
-        match whole {
-            true => Value::Integer(value as i64),
-            false => Value::Float(nine_digits(value).parse().unwrap_or(value)),
+        if whole {
+            Value::Integer(value as i64)
+        } else {
+            Value::Float(nine_digits(value).parse().unwrap_or(value))
         }
     }))
 }

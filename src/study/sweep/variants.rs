@@ -252,9 +252,10 @@ impl<'a> Replaced<'a> {
         let told: Vec<String> = told
             .map(|(key, (value, _))| format!("{key} = {value}"))
             .collect();
-        let label = match told.is_empty() {
-            true => "in this case".to_owned(),
-            false => format!("with {}", told.join(", ")),
+        let label = if told.is_empty() {
+            "in this case".to_owned()
+        } else {
+            format!("with {}", told.join(", "))
         };
         let title = format!("no such wall: {}", inner.title());
         document
