@@ -19,7 +19,8 @@ mod work;
 
 pub use bracket::Bracket;
 pub use claim::Claim;
-pub use crack::{Crack, VELOCITY_THRESHOLDS, crack_slope, crack_slope_by_gap};
+pub use crack::Crack;
+pub(crate) use crack::{VELOCITY_THRESHOLDS, crack_slope, crack_slope_by_gap};
 pub use fact::{
     AutoFact, CeilingSlack, Fact, InapplicableForm, Invalid, JudgedFact, LimitFact, ProgramEnding,
     ProgramFailure, PushoverFact, Residuals, SearchEnding, SearchFacts, SearchFailure, SearchStart,
@@ -28,9 +29,9 @@ pub use fact::{
 pub use mechanism::{JointRate, Mechanism, Motion};
 pub use outcome::Outcome;
 pub use residual::{
-    CollapseResidual, StaticResidual, VERIFIED_RESIDUAL, associative_violation, dead_power,
-    falling_violation, kinematic_multiplier, live_unit,
+    CollapseResidual, StaticResidual, dead_power, falling_violation, kinematic_multiplier,
 };
+pub(crate) use residual::{VERIFIED_RESIDUAL, associative_violation, live_unit};
 pub use self_check::{Checked, Repetition, SelfCheck, Variation};
 pub use state::{CollapseState, JointForce};
 pub use status::Status;

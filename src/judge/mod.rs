@@ -7,6 +7,7 @@ mod proof;
 mod references;
 
 pub use check::{Check, Verdict};
-pub use cross_check::{Answers, cross_check, open_never_raises};
+pub(crate) use cross_check::{Answers, cross_check, open_never_raises};
 pub use proof::judge;
-pub use references::{Comparison, comparisons, computed, reference_checks};
+pub use references::computed;
+pub(crate) use references::{comparisons, reference_checks};

@@ -16,6 +16,6 @@ pub use settings::{
     SequentialSettings, Setting, SettingError, Settings,
 };
 pub use table::{
-    Changes, Cost, Entry, Kind, Look, METHODS, Mark, Rung, Scenes, defaults, entry, expected_cost,
-    kind, method_look, methods, of_kind,
+    Changes, Cost, Entry, Kind, Look, METHODS, Mark, Rung, Scenes, defaults, entry, kind, methods,
 };
+pub(crate) use table::{expected_cost, method_look};

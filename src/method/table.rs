@@ -289,11 +289,6 @@ pub fn defaults() -> Vec<&'static dyn Method> {
     wanted.map(|entry| entry.method).collect()
 }
 
-/// The first method whose answers claim this; every kind but [`Kind::Outside`] has one.
-pub fn of_kind(kind: Kind) -> Option<&'static Entry> {
-    METHODS.iter().find(|entry| entry.kind == kind)
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::Settings;

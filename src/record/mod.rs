@@ -7,7 +7,8 @@ mod snapshot;
 mod table;
 
 pub use snapshot::{RecordChange, compare};
-pub use table::{LEGEND, heading, lines};
+pub(crate) use table::LEGEND;
+pub use table::{heading, lines};
 
 use crate::judge::{Check, Verdict};
 use crate::number::short;

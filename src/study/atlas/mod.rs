@@ -14,8 +14,8 @@ mod picture;
 mod scenes;
 mod text;
 
-pub use cell::{Cell, CellVerdict, RIGHT, run, size};
+pub use cell::{Cell, CellVerdict, run, size};
 pub use grid::{Grid, Place, grids};
 pub use picture::picture;
-pub use scenes::{Columns, moved, running_bond, running_bond_in};
+pub use scenes::{Columns, moved, running_bond};
 pub use text::{csv, table};

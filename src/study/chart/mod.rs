@@ -16,5 +16,5 @@ pub use front::front;
 pub use ladder::{Step, ladder};
 pub use picture::picture;
 pub use reference::reference;
-pub use summary::{SHIFT, Summary, WITHIN, csv as summary_csv, summaries, table as summary_table};
+pub use summary::{Summary, csv as summary_csv, summaries, table as summary_table};
 pub use table::{Measurement, csv, run};
