@@ -4,10 +4,14 @@
 //! which the modules follow:
 //!
 //! ```text
-//! cases/**.toml ── case ──▶ scene ──▶ method ──▶ outcome ──▶ judge ──▶ record ──▶ snapshots, tables
-//!                                         │
-//!                                  run (the only clock) ──▶ table, CSV, JSON
+//! cases/**.toml ── case ──▶ scene ──▶ method ──▶ answer ──▶ judge ──▶ record ──▶ snapshots
+//!                                       │
+//!              run (the only clock, the only schedule) ──▶ rows ──▶ study, picture, report
 //! ```
+//!
+//! The modules are floors of a house. Each uses only those before it, and no two files use each
+//! other (a test holds both): number, files; scene; answer; method; case; external; judge; run;
+//! record; picture; study; report. The command line stands on top.
 //!
 //! Units and signs, once for all: x to the right, y up, rotations and moments counter-clockwise;
 //! lengths and forces in any one consistent system. λ multiplies the live load, which for a wall is

@@ -230,14 +230,11 @@ impl<'a> Replaced<'a> {
         written: &str,
         inner: &Complaint,
     ) -> Complaint {
-        let line = inner
-            .line()
-            .and_then(|(_, line)| written.lines().nth(line - 1));
-        let named = |key: &str| {
-            let last = key.rsplit('.').next().unwrap_or(key);
-            line.is_some_and(|line| line.trim_start().starts_with(last))
-        };
-        let guilty = self.values.iter().find(|(key, _)| named(key));
+        let wrong = inner.line().and_then(|(_, line)| key_at(written, line));
+        let guilty = self.values.iter().find(|(key, _)| {
+            let wrong = wrong.as_deref();
+            wrong == Some(key) || *key == "aspect" && wrong == Some("unit.length")
+        });
         let first = self.values.first();
         let span = match (guilty, &base.span, first) {
             (Some((_, (_, span))), _, _)
@@ -264,6 +261,19 @@ impl<'a> Replaced<'a> {
     }
 }
 
+/// The key that a line of a table as `toml` writes it is about, with the names of the tables that it
+/// stands in; lines count from 1.
+fn key_at(written: &str, line: usize) -> Option<String> {
+    let lines: Vec<&str> = written.lines().take(line).map(str::trim).collect();
+    let (key, _) = lines.last()?.split_once('=')?;
+    let table = |line: &&str| Some(line.strip_prefix('[')?.strip_suffix(']')?.to_owned());
+    let table = lines.iter().rev().find_map(table);
+    Some(match table {
+        Some(table) => format!("{table}.{}", key.trim()),
+        None => key.trim().to_owned(),
+    })
+}
+
 /// The settings of a file.
 pub(super) fn settings(document: &Document, file: &File) -> Result<Settings, Complaint> {
     let mut settings = Settings::default();
@@ -278,4 +288,23 @@ pub(super) fn settings(document: &Document, file: &File) -> Result<Settings, Com
         })?;
     }
     Ok(settings)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::key_at;
+
+    #[test]
+    fn a_line_is_about_a_key_and_not_about_one_that_begins_alike() {
+        let written = "head = 1\nheight = 2\n\n[unit]\nheight = 3\n\n[friction]\nbed = 4\n";
+        let keys = [1, 2, 3, 5, 8].map(|line| key_at(written, line));
+        let expected = [
+            Some("head"),
+            Some("height"),
+            None,
+            Some("unit.height"),
+            Some("friction.bed"),
+        ];
+        assert_eq!(keys, expected.map(|key| key.map(str::to_owned)));
+    }
 }
