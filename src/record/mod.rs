@@ -7,7 +7,7 @@ mod snapshot;
 mod table;
 
 pub use snapshot::{RecordChange, compare};
-pub(crate) use table::LEGEND;
+pub(crate) use table::{LEGEND, fixed_width};
 pub use table::{heading, lines};
 
 use crate::judge::{Check, Verdict};

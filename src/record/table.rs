@@ -1,5 +1,7 @@
 //! The table: one line a method and head-joint setting, computed beside published.
 
+use std::fmt::Display;
+
 use crate::run::{CaseResult, Row, values};
 
 /// Columns of the table: name, heading, width. The last one ends the line.
@@ -38,8 +40,15 @@ fn line(row: &Row) -> String {
 }
 
 fn padded(cells: impl IntoIterator<Item = String>) -> String {
-    let cells = cells.into_iter().zip(TABLE);
-    let cells = cells.map(|(cell, (_, _, width))| format!("{cell:<width$}"));
-    let padded: Vec<String> = cells.collect();
+    fixed_width(cells.into_iter().zip(TABLE.map(|(_, _, width)| width)))
+}
+
+/// Cells with their widths, as one line without blanks at its end. Widths are fixed, so that lines of
+/// two runs differ only where their cells do.
+pub(crate) fn fixed_width(cells: impl IntoIterator<Item = (impl Display, usize)>) -> String {
+    let cells = cells.into_iter();
+    let padded: Vec<String> = cells
+        .map(|(cell, width)| format!("{cell:<width$}"))
+        .collect();
     padded.join(" ").trim_end().to_owned()
 }

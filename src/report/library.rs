@@ -10,6 +10,7 @@ use indexmap::IndexMap;
 use crate::answer::{Bracket, Status};
 use crate::judge::{Verdict, comparisons};
 use crate::number::{number, short};
+use crate::record::fixed_width;
 use crate::run::{CaseResult, Row};
 
 /// Limits of error that answers are counted within, relative to the reference.
@@ -89,12 +90,9 @@ fn line(cells: [String; 10]) -> String {
     columns(cells.iter().map(String::as_str).zip(widths))
 }
 
-/// Cells, each padded to its width.
+/// Cells, each padded to its width, as a line.
 fn columns<'a>(cells: impl Iterator<Item = (&'a str, usize)>) -> String {
-    let padded: Vec<String> = cells
-        .map(|(cell, width)| format!("{cell:<width$}"))
-        .collect();
-    format!("{}\n", padded.join(" ").trim_end())
+    fixed_width(cells) + "\n"
 }
 
 fn rows(results: &[CaseResult]) -> impl Iterator<Item = (&CaseResult, &Row)> {
