@@ -110,6 +110,28 @@ fn a_wall_is_drawn_whole_and_inside_its_frame() {
 }
 
 #[test]
+fn drawings_at_a_given_scale_show_a_wall_in_the_same_size() {
+    let scene = paper_1();
+    let options = Options {
+        scale: Some(7.0),
+        ..Options::for_pictures(1)
+    };
+    for method in [&Interval as &dyn Method, &Associative] {
+        let row = row(&scene, method);
+        let view = View {
+            scene: &scene,
+            row: &row,
+            macro_slope: None,
+        };
+        let before = all(&figure("a wall", &[view], &options), "before").concat();
+        let xs = || before.iter().map(|point| point[0]);
+        let width = xs().fold(0.0, f64::max) - xs().fold(f64::INFINITY, f64::min);
+        // Five units of 4.
+        assert!((width - 7.0 * 20.0).abs() < 0.05, "{width}");
+    }
+}
+
+#[test]
 fn cracks_start_at_the_toe_and_have_their_slopes() {
     let scene = paper_1();
     let svg = drawn(&scene, &row(&scene, &Interval), Some(0.6597));

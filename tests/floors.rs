@@ -101,6 +101,8 @@ impl<'ast> Visit<'ast> for Module {
     }
 
     fn visit_attribute(&mut self, _: &'ast syn::Attribute) {}
+
+    fn visit_visibility(&mut self, _: &'ast syn::Visibility) {}
 }
 
 fn name_of(item: &Item) -> Option<String> {

@@ -29,8 +29,6 @@ fn written(results: &[CaseResult], sweeps: Vec<SweepTable>) -> String {
         results,
         settings: &Settings::default(),
         sweeps,
-        chart: Vec::new(),
-        atlas: Vec::new(),
     })
 }
 

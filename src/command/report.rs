@@ -1,14 +1,13 @@
 //! `trilith report`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
-use std::path::Path;
 
 use trilith::case;
 use trilith::files::write_whole;
 use trilith::method::Settings;
-use trilith::report::html::{Attached, Report, SweepTable, attached, page};
+use trilith::report::html::{Report, SweepTable, page};
 use trilith::run::CaseResult;
 
 use super::plan::PlanArguments;
@@ -26,12 +25,6 @@ pub(super) struct ReportArguments {
     /// Also plot this sweep's `sweep.csv`; the overburden's is the paper's Fig. 7.
     #[arg(long, value_name = "FILE.csv")]
     sweep: Vec<PathBuf>,
-    /// Also take in the figures and tables in this folder: speed against accuracy.
-    #[arg(long, value_name = "DIR")]
-    chart: Option<PathBuf>,
-    /// Also take in the figures and tables in this folder: the atlas.
-    #[arg(long, value_name = "DIR")]
-    atlas: Option<PathBuf>,
     /// Folder for report.html, results.csv, results.json and one record a case.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
@@ -41,53 +34,27 @@ pub(super) fn report(arguments: &ReportArguments) -> Result<u8, Stop> {
     let (cases, mut plan) = arguments.plan.read(&arguments.cases, case::paper)?;
     plan.settings.pushover.recording = true;
     // Before the long work: a file that cannot be read is known now.
-    let extras = Extras::read(arguments)?;
+    let sweeps = read(&arguments.sweep)?;
     let settings = plan.settings;
     let results = solve(
         &cases,
         &plan,
         |_| Ok(()),
         |complete| {
-            let path = hand_out(
-                &arguments.out,
-                complete,
-                &settings,
-                Extras::read(arguments)?,
-            )?;
+            let path = hand_out(&arguments.out, complete, &settings, read(&arguments.sweep)?)?;
             Ok(format!("reported in {path}"))
         },
     )?;
-    let path = hand_out(&arguments.out, &results, &settings, extras)?;
+    let path = hand_out(&arguments.out, &results, &settings, sweeps)?;
     print(&format!("wrote {path}\n"))?;
     Ok(if refuted(&results) { REFUTED } else { 0 })
 }
 
-/// Files that the report takes in.
-struct Extras {
-    sweeps: Vec<SweepTable>,
-    chart: Vec<Attached>,
-    atlas: Vec<Attached>,
-}
-
-impl Extras {
-    fn read(arguments: &ReportArguments) -> Result<Self, Stop> {
-        let sweep = |path: &std::path::PathBuf| {
-            SweepTable::read(path).map_err(|e| Stop::bad_input(format!("error: {e}")))
-        };
-        let folder = |folder: &Option<std::path::PathBuf>| match folder {
-            Some(folder) => attached(folder).map_err(|e| Stop::bad_input(format!("error: {e}"))),
-            None => Ok(Vec::new()),
-        };
-        Ok(Self {
-            sweeps: arguments
-                .sweep
-                .iter()
-                .map(sweep)
-                .collect::<Result<_, _>>()?,
-            chart: folder(&arguments.chart)?,
-            atlas: folder(&arguments.atlas)?,
-        })
-    }
+/// The sweeps that the report plots.
+fn read(paths: &[PathBuf]) -> Result<Vec<SweepTable>, Stop> {
+    let read =
+        |path: &PathBuf| SweepTable::read(path).map_err(|e| Stop::bad_input(format!("error: {e}")));
+    paths.iter().map(read).collect()
 }
 
 /// Writes the page and, beside it, what `run` writes.
@@ -95,14 +62,12 @@ fn hand_out(
     folder: &Path,
     results: &[CaseResult],
     settings: &Settings,
-    extras: Extras,
+    sweeps: Vec<SweepTable>,
 ) -> Result<String, Stop> {
     let text = page(&Report {
         results,
         settings,
-        sweeps: extras.sweeps,
-        chart: extras.chart,
-        atlas: extras.atlas,
+        sweeps,
     });
     write(folder, results)?;
     let path = folder.join("report.html");

@@ -2,8 +2,9 @@
 //! macro-block model (Fig. 3).
 
 use super::frame::Frame;
-use super::palette::{CRACK, FAINT, LARGEST, MACRO_CRACK};
-use super::svg::{INK, Path, Px, Svg};
+use super::palette::{CRACK, FAINT, INK, LARGEST, MACRO_CRACK};
+use super::path::{Path, Pixel};
+use super::svg::{Anchor, Svg, style};
 use crate::answer::Crack;
 use crate::number::short;
 use crate::scene::{Point, Push, Scene, Vector};
@@ -30,7 +31,7 @@ fn inwards(scene: &Scene) -> f64 {
 
 /// The macro-block of the closed form as corners in order: a strip of width s beside the edge and a
 /// triangle of slope tan β on it (Eqs. 2 and 3). `None` where the scene is no coursed wall.
-pub fn macro_block(scene: &Scene, tan_beta: f64) -> Option<[Point; 4]> {
+fn macro_block(scene: &Scene, tan_beta: f64) -> Option<[Point; 4]> {
     let wall = scene.coursing()?;
     let (toe, into) = (toe(scene), inwards(scene));
     let top = wall.overlap + wall.height * tan_beta;
@@ -53,13 +54,10 @@ pub fn turned_macro_block(svg: &mut Svg, frame: &Frame, scene: &Scene, tan_beta:
         let arm = corner - corners[0];
         frame.at(corner + Vector::new(-arm.y, arm.x) * angle)
     });
-    let mut path = Path::default();
-    path.add(&turned, true);
-    let attributes = format!(
-        "class=\"macro-block\" fill=\"{LARGEST}\" fill-opacity=\"0.85\" stroke=\"{INK}\" \
-         stroke-width=\"1.2\""
-    );
-    svg.path(&path, attributes, "macro-block: turns about the toe");
+    let block = style().class("macro-block").fill(LARGEST);
+    let block = block.fill_opacity(0.85).stroke(INK).stroke_width(1.2);
+    let words = "macro-block: turns about the toe";
+    svg.path(&Path::through(&turned, true), block, words);
 }
 
 /// Angle that the macro-block is shown turned by.
@@ -70,16 +68,12 @@ pub fn macro_crack(svg: &mut Svg, frame: &Frame, scene: &Scene, tan_beta: f64) {
     let Some([toe, foot, head, _]) = macro_block(scene, tan_beta) else {
         return;
     };
-    let mut path = Path::default();
-    path.add(&[toe, foot, head].map(|p| frame.at(p)), false);
-    let attributes = format!(
-        "class=\"macro-crack\" fill=\"none\" stroke=\"{MACRO_CRACK}\" stroke-width=\"1.5\" \
-         stroke-dasharray=\"7 4\""
-    );
+    let path = Path::through(&[toe, foot, head].map(|p| frame.at(p)), false);
+    let line = style().class("macro-crack").hollow().stroke(MACRO_CRACK);
     let tan_beta = crate::number::number(tan_beta, 4);
     svg.path(
         &path,
-        attributes,
+        line.stroke_width(1.5).dashes("7 4"),
         &format!("crack of the macro-block model, tan β = {tan_beta}"),
     );
 }
@@ -94,33 +88,27 @@ pub fn crack(svg: &mut Svg, frame: &Frame, scene: &Scene, crack: &Crack, above: 
     };
     let (toe, into) = (toe(scene), inwards(scene));
     let on_top = |x: f64| toe + Vector::new(into * x, wall.height);
-    let mut lines = Path::default();
-    lines.add(&[on_top(c), toe, on_top(e)].map(|p| frame.at(p)), false);
-    let style = format!("fill=\"none\" stroke=\"{CRACK}\"");
+    let lines = Path::through(&[on_top(c), toe, on_top(e)].map(|p| frame.at(p)), false);
+    let line = |class| style().class(class).hollow().stroke(CRACK);
     let words = "crack: all relative motion lies between these lines from the toe";
-    svg.path(
-        &lines,
-        format!("class=\"crack\" {style} stroke-width=\"1.4\""),
-        words,
-    );
+    svg.path(&lines, line("crack").stroke_width(1.4), words);
     for (row, (name, width)) in [("c", c), ("e", e)].into_iter().enumerate() {
         let y = above - DIMENSION * row as f64;
         let [edge, end] = [on_top(0.0), on_top(width)].map(|p| frame.at(p)[0]);
-        let mut line = Path::default();
-        line.add(&[[edge, y], [end, y]], false);
+        let mut path = Path::through(&[[edge, y], [end, y]], false);
         for x in [edge, end] {
-            line.add(&[[x, y - 3.5], [x, y + 3.5]], false);
+            path.add(&[[x, y - 3.5], [x, y + 3.5]], false);
         }
-        svg.path(
-            &line,
-            format!("class=\"dimension\" {style} stroke-width=\"0.9\""),
-            "",
-        );
+        svg.path(&path, line("dimension").stroke_width(0.9), "");
         // Beyond the end within the wall, where no line is.
-        let anchor = if into < 0.0 { "end" } else { "start" };
-        let attributes = format!("font-size=\"11.5\" fill=\"{CRACK}\"");
+        let anchor = if into < 0.0 {
+            Anchor::End
+        } else {
+            Anchor::Start
+        };
         let words = format!("{name} = {}", short(width, 3));
-        svg.text([end + 6.0 * into, y + 4.0], anchor, attributes, &words);
+        let style = style().font_size(11.5).fill(CRACK);
+        svg.text([end + 6.0 * into, y + 4.0], anchor, style, &words);
     }
 }
 
@@ -137,21 +125,13 @@ pub fn push(svg: &mut Svg, frame: &Frame, scene: &Scene) {
     };
     let [x, y] = frame.at(Point::new(x, low.y + 0.62 * (high.y - low.y)));
     let (tail, tip) = (x - sign * (PUSH - 6.0), x - sign * 9.0);
-    let mut shaft = Path::default();
-    shaft.add(&[[tail, y], [tip - 6.0 * sign, y]], false);
-    svg.path(
-        &shaft,
-        format!("fill=\"none\" stroke=\"{INK}\" stroke-width=\"1.8\""),
-        "",
-    );
-    let mut head = Path::default();
-    let back: Px = [tip - 9.0 * sign, y - 4.5];
-    head.add(&[[tip, y], back, [back[0], y + 4.5]], true);
-    svg.path(
-        &head,
-        format!("class=\"push\" fill=\"{INK}\""),
-        "direction of the live load",
-    );
-    let attributes = format!("font-size=\"13\" font-style=\"italic\" fill=\"{FAINT}\"");
-    svg.text([(tail + tip) / 2.0, y - 8.0], "middle", attributes, "λ");
+    let shaft = Path::through(&[[tail, y], [tip - 6.0 * sign, y]], false);
+    let line = style().hollow().stroke(INK).stroke_width(1.8);
+    svg.path(&shaft, line, "");
+    let back: Pixel = [tip - 9.0 * sign, y - 4.5];
+    let head = Path::through(&[[tip, y], back, [back[0], y + 4.5]], true);
+    let fill = style().class("push").fill(INK);
+    svg.path(&head, fill, "direction of the live load");
+    let style = style().font_size(13.0).italic().fill(FAINT);
+    svg.text([(tail + tip) / 2.0, y - 8.0], Anchor::Middle, style, "λ");
 }

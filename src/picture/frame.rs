@@ -1,6 +1,6 @@
 //! From the scene's lengths to pixels.
 
-use super::svg::Px;
+use super::path::Pixel;
 use crate::answer::Mechanism;
 use crate::scene::{Point, Polygon, Scene, Side, Vector};
 
@@ -10,12 +10,12 @@ pub struct Frame {
     /// Pixels for a unit of length.
     pub scale: f64,
     /// The scene's lower-left corner, and where it lies.
-    pub corner: (Point, Px),
+    pub corner: (Point, Pixel),
 }
 
 impl Frame {
     /// A point of the scene.
-    pub fn at(&self, point: Point) -> Px {
+    pub fn at(&self, point: Point) -> Pixel {
         let (low, [x, y]) = self.corner;
         [
             x + self.scale * (point.x - low.x),
@@ -24,19 +24,19 @@ impl Frame {
     }
 }
 
-/// Part of the scene's height by which its fastest corner is shown displaced.
-const SHOWN: f64 = 0.11;
+/// Displacement that the fastest corner is shown with, as a part of the scene's smaller side.
+const FASTEST: f64 = 0.11;
 
 /// How a mechanism is shown: every point moved along its velocity.
 #[derive(Clone, Copy)]
-pub struct Displaced<'a> {
+pub struct Displacement<'a> {
     scene: &'a Scene,
     mechanism: Option<&'a Mechanism>,
     factor: f64,
 }
 
-impl<'a> Displaced<'a> {
-    /// The mechanism, amplified so that its fastest corner moves by a fixed part of the height;
+impl<'a> Displacement<'a> {
+    /// The mechanism, amplified so that its fastest corner moves by a fixed part of the scene's size;
     /// `None` leaves every block in its place.
     pub fn new(scene: &'a Scene, mechanism: Option<&'a Mechanism>) -> Self {
         let (low, high) = scene.bounds();
@@ -48,7 +48,7 @@ impl<'a> Displaced<'a> {
             scene,
             mechanism,
             factor: if fastest > 0.0 {
-                SHOWN * least / fastest
+                FASTEST * least / fastest
             } else {
                 0.0
             },
@@ -61,7 +61,7 @@ impl<'a> Displaced<'a> {
     }
 
     /// Displacement of a point that moves with a block.
-    pub fn by(&self, block: usize, point: Point) -> Vector {
+    fn by(&self, block: usize, point: Point) -> Vector {
         let Some(mechanism) = self.mechanism else {
             return Vector::zeros();
         };
@@ -93,7 +93,7 @@ impl<'a> Displaced<'a> {
     }
 }
 
-/// What of a convex polygon lies in a box; empty where nothing does.
+/// The part of a convex polygon that lies in a box; empty where none does.
 pub fn clipped(polygon: &Polygon, low: Point, high: Point) -> Vec<Point> {
     let mut corners = polygon.corners().to_vec();
     // Half-planes n·p ≤ d.

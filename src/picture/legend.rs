@@ -1,25 +1,32 @@
 //! What the marks of a drawing mean.
 
-use super::palette::{BEFORE, CRACK, FORCE, LARGEST, MACRO_CRACK, OPENING, PARTS, SLIDING, STILL};
-use super::svg::{Path, Px, Svg};
+use super::marks::mark;
+use super::palette::{
+    BEFORE, CRACK, FORCE, LARGEST, MACRO_CRACK, OPENING, PARTS, SLIDING, SQUARE_LINE, STILL,
+};
+use super::path::{Path, Pixel};
+use super::svg::{Anchor, Style, Svg, style};
+use crate::method::Look;
 
 /// Pixels of a line of the legend.
 const LINE: f64 = 20.0;
 
-/// How a mark looks.
-enum Mark {
+/// What stands before the words.
+enum Sample {
     /// Squares of these colours, one a kind of part.
     Tints(&'static [&'static str]),
-    /// A line with further attributes.
-    Line(String),
+    /// A line in this style.
+    Line(Style),
     /// A filled gap.
     Gap,
+    /// A point of a plot.
+    Point(Look),
 }
 
-/// One entry: the mark and what it means.
+/// One entry: what is seen and what it means.
 pub struct Entry {
-    mark: Mark,
-    words: &'static str,
+    sample: Sample,
+    words: String,
 }
 
 /// What a drawing holds, which its legend explains.
@@ -37,114 +44,102 @@ pub struct Holds {
 
 /// The entries that explain what is there.
 pub fn entries(holds: Holds) -> Vec<Entry> {
-    let line = |color: &str, more: &str| Mark::Line(format!("stroke=\"{color}\" {more}"));
+    let line = |colour: &str, width: f64| style().hollow().stroke(colour).stroke_width(width);
     let mut entries = Vec::new();
-    let mut add = |there: bool, mark: Mark, words| {
+    let mut add = |there: bool, sample: Sample, words: &str| {
         if there {
-            entries.push(Entry { mark, words });
+            let words = words.to_owned();
+            entries.push(Entry { sample, words });
         }
     };
     let moving: &[&str] = &[LARGEST, PARTS[0], PARTS[1], PARTS[2]];
-    add(holds.mechanism, Mark::Tints(&[STILL]), "stands still");
+    add(holds.mechanism, Sample::Tints(&[STILL]), "stands still");
     add(
         holds.mechanism,
-        Mark::Tints(moving),
+        Sample::Tints(moving),
         "a tint moves as one body",
     );
     add(
         holds.mechanism,
-        line(SLIDING, "stroke-width=\"2.4\""),
+        Sample::Line(line(SLIDING, 2.4)),
         "joint slides",
     );
-    add(holds.mechanism, Mark::Gap, "joint opens");
-    add(
-        holds.mechanism,
-        line(BEFORE, "stroke-width=\"1.2\""),
-        "before",
-    );
+    add(holds.mechanism, Sample::Gap, "joint opens");
+    add(holds.mechanism, Sample::Line(line(BEFORE, 1.2)), "before");
     add(
         holds.crack,
-        line(CRACK, "stroke-width=\"1.4\""),
+        Sample::Line(line(CRACK, 1.4)),
         "crack of c and e",
     );
-    let dashes = "stroke-width=\"1.5\" stroke-dasharray=\"7 4\"";
     add(
         holds.macro_crack,
-        line(MACRO_CRACK, dashes),
+        Sample::Line(line(MACRO_CRACK, 1.5).dashes("7 4")),
         "macro-block crack",
     );
     add(
         holds.forces,
-        line(FORCE, "stroke-width=\"1.6\""),
+        Sample::Line(line(FORCE, 1.6)),
         "contact force, by length",
     );
     entries
 }
 
 impl Entry {
-    fn mark_width(&self) -> f64 {
-        match &self.mark {
-            Mark::Tints(colors) => 13.0 * colors.len() as f64,
+    /// A line in a style.
+    pub fn line(style: Style, words: String) -> Self {
+        let sample = Sample::Line(style);
+        Self { sample, words }
+    }
+
+    /// A point of a plot.
+    pub fn point(look: Look, words: String) -> Self {
+        let sample = Sample::Point(look);
+        Self { sample, words }
+    }
+
+    fn sample_width(&self) -> f64 {
+        match &self.sample {
+            Sample::Point(_) => 12.0,
+            Sample::Tints(colours) => 13.0 * colours.len() as f64,
             _ => 24.0,
         }
     }
 
     fn width(&self) -> f64 {
-        self.mark_width() + 6.0 + 6.3 * self.words.chars().count() as f64 + 18.0
+        self.sample_width() + 6.0 + 6.3 * self.words.chars().count() as f64 + 18.0
     }
 
-    fn draw(&self, svg: &mut Svg, [x, y]: Px) {
+    fn draw(&self, svg: &mut Svg, [x, y]: Pixel) {
         let middle = y - 4.0;
-        match &self.mark {
-            Mark::Tints(colors) => {
-                for (index, color) in colors.iter().enumerate() {
+        match &self.sample {
+            Sample::Tints(colours) => {
+                for (index, colour) in colours.iter().enumerate() {
                     let left = x + 13.0 * index as f64;
-                    let mut square = Path::default();
                     let [top, bottom, right] = [middle - 5.5, middle + 5.5, left + 11.0];
-                    square.add(
-                        &[[left, top], [right, top], [right, bottom], [left, bottom]],
-                        true,
-                    );
-                    svg.path(
-                        &square,
-                        format!("fill=\"{color}\" stroke=\"#777\" stroke-width=\"0.6\""),
-                        "",
-                    );
+                    let corners = [[left, top], [right, top], [right, bottom], [left, bottom]];
+                    let style = style().fill(colour).stroke(SQUARE_LINE).stroke_width(0.6);
+                    svg.path(&Path::through(&corners, true), style, "");
                 }
             }
-            Mark::Line(attributes) => {
-                let mut line = Path::default();
-                line.add(&[[x, middle], [x + 24.0, middle]], false);
-                svg.path(&line, format!("fill=\"none\" {attributes}"), "");
+            Sample::Line(style) => {
+                let line = Path::through(&[[x, middle], [x + 24.0, middle]], false);
+                svg.path(&line, style.clone(), "");
             }
-            Mark::Gap => {
-                let mut gap = Path::default();
-                gap.add(
-                    &[
-                        [x, middle + 4.0],
-                        [x + 24.0, middle + 4.0],
-                        [x + 24.0, middle - 5.0],
-                    ],
-                    true,
-                );
-                let attributes = format!(
-                    "fill=\"{OPENING}\" fill-opacity=\"0.5\" stroke=\"{OPENING}\" \
-                     stroke-dasharray=\"1 2\""
-                );
-                svg.path(&gap, attributes, "");
+            Sample::Point(look) => mark(svg, [x + 6.0, middle], *look),
+            Sample::Gap => {
+                let [right, bottom] = [x + 24.0, middle + 4.0];
+                let corners = [[x, bottom], [right, bottom], [right, middle - 5.0]];
+                let style = style().fill(OPENING).fill_opacity(0.5).stroke(OPENING);
+                svg.path(&Path::through(&corners, true), style.dashes("1 2"), "");
             }
         }
-        svg.text(
-            [x + self.mark_width() + 6.0, y],
-            "start",
-            "font-size=\"12\"",
-            self.words,
-        );
+        let at = [x + self.sample_width() + 6.0, y];
+        svg.text(at, Anchor::Start, style().font_size(12.0), &self.words);
     }
 }
 
 /// Draws the entries from left to right, in as many lines as `width` asks for; the pixels used.
-pub fn draw(svg: &mut Svg, entries: &[Entry], corner: Px, width: f64) -> f64 {
+pub fn draw(svg: &mut Svg, entries: &[Entry], corner: Pixel, width: f64) -> f64 {
     let [left, top] = corner;
     let (mut x, mut y) = (left, top + LINE - 5.0);
     for entry in entries {

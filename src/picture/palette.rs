@@ -1,5 +1,12 @@
-//! Colours that people with any kind of colour vision can tell apart: those of Okabe and Ito, and
-//! light tints of them. Marks differ in line style as well.
+//! Every colour of every picture. They are those of Okabe and Ito, and light tints of them, which
+//! people with any kind of colour vision can tell apart; marks differ in shape or line style as well.
+
+/// Text and the strongest lines.
+pub const INK: &str = "#222";
+/// Small print.
+pub const FAINT: &str = "#5f5b53";
+/// Behind everything.
+pub const WHITE: &str = "#fff";
 
 /// What stands still.
 pub const STILL: &str = "#eeece7";
@@ -16,14 +23,46 @@ pub const SUPPORT: &str = "#cdc7bb";
 /// Edge of supports.
 pub const SUPPORT_LINE: &str = "#8b8475";
 /// Joints that slide.
-pub const SLIDING: &str = "#d55e00";
+pub const SLIDING: &str = VERMILION;
 /// Joints that open.
-pub const OPENING: &str = "#0072b2";
+pub const OPENING: &str = BLUE;
 /// Crack lines of c and e.
 pub const CRACK: &str = "#7a3e9d";
 /// The macro-block's crack.
 pub const MACRO_CRACK: &str = "#000";
 /// Contact forces.
 pub const FORCE: &str = "#b3006b";
-/// Small print.
-pub const FAINT: &str = "#5f5b53";
+/// Outline of a legend's squares.
+pub const SQUARE_LINE: &str = "#777";
+
+/// Lines behind a plot.
+pub const GRID: &str = "#dddddd";
+/// The staircase of the fastest and most accurate settings.
+pub const FRONT: &str = "#bbbbbb";
+/// From a point to its name.
+pub const LEADER: &str = "#888888";
+/// Behind points without an answer.
+pub const NO_ANSWER: &str = "#dd4444";
+
+const BLUE: &str = "#0072b2";
+const VERMILION: &str = "#d55e00";
+
+/// A filled cell and the text on it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Tone {
+    pub fill: &'static str,
+    pub ink: &'static str,
+}
+
+const fn tone(fill: &'static str, ink: &'static str) -> Tone {
+    Tone { fill, ink }
+}
+
+/// What an answer turned out to be: right.
+pub const RIGHT: Tone = tone("#9ed3b4", "#10331f");
+/// Outside, without a claim.
+pub const INACCURATE: Tone = tone("#f6d58a", "#4a3500");
+/// No answer.
+pub const REFUSED: Tone = tone("#dcdcdc", "#444444");
+/// A claim that is refuted.
+pub const WRONG: Tone = tone("#c1121f", "#ffffff");

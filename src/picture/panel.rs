@@ -1,11 +1,15 @@
 //! One method's view of one wall: title, picture, caption.
 
 use super::crack::{self, DIMENSIONS, PUSH};
+use super::forces;
 use super::frame::Frame;
+use super::mechanism::{self, DrawnMechanism};
 use super::palette::FAINT;
-use super::svg::{Px, Svg};
-use super::wall::{self, Shown};
-use super::{Contents, View};
+use super::path::Pixel;
+use super::svg::{Anchor, Svg, style};
+use super::view::{Contents, View};
+use super::wall;
+use super::words::first_lines;
 use crate::number::{number, short};
 use crate::run::column;
 use crate::scene::{HeadJoints, Point, Push, Vector};
@@ -22,7 +26,7 @@ const MARGIN: f64 = 10.0;
 /// What a view shows, before it is known how large.
 pub struct Panel<'a> {
     view: &'a View<'a>,
-    shown: Shown<'a>,
+    drawn: DrawnMechanism<'a>,
     contents: Contents,
     /// Lower-left and upper-right corner of all that the picture holds.
     bounds: (Point, Point),
@@ -36,8 +40,8 @@ impl<'a> Panel<'a> {
             Contents::Mechanism => outcome.mechanism.as_ref(),
             Contents::Forces => None,
         };
-        let shown = Shown::new(scene, mechanism, &view.row.method);
-        let (mut low, mut high) = shown.displaced.bounds();
+        let drawn = DrawnMechanism::new(scene, mechanism, &view.row.method);
+        let (mut low, mut high) = drawn.displacement.bounds();
         if view.is_macro_block() {
             let reach = crack::TURN * scene.height();
             high.y += reach;
@@ -48,14 +52,14 @@ impl<'a> Panel<'a> {
         }
         Self {
             view,
-            shown,
+            drawn,
             contents,
             bounds: (low, high),
         }
     }
 
     /// Largest number of pixels a unit of length in a picture of this size.
-    pub fn scale(&self, [width, height]: Px) -> f64 {
+    pub fn scale(&self, [width, height]: [f64; 2]) -> f64 {
         let (low, high) = self.bounds;
         let free = [
             width - PUSH - 2.0 * MARGIN,
@@ -71,7 +75,7 @@ impl<'a> Panel<'a> {
     }
 
     /// Draws the picture into the box from `corner` to `corner + size`, its base on the lower edge.
-    pub fn draw(&self, svg: &mut Svg, corner: Px, size: Px, scale: f64) {
+    pub fn draw(&self, svg: &mut Svg, corner: Pixel, size: [f64; 2], scale: f64) {
         let (scene, outcome) = (self.view.scene, &self.view.row.outcome);
         let (low, high) = self.bounds;
         let [left, right] = match scene.push() {
@@ -88,16 +92,16 @@ impl<'a> Panel<'a> {
         let reach = Vector::new(MARGIN + 4.0, MARGIN - 2.0) / scale;
         let top = Point::new(high.x + reach.x, high.y + reach.y);
         wall::supports(svg, scene, &frame, [low - reach, top]);
-        if self.contents == Contents::Mechanism && self.shown.mechanism.is_some() {
+        if self.contents == Contents::Mechanism && self.drawn.mechanism.is_some() {
             wall::outlines(svg, scene, &frame);
         }
-        wall::blocks(svg, &frame, scene, &self.shown);
-        wall::marks(svg, &frame, scene, &self.shown);
+        mechanism::blocks(svg, &frame, scene, &self.drawn);
+        mechanism::marks(svg, &frame, scene, &self.drawn);
         let above = frame.at(high)[1] - 12.0;
         match self.contents {
             Contents::Forces => {
                 if let Some(forces) = &outcome.forces {
-                    wall::forces(svg, &frame, scene, forces);
+                    forces::forces(svg, &frame, scene, forces);
                 }
             }
             Contents::Mechanism => {
@@ -117,26 +121,28 @@ impl<'a> Panel<'a> {
     }
 
     /// Heading, with its baseline at `heading`, and the caption below the picture.
-    pub fn words(&self, svg: &mut Svg, [x, heading]: Px, caption: &[String], below: f64) {
+    pub fn words(&self, svg: &mut Svg, [x, heading]: Pixel, caption: &[String], below: f64) {
         let row = self.view.row;
         let what = match self.contents {
             Contents::Mechanism => row.method.clone(),
             Contents::Forces => format!("{}, contact forces", row.method),
         };
         // Joints of an arch are neither bed joints nor perpends.
-        let told = self.view.scene.coursing().is_some() || row.head_joints == HeadJoints::Open;
-        let joints = match told {
-            true => format!("{} head joints", row.head_joints.name()),
-            false => String::new(),
+        let has_head_joints =
+            self.view.scene.coursing().is_some() || row.head_joints == HeadJoints::Open;
+        let joints = if has_head_joints {
+            format!("{} head joints", row.head_joints.name())
+        } else {
+            String::new()
         };
         svg.heading([x, heading], &what, &joints);
         for (index, line) in caption.iter().enumerate() {
-            let attributes = match index {
-                0 => "font-size=\"13.5\"".to_owned(),
-                _ => format!("font-size=\"12\" fill=\"{FAINT}\""),
+            let style = match index {
+                0 => style().font_size(13.5),
+                _ => style().font_size(12.0).fill(FAINT),
             };
             let y = below + LINE * (index + 1) as f64;
-            svg.text([x, y], "start", attributes, line);
+            svg.text([x, y], Anchor::Start, style, line);
         }
     }
 
@@ -146,7 +152,7 @@ impl<'a> Panel<'a> {
         let (row, outcome) = (self.view.row, &self.view.row.outcome);
         let status = outcome.status.name();
         if self.contents == Contents::Forces {
-            let largest = wall::largest_force(self.view.scene, outcome.forces.as_deref());
+            let largest = forces::largest(self.view.scene, outcome.forces.as_deref());
             let lambda = outcome.bracket.map_or(0.0, |bracket| bracket.lower);
             return vec![
                 format!("at λ = {}", number(lambda, 5)),
@@ -168,8 +174,8 @@ impl<'a> Panel<'a> {
             }
             lines.push(slope);
         }
-        let drawn = self.view.is_macro_block() || self.shown.mechanism.is_some();
-        let mut missing = match (drawn, outcome.reason().as_str()) {
+        let is_drawn = self.view.is_macro_block() || self.drawn.mechanism.is_some();
+        let mut missing = match (is_drawn, outcome.reason().as_str()) {
             (true, _) => String::new(),
             (false, "") => "no mechanism to draw".to_owned(),
             (false, reason) => format!("no mechanism to draw: {reason}"),
@@ -177,27 +183,7 @@ impl<'a> Panel<'a> {
         if forces && outcome.forces.is_none() {
             missing = format!("it gives no contact forces; {missing}");
         }
-        lines.extend(wrapped(missing.trim_end_matches("; "), width, 4));
+        lines.extend(first_lines(missing.trim_end_matches("; "), width, 4));
         lines
     }
-}
-
-/// Text in lines of at most `width` characters; what does not fit into `most` lines ends in `…`.
-fn wrapped(text: &str, width: usize, most: usize) -> Vec<String> {
-    let mut lines: Vec<String> = Vec::new();
-    for word in text.split_whitespace() {
-        let full = lines.len() == most;
-        match lines.last_mut() {
-            Some(line) if line.chars().count() + 1 + word.chars().count() <= width => {
-                line.push(' ');
-                line.push_str(word);
-            }
-            Some(line) if full => {
-                line.push('…');
-                break;
-            }
-            _ => lines.push(word.to_owned()),
-        }
-    }
-    lines
 }

@@ -1,14 +1,15 @@
 //! Parts of a mechanism that move as one rigid body.
 
 use crate::answer::{Mechanism, Motion};
+use crate::method::{Kind, kind};
 use crate::scene::{Scene, Side};
 
 /// Relative motion, as a fraction of the scene's largest corner velocity, below which two blocks
-/// move alike and a joint neither slides nor opens. Displacements of a pushover hold the give of its
-/// contacts beside the collapse.
+/// move alike and a joint neither slides nor opens. It is larger for what was observed in a pushover, whose displacements
+/// include the compression of its contacts.
 pub fn threshold(method: &str) -> f64 {
-    match method {
-        "pushover" => 1e-2,
+    match kind(method) {
+        Kind::Observed => 1e-2,
         _ => 1e-4,
     }
 }
@@ -32,9 +33,12 @@ pub fn parts(scene: &Scene, mechanism: &Mechanism, threshold: f64) -> Vec<Part> 
     for (index, block) in scene.blocks().iter().enumerate() {
         let moves = mechanism.speed(scene, index, None) > limit;
         let area = block.shape.area();
-        let alike = |part: &&mut Part| match part.moves {
-            true => moves && mechanism.speed(scene, index, Some(part.blocks[0])) <= limit,
-            false => !moves,
+        let alike = |part: &&mut Part| {
+            if part.moves {
+                moves && mechanism.speed(scene, index, Some(part.blocks[0])) <= limit
+            } else {
+                !moves
+            }
         };
         match parts.iter_mut().find(alike) {
             Some(part) => {
@@ -118,9 +122,10 @@ pub fn in_words(scene: &Scene, mechanism: &Mechanism, part: &Part) -> String {
     }
     let x = crate::number::short(centroid.x - velocity.y / rotation, 2);
     let y = crate::number::short(centroid.y + velocity.x / rotation, 2);
-    let way = match rotation > 0.0 {
-        true => "counter-clockwise",
-        false => "clockwise",
+    let direction = if rotation > 0.0 {
+        "counter-clockwise"
+    } else {
+        "clockwise"
     };
-    format!("{count}: turns {way} about ({x}, {y})")
+    format!("{count}: turns {direction} about ({x}, {y})")
 }

@@ -3,27 +3,28 @@
 use maud::{Markup, PreEscaped, html};
 
 use super::{certificates, replay};
+use crate::method::{Kind, entry};
 use crate::picture::{Options, View, common_scale, figure};
 use crate::record::record;
 use crate::run::{CaseResult, Row};
 use crate::scene::HeadJoints;
 
-/// Methods whose drawings are shown at once: a closed form, a limit analysis, a pushover (the
-/// paper's Figs. 4 and 5).
-const FOREMOST: [&str; 3] = ["macro-block", "interval", "pushover"];
-
 /// The panel of a case.
 pub fn panel(result: &CaseResult) -> Markup {
     let (foremost, further) = drawn(result);
+    let all: Vec<View> = (foremost.iter().chain(&further))
+        .map(|row| view(result, row))
+        .collect();
+    let scale = common_scale(&all, WIDTH);
     html! {
         @if result.case.title != result.case.name { p.title { (result.case.title) } }
         @if !result.case.source.is_empty() { p.small { "Source: " (result.case.source) } }
         h3 { "Mechanisms" }
-        (drawings(result, &foremost))
+        (drawings(result, &foremost, scale))
         @if !further.is_empty() {
             details {
                 summary { (further.len()) " more: other methods and head joints" }
-                (drawings(result, &further))
+                (drawings(result, &further, scale))
             }
         }
         @for row in result.rows.iter().filter(|row| row.outcome.recording.len() > 1) {
@@ -49,18 +50,19 @@ fn drawn(result: &CaseResult) -> (Vec<&Row>, Vec<&Row>) {
         .iter()
         .any(|row| row.head_joints == HeadJoints::Open);
     let main = |row: &Row| (row.head_joints == HeadJoints::Open) == open;
-    let is_foremost = |row: &Row| FOREMOST.contains(&row.method.as_str()) && main(row);
-    let worth = |row: &&Row| {
-        let closed = row.method == "macro-block";
-        match closed {
-            true => row.outcome.crack.is_some() && main(row),
-            false => row.outcome.mechanism.is_some(),
+    let is_foremost =
+        |row: &Row| entry(&row.method).is_some_and(|entry| entry.drawn_first) && main(row);
+    let can_be_drawn = |row: &&Row| {
+        if row.kind() == Kind::ClosedForm {
+            row.outcome.crack.is_some() && main(row)
+        } else {
+            row.outcome.mechanism.is_some()
         }
     };
     let (mut foremost, mut further): (Vec<&Row>, Vec<&Row>) = result
         .rows
         .iter()
-        .filter(worth)
+        .filter(can_be_drawn)
         .partition(|row| is_foremost(row));
     if foremost.is_empty() {
         std::mem::swap(&mut foremost, &mut further);
@@ -69,8 +71,9 @@ fn drawn(result: &CaseResult) -> (Vec<&Row>, Vec<&Row>) {
 }
 
 /// The view of a row, with the crack of the closed form for the same scene.
-pub fn view<'a>(result: &'a CaseResult, row: &'a Row) -> View<'a> {
-    let same = |other: &&Row| other.method == "macro-block" && other.head_joints == row.head_joints;
+fn view<'a>(result: &'a CaseResult, row: &'a Row) -> View<'a> {
+    let same =
+        |other: &&Row| other.kind() == Kind::ClosedForm && other.head_joints == row.head_joints;
     let closed = result.rows.iter().find(same);
     View {
         scene: result.scene(row),
@@ -84,19 +87,18 @@ pub fn view<'a>(result: &'a CaseResult, row: &'a Row) -> View<'a> {
 /// Pixels that a drawing is wide where the page does not make it narrower.
 const WIDTH: f64 = 400.0;
 
-/// Drawings of these rows, at one scale.
-fn drawings(result: &CaseResult, rows: &[&Row]) -> Markup {
-    let views: Vec<View> = rows.iter().map(|row| view(result, row)).collect();
+/// Drawings of these rows with so many pixels for a unit of length, so that they can be compared.
+fn drawings(result: &CaseResult, rows: &[&Row], scale: f64) -> Markup {
     let options = Options {
         forces: false,
         framed: false,
         width: WIDTH,
-        scale: Some(common_scale(&views, WIDTH)),
+        scale: Some(scale),
     };
-    let svg = |view: &View| figure(&result.case.name, &[*view], &options);
+    let svg = |row: &Row| figure(&result.case.name, &[view(result, row)], &options);
     html! {
         div.drawings {
-            @for view in &views { figure.drawing { (PreEscaped(svg(view))) } }
+            @for row in rows { figure.drawing { (PreEscaped(svg(row))) } }
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use maud::{Markup, PreEscaped, html};
 
-use crate::method::{Setting, Settings};
+use crate::method::{METHODS, Setting, Settings};
 use crate::picture::legend;
 
 /// What the words and marks mean.
@@ -28,28 +28,6 @@ pub fn reading() -> Markup {
         ("undecided", "no honest answer, with the reason"),
         ("failed", "broke, or was refuted by the judge"),
     ];
-    let methods = [
-        (
-            "macro-block",
-            "closed form: one crack, two bodies; λ_low without and λ_upp with all friction along it",
-        ),
-        (
-            "associative",
-            "limit analysis with dilatant friction: an upper bound of every collapse multiplier",
-        ),
-        (
-            "sequential",
-            "the published sequence of linear programs for friction without dilatancy",
-        ),
-        (
-            "interval",
-            "lowest and highest collapse state found that satisfies every condition; not bounds",
-        ),
-        (
-            "pushover",
-            "rigid bodies in contact, pushed harder until they collapse: last rest and first collapse",
-        ),
-    ];
     html! {
         p { "λ is the multiplier of the horizontal live load at collapse; for a wall also the horizontal "
             "acceleration in units of g. Head joints (perpends) are " b { "open" } " where they carry nothing, "
@@ -58,14 +36,18 @@ pub fn reading() -> Markup {
             "as one body, e the width that moves at all, s half a unit." }
         dl.facts { @for (word, meaning) in statuses { dt { (word) } dd { (meaning) } } }
         h3 { "Methods" }
-        dl.facts { @for (word, meaning) in methods { dt { (word) } dd { (meaning) } } }
+        dl.facts { @for entry in METHODS { dt { (entry.name()) } dd { (entry.summary) } } }
         h3 { "Drawings" }
         p { "Blocks are shown displaced along their velocities, much amplified, over their outlines. "
             "Velocities are first order: distances between blocks mean openings and slips." }
         figure { (PreEscaped(legend(350.0))) }
-        p { "Residuals are the largest violations after scaling total weight, height and live power to 1, "
-            "recomputed by a judge that shares no code with the methods. A reference is published (p), "
-            "analytic (a) or from an independent code (i); its error is that of the farther end of the range. What is unfolded is printed." }
+        p { "Residuals are the largest violations after scaling total weight, height and live power to 1. "
+            "The methods may use the same formulas to decide whether to go on; the verdict is the judge's own "
+            "evaluation, from forces and mechanism on the whole scene, and no matrix, scaling or tolerance of a "
+            "method enters it. The three limit analyses share one program, so that they do not confirm each "
+            "other as the closed form, the pushover and an independent code do." }
+        p { "A reference is published (p), analytic (a) or from an independent code (i); its error is that of "
+            "the farther end of the range. What is unfolded is printed." }
     }
 }
 

@@ -2,14 +2,12 @@
 
 use std::path::Path;
 
-use kuva::plot::LinePlot;
-use kuva::render::layout::Layout;
-use kuva::render::plots::Plot;
 use maud::{Markup, PreEscaped, html};
 
-use super::plot;
 use super::table::{Cell, sortable};
+use crate::method::method_look;
 use crate::number::short;
+use crate::picture::{Axis, Line, Plot, Ticks, plot};
 
 /// A sweep's CSV, read.
 pub struct SweepTable {
@@ -90,7 +88,8 @@ impl SweepTable {
     }
 
     fn number(&self, row: &[String], column: &str) -> Option<f64> {
-        row.get(self.column(column)?)?.parse().ok()
+        let value: f64 = row.get(self.column(column)?)?.parse().ok()?;
+        value.is_finite().then_some(value)
     }
 
     /// The first column that varies and holds numbers in every row: the overburden, where it does.
@@ -180,49 +179,48 @@ fn plotted(table: &SweepTable, x: &str) -> Option<String> {
     if series.len() > LINES {
         return None;
     }
-    let mut plots: Vec<Plot> = Vec::new();
+    let mut lines = Vec::new();
     for (label, method, rows) in &series {
         let end = |which: &str| {
             let points = rows
                 .iter()
-                .filter_map(|row| Some((table.number(row, x)?, table.number(row, which)?)));
-            let mut points: Vec<(f64, f64)> = points.collect();
-            points.sort_by(|a, b| a.0.total_cmp(&b.0));
+                .filter_map(|row| Some([table.number(row, x)?, table.number(row, which)?]));
+            let mut points: Vec<[f64; 2]> = points.collect();
+            points.sort_by(|a, b| a[0].total_cmp(&b[0]));
             points
         };
         let (low, high) = (end("lower"), end("upper"));
-        let line = |points| {
-            LinePlot::new()
-                .with_data(points)
-                .with_color(plot::color(method))
-                .with_stroke_width(1.8)
-        };
         let wide = low
             .iter()
             .zip(&high)
-            .any(|(a, b)| b.1 - a.1 > 0.01 * b.1.abs().max(1e-3));
+            .any(|([_, a], [_, b])| b - a > 0.01 * b.abs().max(1e-3));
+        let line = |points, name: Option<String>| Line {
+            points,
+            colour: method_look(method, 0).colour,
+            dashed: name.is_none(),
+            name,
+        };
         if wide {
-            plots.push(line(low).with_dashed().into());
+            lines.push(line(low, None));
         }
-        plots.push(line(high).with_legend(label.clone()).into());
+        lines.push(line(high, Some(label.clone())));
     }
-    let layout = Layout::auto_from_plots(&plots)
-        .with_width(820.0)
-        .with_height(460.0)
-        .with_x_label(match x {
-            "overburden" => "overburden ratio p/(γH)",
-            other => other,
-        })
-        .with_y_label("collapse multiplier λ")
-        .with_y_axis_min(0.0)
-        .with_body_size(12)
-        .with_tick_size(12)
-        .with_label_size(13);
-    let id = format!(
-        "sweep-{}",
-        table
-            .name
-            .replace(|c: char| !c.is_ascii_alphanumeric(), "-")
-    );
-    Some(plot::svg(plots, layout, &id, &format!("λ over {x}")))
+    let axis = |label: &str, ticks| Axis {
+        label: label.to_owned(),
+        ticks,
+    };
+    let across = match x {
+        "overburden" => "overburden ratio p/(γH)",
+        other => other,
+    };
+    let picture = Plot {
+        title: String::new(),
+        x: axis(across, Ticks::Fitting),
+        y: axis("collapse multiplier λ", Ticks::With(0.0)),
+        bands: Vec::new(),
+        lines,
+        marks: Vec::new(),
+        notes: Vec::new(),
+    };
+    Some(plot(&picture, &format!("λ over {x}")))
 }

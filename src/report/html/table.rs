@@ -1,8 +1,7 @@
 //! Tables that sort, in a container of their own that scrolls where the page is narrow.
 
-use maud::{Markup, PreEscaped, html};
+use maud::{Markup, html};
 
-use crate::picture::escape;
 use crate::record::LEGEND;
 use crate::run::CaseResult;
 
@@ -128,6 +127,6 @@ pub fn multipliers(results: &[CaseResult]) -> Markup {
     }
     html! {
         (sortable("Computed beside reference", &names, &rows))
-        p.small { (PreEscaped(escape(LEGEND))) "." }
+        p.small { (LEGEND) "." }
     }
 }

@@ -5,6 +5,7 @@ use indexmap::IndexSet;
 use super::cell::{Cell, Verdict};
 use super::grid::Grid;
 use crate::number::nine_digits;
+use crate::picture::lines;
 use crate::run::{self, Value, values};
 
 /// Cells as CSV, one line each.
@@ -59,7 +60,9 @@ pub fn table(grids: &[Grid], cells: &[Cell]) -> String {
             });
             text.push_str(&format!("  {method:<12} {}\n", counts.join("  ")));
         }
-        text.push_str(&wrapped(grid.causes, 98, "  "));
+        for line in lines(grid.causes, 96) {
+            text.push_str(&format!("  {line}\n"));
+        }
         text.push('\n');
     }
     let wrong: Vec<&Cell> = cells
@@ -91,21 +94,4 @@ pub(super) fn methods<'a>(grid: &Grid, cells: &'a [Cell]) -> Vec<&'a str> {
     let of_grid = cells.iter().filter(|cell| cell.grid == grid.name);
     let names: IndexSet<&str> = of_grid.map(|cell| cell.row.method.as_str()).collect();
     names.into_iter().collect()
-}
-
-/// A text in lines of at most `width` characters, each after `indent`.
-pub(super) fn wrapped(text: &str, width: usize, indent: &str) -> String {
-    let mut lines = vec![indent.to_owned()];
-    for word in text.split_whitespace() {
-        let line = lines.last_mut().expect("there is always a line");
-        if line.chars().count() + 1 + word.chars().count() > width && line.len() > indent.len() {
-            lines.push(format!("{indent}{word}"));
-        } else {
-            if line.len() > indent.len() {
-                line.push(' ');
-            }
-            line.push_str(word);
-        }
-    }
-    lines.join("\n") + "\n"
 }

@@ -1,16 +1,12 @@
-//! Where names go: beside their points, over no other point and no other name.
+//! Where the names of points go: beside their points, over no other point and no other name.
 
-/// A rectangle on the picture, in pixels: left, top, right, bottom.
+/// A rectangle of the picture in pixels: left, top, right, bottom.
 type Rectangle = [f64; 4];
 
 /// Places names of points so that they cover neither points nor each other: for each, the first free
 /// place on rings round its point. `points` are all points in pixels from the upper left corner of a
 /// plane of that size; returns the middle of each name's line.
-pub(super) fn place(
-    named: &[([f64; 2], &str)],
-    points: &[[f64; 2]],
-    size: [f64; 2],
-) -> Vec<[f64; 2]> {
+pub fn place(named: &[([f64; 2], &str)], points: &[[f64; 2]], size: [f64; 2]) -> Vec<[f64; 2]> {
     let mut taken: Vec<Rectangle> = points
         .iter()
         .map(|[x, y]| [x - 5.0, y - 5.0, x + 5.0, y + 5.0])

@@ -1,0 +1,132 @@
+//! Fields of coloured cells over two values, with what the colours mean and words below.
+
+use super::palette::{INK, Tone};
+use super::path::Pixel;
+use super::svg::{Anchor, Svg, style};
+use super::words::lines;
+
+/// Pixels of a cell, of the space left of a field for its values, of that above and below it.
+const CELL: [f64; 2] = [58.0, 30.0];
+const LEFT: f64 = 150.0;
+const ABOVE: f64 = 34.0;
+const BELOW: f64 = 48.0;
+
+/// Pixels above all fields, for title and legend.
+const HEAD: f64 = 74.0;
+
+/// Fields in a row.
+const FIELDS: usize = 3;
+
+/// Pixels of a line of text, and of a letter of it.
+const LINE: f64 = 16.0;
+const LETTER: f64 = 6.2;
+
+/// A picture of fields that share their axes.
+pub struct Cells<'a> {
+    /// Heading.
+    pub title: String,
+    /// What each colour means.
+    pub legend: Vec<(Tone, &'static str)>,
+    /// Name of the values from left to right.
+    pub x_label: &'a str,
+    /// Values from left to right, and from bottom to top.
+    pub xs: Vec<&'a str>,
+    /// Values from bottom to top.
+    pub ys: Vec<&'a str>,
+    /// The fields, three in a row.
+    pub fields: Vec<Field<'a>>,
+    /// What stands below them.
+    pub words: &'a str,
+}
+
+/// One field.
+pub struct Field<'a> {
+    /// Its heading.
+    pub name: &'a str,
+    /// Its cells, in any order; where there is none, the field stays white.
+    pub cells: Vec<Cell>,
+}
+
+/// One cell.
+pub struct Cell {
+    /// Its column, from the left, and row, from the bottom.
+    pub place: [usize; 2],
+    /// Its colours.
+    pub tone: Tone,
+    /// What is written in it.
+    pub word: String,
+    /// What a pointer over it shows.
+    pub tooltip: String,
+}
+
+/// The picture as a whole SVG file.
+pub fn cells(picture: &Cells) -> String {
+    let field = [
+        LEFT + CELL[0] * picture.xs.len() as f64 + 20.0,
+        ABOVE + CELL[1] * picture.ys.len() as f64 + BELOW,
+    ];
+    let columns = picture.fields.len().clamp(1, FIELDS);
+    let rows = picture.fields.len().div_ceil(columns);
+    let width = (field[0] * columns as f64).max(860.0) + 20.0;
+    let words = lines(picture.words, (width / LETTER) as usize);
+    let below = HEAD + field[1] * rows as f64;
+    let height = below + LINE * words.len() as f64 + 24.0;
+    let mut svg = Svg::default();
+    let heading = style().font_size(15.0);
+    svg.text([20.0, 26.0], Anchor::Start, heading, &picture.title);
+    legend(&mut svg, &picture.legend);
+    for (index, one) in picture.fields.iter().enumerate() {
+        let corner = [
+            10.0 + field[0] * (index % columns) as f64,
+            HEAD + field[1] * (index / columns) as f64,
+        ];
+        one_field(&mut svg, corner, picture, one);
+    }
+    for (index, line) in words.iter().enumerate() {
+        let y = below + LINE * (index as f64 + 1.0);
+        svg.text([20.0, y], Anchor::Start, style().font_size(12.0), line);
+    }
+    svg.document([width, height], &picture.title)
+}
+
+fn legend(svg: &mut Svg, entries: &[(Tone, &str)]) {
+    let mut x = 20.0;
+    for (tone, words) in entries {
+        svg.rect([x, 40.0], [14.0, 14.0], style().fill(tone.fill));
+        let text = style().font_size(12.0);
+        svg.text([x + 20.0, 51.0], Anchor::Start, text, words);
+        x += 44.0 + LETTER * words.chars().count() as f64;
+    }
+}
+
+fn one_field(svg: &mut Svg, corner: Pixel, picture: &Cells, field: &Field) {
+    let [left, top] = [corner[0] + LEFT, corner[1] + ABOVE];
+    let bottom = top + CELL[1] * picture.ys.len() as f64;
+    let heading = style().font_size(13.5).bold();
+    svg.text([left, top - 10.0], Anchor::Start, heading, field.name);
+    for cell in &field.cells {
+        let [column, row] = cell.place.map(|index| index as f64);
+        let (x, y) = (left + CELL[0] * column, bottom - CELL[1] * (row + 1.0));
+        svg.open(style(), &cell.tooltip);
+        let fill = style().fill(cell.tone.fill);
+        svg.rect([x + 1.0, y + 1.0], [CELL[0] - 2.0, CELL[1] - 2.0], fill);
+        let middle = [x + CELL[0] / 2.0, y + CELL[1] / 2.0 + 4.0];
+        small(svg, middle, Anchor::Middle, cell.tone.ink, &cell.word);
+        svg.close();
+    }
+    for (index, x) in picture.xs.iter().enumerate() {
+        let middle = left + CELL[0] * (index as f64 + 0.5);
+        small(svg, [middle, bottom + 15.0], Anchor::Middle, INK, x);
+    }
+    for (index, y) in picture.ys.iter().enumerate() {
+        let middle = bottom - CELL[1] * (index as f64 + 0.5) + 4.0;
+        small(svg, [left - 6.0, middle], Anchor::End, INK, y);
+    }
+    let middle = left + CELL[0] * picture.xs.len() as f64 / 2.0;
+    let below = [middle, bottom + 31.0];
+    small(svg, below, Anchor::Middle, INK, picture.x_label);
+}
+
+fn small(svg: &mut Svg, at: Pixel, anchor: Anchor, ink: &str, words: &str) {
+    svg.text(at, anchor, style().font_size(11.0).fill(ink), words);
+}

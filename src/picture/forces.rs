@@ -1,0 +1,56 @@
+//! Contact forces over a wall.
+
+use super::frame::Frame;
+use super::palette::FORCE;
+use super::path::Path;
+use super::svg::{Svg, style};
+use super::wall::line_width;
+use crate::answer::JointForce;
+use crate::scene::{Joint, Point, Scene, Vector};
+
+/// Part of the scene's height that the line of the largest contact force is long.
+const LONGEST: f64 = 0.16;
+
+/// Resultant of a joint's force on the block that the normal points into: where it acts, and it.
+fn resultant(joint: &Joint, force: &JointForce) -> Option<(Point, Vector)> {
+    let [n1, n2] = force.normal;
+    let sum = n1 + n2;
+    if sum <= 0.0 {
+        return None;
+    }
+    let at = joint.ends[0] + (joint.ends[1] - joint.ends[0]) * (n2 / sum).clamp(0.0, 1.0);
+    Some((at, joint.normal * sum + joint.tangent() * force.shear))
+}
+
+/// Magnitude of the largest contact force; 0 without forces.
+pub fn largest(scene: &Scene, forces: Option<&[JointForce]>) -> f64 {
+    let joints = scene.joints().iter().zip(forces.unwrap_or_default());
+    let found = joints.filter_map(|(joint, force)| resultant(joint, force));
+    found.map(|(_, force)| force.norm()).fold(0.0, f64::max)
+}
+
+/// Contact forces as lines through the point of each joint where they act. Line length is
+/// proportional to force.
+pub fn forces(svg: &mut Svg, frame: &Frame, scene: &Scene, forces: &[JointForce]) {
+    let largest = largest(scene, Some(forces));
+    if largest <= 0.0 {
+        return;
+    }
+    let longest = LONGEST * scene.height();
+    let mut path = Path::default();
+    let joints = scene.joints().iter().zip(forces);
+    for (at, force) in joints.filter_map(|(joint, force)| resultant(joint, force)) {
+        let half = force * (0.5 * longest / largest);
+        if half.norm() * frame.scale > 0.15 {
+            path.add(&[frame.at(at - half), frame.at(at + half)], false);
+        }
+    }
+    let width = (1.8 * line_width(scene, frame)).clamp(0.6, 1.6);
+    let line = style().class("forces").hollow().stroke(FORCE);
+    let largest = crate::number::short(largest, 4);
+    svg.path(
+        &path,
+        line.stroke_width(width).round_ends(),
+        &format!("contact forces, the largest {largest}"),
+    );
+}
