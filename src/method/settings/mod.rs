@@ -41,10 +41,10 @@ settings! {
         /// Keep how the blocks moved in each pushover's collapse, in JSON and results.json.
         recording: bool = false, Allowed::Switch, "";
         /// Factor on the pushover's substep; above 1 its answer is an estimate.
-        substep: f64 = 1.0, Allowed::Number(1.0 / 64.0..=64.0), "of what the accuracy needs";
+        substep: f64 = 1.0, Allowed::Number(1.0 / 64.0..=64.0), "times what the accuracy needs";
         /// Factor on the pushover's contact stiffness; below 1 its answer is an estimate, above 1
         /// the substep does not resolve the contacts.
-        stiffness: f64 = 1.0, Allowed::Number(1e-6..=64.0), "of what the substep allows";
+        stiffness: f64 = 1.0, Allowed::Number(1e-6..=64.0), "times what the substep allows";
     }
 
     /// Settings of the linear programs.
@@ -60,7 +60,7 @@ settings! {
         /// α of the sequential method's first step: how contractant the substitute law is.
         alpha: f64 = 0.3, Allowed::Number(1e-4..=1.0), "of the friction coefficient";
         /// β of the sequential method: share of the new normal forces.
-        beta: f64 = 0.6, Allowed::Number(0.01..=1.0), "of 1";
+        beta: f64 = 0.6, Allowed::Number(0.01..=1.0), "";
         // 1e-5, as published, lifts λ on a wall of 48 courses 0.04 % above λ_A; the bias is in
         // proportion, and down to 1e-7 no more sub-programs become infeasible (measured).
         /// c0 of the sequential method: shear that every joint carries uncompressed.
