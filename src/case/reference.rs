@@ -28,7 +28,7 @@ pub struct Reference {
 
 /// The methods that a reference can name: all of them, in the order of tables.
 pub(super) fn known_method_names() -> impl Iterator<Item = &'static str> {
-    METHODS.into_iter().map(|method| method.name())
+    METHODS.iter().map(|method| method.name())
 }
 
 /// A number of a result.

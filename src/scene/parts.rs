@@ -28,7 +28,7 @@ pub struct SceneParts {
 }
 
 impl SceneParts {
-    /// Bodies that touch within [`TOUCHING`], pushed to the right.
+    /// Bodies that touch within 1e-6 of the smaller one's extent, pushed to the right.
     pub fn new(blocks: Vec<Block>, supports: Vec<Polygon>, friction: impl Into<Friction>) -> Self {
         Self {
             blocks,

@@ -96,17 +96,22 @@ pub(super) struct Entries {
     pub(super) values: Vec<f64>,
 }
 
-impl Default for Entries {
-    fn default() -> Self {
-        Self {
-            starts: vec![0],
-            rows: Vec::new(),
-            values: Vec::new(),
-        }
-    }
-}
+/// Entries of a joint's three columns at most: each in three rows of two blocks, and eight in the
+/// inequalities.
+const OF_A_JOINT: usize = 3 * 6 + 8;
 
 impl Entries {
+    /// No column yet, and room for those of so many joints.
+    pub(super) fn for_joints(joints: usize) -> Self {
+        let mut starts = Vec::with_capacity(3 * joints + 2);
+        starts.push(0);
+        Self {
+            starts,
+            rows: Vec::with_capacity(OF_A_JOINT * joints),
+            values: Vec::with_capacity(OF_A_JOINT * joints),
+        }
+    }
+
     /// Adds to the open column; returns the position of the value.
     fn push(&mut self, row: usize, value: f64) -> usize {
         self.rows.push(row);

@@ -113,7 +113,7 @@ impl Program {
         let inequalities = 4 * joints + usize::from(matches!(goal, Goal::Slack(_)));
         let rows = rows_of_blocks + inequalities;
         let columns = 3 * joints + usize::from(!matches!(goal, Goal::Forces(_)));
-        let mut entries = Entries::default();
+        let mut entries = Entries::for_joints(joints);
         let friction_at = joint_columns(scene, &scale, &mut entries);
         let mut right = right_side(scene, &scale, goal.fixed().unwrap_or(0.0));
         right.resize(rows, 0.0);
