@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 use trilith::case;
 use trilith::files::write_whole;
-use trilith::method::{Entry, Kind, METHODS, Method, kind, methods};
+use trilith::method::{Kind, METHODS, Method, MethodEntry, kind, methods};
 use trilith::picture::{Options, View, figure};
 use trilith::run::{CaseResult, Plan};
 use trilith::scene::HeadJoints;
@@ -99,7 +99,7 @@ fn drawn(arguments: &DrawArguments, plan: &Plan) -> Vec<String> {
     if arguments.plan.names_methods() {
         return named.collect();
     }
-    let first = |entry: &&Entry| {
+    let first = |entry: &&MethodEntry| {
         if arguments.side_by_side {
             entry.drawn_first
         } else {

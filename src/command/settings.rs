@@ -99,7 +99,7 @@ fn flag(setting: &'static Setting) -> Arg {
     let about = setting.meaning;
     let flag = Arg::new(setting.name)
         .long(setting.name)
-        .value_parser(Words(&setting.allowed))
+        .value_parser(WordsParser(&setting.allowed))
         .help_heading(HEADING);
     match &setting.allowed {
         Allowed::Switch => flag
@@ -128,9 +128,9 @@ fn flag(setting: &'static Setting) -> Arg {
 /// Shows the words of a choice in the help. It takes any text: the setting itself says what is
 /// wrong with one, in the same words for a flag and for `--set`.
 #[derive(Clone)]
-struct Words(&'static Allowed);
+struct WordsParser(&'static Allowed);
 
-impl TypedValueParser for Words {
+impl TypedValueParser for WordsParser {
     type Value = String;
 
     fn parse_ref(

@@ -28,10 +28,10 @@ impl Method for External {
     }
 }
 
-type Answered = (Result<Outcome, ProgramFailure>, Duration);
+type TimedAnswer = (Result<Outcome, ProgramFailure>, Duration);
 
 /// What the program answers, and its CPU time; an error where it did not run.
-fn ask(program: &External, scene: &Scene) -> Result<Answered, ProgramFailure> {
+fn ask(program: &External, scene: &Scene) -> Result<TimedAnswer, ProgramFailure> {
     let text = scene::export(scene).map_err(|error| ProgramFailure::NotWritten {
         error: error.to_string(),
     })?;

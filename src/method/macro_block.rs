@@ -33,13 +33,13 @@ impl Method for MacroBlock {
     }
 }
 
-fn of_scene(scene: &Scene) -> Result<Range, InapplicableForm> {
+fn of_scene(scene: &Scene) -> Result<MultiplierRange, InapplicableForm> {
     Ok(collapse_range(scene.regular()?)?)
 }
 
 /// λ_low, λ_upp and the crack slope they share.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Range {
+struct MultiplierRange {
     /// Eq. (5) without friction along the crack.
     lower: f64,
     /// Eq. (5) with all friction along the crack.
@@ -55,7 +55,7 @@ const EQUAL: f64 = 1.0 + 1e-9;
 ///
 /// # Errors
 /// [`Invalid`] names the condition α_c ≤ α_b ≤ α_p or tan β ≥ 0 that fails.
-fn collapse_range(wall: &RegularWall) -> Result<Range, Invalid> {
+fn collapse_range(wall: &RegularWall) -> Result<MultiplierRange, Invalid> {
     let stagger = wall.overlap / wall.unit_height;
     let aspect = wall.length / wall.height;
     if stagger > aspect * EQUAL {
@@ -70,7 +70,7 @@ fn collapse_range(wall: &RegularWall) -> Result<Range, Invalid> {
     if crack > stagger * EQUAL {
         return Err(Invalid::FlatCrack { crack, stagger });
     }
-    Ok(Range {
+    Ok(MultiplierRange {
         lower: multiplier(wall, tan_beta, 0.0),
         upper: multiplier(wall, tan_beta, friction),
         tan_beta,

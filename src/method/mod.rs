@@ -16,6 +16,7 @@ pub use settings::{
     SequentialSettings, Setting, SettingError, Settings,
 };
 pub use table::{
-    Changes, Cost, Entry, Kind, Look, METHODS, Mark, Rung, Scenes, defaults, entry, kind, methods,
+    Changes, Cost, Kind, Look, METHODS, Mark, MethodEntry, Rung, Scenes, defaults, entry, kind,
+    methods,
 };
 pub(crate) use table::{expected_cost, method_look};

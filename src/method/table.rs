@@ -118,7 +118,7 @@ const fn large(changes: Changes) -> Rung {
 }
 
 /// One method with everything that others need to know of it.
-pub struct Entry {
+pub struct MethodEntry {
     /// The method.
     pub method: &'static dyn Method,
     /// What it is, in one line.
@@ -137,7 +137,7 @@ pub struct Entry {
     pub ladder: &'static [Rung],
 }
 
-impl Entry {
+impl MethodEntry {
     /// The method's name.
     pub fn name(&self) -> &'static str {
         self.method.name()
@@ -156,8 +156,8 @@ const fn cost(of_33_blocks: f64, growth: f64) -> Cost {
 }
 
 /// Every method, in the order in which tables show them.
-pub static METHODS: &[Entry] = &[
-    Entry {
+pub static METHODS: &[MethodEntry] = &[
+    MethodEntry {
         method: &MacroBlock,
         summary: "closed form: one crack, two bodies; λ_low without and λ_upp with all friction \
                   along it",
@@ -168,7 +168,7 @@ pub static METHODS: &[Entry] = &[
         cost: cost(1e-5, 0.0),
         ladder: &[],
     },
-    Entry {
+    MethodEntry {
         method: &Associative,
         summary: "limit analysis with dilatant friction: an upper bound of every collapse multiplier",
         kind: Kind::AssociativeBounds,
@@ -184,7 +184,7 @@ pub static METHODS: &[Entry] = &[
             large(&[("reduction", "false")]),
         ],
     },
-    Entry {
+    MethodEntry {
         method: &Sequential,
         summary: "the published sequence of linear programs for friction without dilatancy",
         kind: Kind::CollapseState,
@@ -199,7 +199,7 @@ pub static METHODS: &[Entry] = &[
             all(&[("lp-tolerance", "1e-6")]),
         ],
     },
-    Entry {
+    MethodEntry {
         method: &Interval,
         summary: "lowest and highest collapse state found that satisfies every condition; not \
                   bounds",
@@ -216,7 +216,7 @@ pub static METHODS: &[Entry] = &[
             large(&[("reduction", "false")]),
         ],
     },
-    Entry {
+    MethodEntry {
         method: &Pushover,
         summary: "rigid bodies in contact, pushed harder until they collapse: last rest and first \
                   collapse",
@@ -233,7 +233,7 @@ pub static METHODS: &[Entry] = &[
             all(&[("stiffness", "0.25")]),
         ],
     },
-    Entry {
+    MethodEntry {
         method: &Auto,
         summary: "no more model than the scene needs: λ_A and the lowest state found, from cheap \
                   to dear",
@@ -257,7 +257,7 @@ const OUTSIDE: [Look; 2] = [look("#000000", Mark::Plus), look("#56B4E9", Mark::C
 const OUTSIDE_COST: Cost = cost(0.5, 1.4);
 
 /// The entry of this name; `None` for an outside program.
-pub fn entry(name: &str) -> Option<&'static Entry> {
+pub fn entry(name: &str) -> Option<&'static MethodEntry> {
     METHODS.iter().find(|entry| entry.name() == name)
 }
 

@@ -44,11 +44,11 @@ pub struct Field<'a> {
     /// Its heading.
     pub name: &'a str,
     /// Its cells, in any order; where there is none, the field stays white.
-    pub cells: Vec<Cell>,
+    pub cells: Vec<PictureCell>,
 }
 
 /// One cell.
-pub struct Cell {
+pub struct PictureCell {
     /// Its column, from the left, and row, from the bottom.
     pub place: [usize; 2],
     /// Its colours.

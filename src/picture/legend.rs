@@ -24,7 +24,7 @@ enum Sample {
 }
 
 /// One entry: what is seen and what it means.
-pub struct Entry {
+pub struct LegendEntry {
     sample: Sample,
     words: String,
 }
@@ -43,13 +43,13 @@ pub struct Holds {
 }
 
 /// The entries that explain what is there.
-pub fn entries(holds: Holds) -> Vec<Entry> {
+pub fn entries(holds: Holds) -> Vec<LegendEntry> {
     let line = |colour: &str, width: f64| style().hollow().stroke(colour).stroke_width(width);
     let mut entries = Vec::new();
     let mut add = |there: bool, sample: Sample, words: &str| {
         if there {
             let words = words.to_owned();
-            entries.push(Entry { sample, words });
+            entries.push(LegendEntry { sample, words });
         }
     };
     let moving: &[&str] = &[LARGEST, PARTS[0], PARTS[1], PARTS[2]];
@@ -84,7 +84,7 @@ pub fn entries(holds: Holds) -> Vec<Entry> {
     entries
 }
 
-impl Entry {
+impl LegendEntry {
     /// A line in a style.
     pub fn line(style: Style, words: String) -> Self {
         let sample = Sample::Line(style);
@@ -139,7 +139,7 @@ impl Entry {
 }
 
 /// Draws the entries from left to right, in as many lines as `width` asks for; the pixels used.
-pub fn draw(svg: &mut Svg, entries: &[Entry], corner: Pixel, width: f64) -> f64 {
+pub fn draw(svg: &mut Svg, entries: &[LegendEntry], corner: Pixel, width: f64) -> f64 {
     let [left, top] = corner;
     let (mut x, mut y) = (left, top + LINE - 5.0);
     for entry in entries {

@@ -2,7 +2,7 @@
 
 use super::frame::{Displacement, Frame};
 use super::palette::{BLOCK_LINE, LARGEST, OPENING, PARTS, SLIDING, STILL};
-use super::parts::{Part, in_words, parts, threshold, tints};
+use super::parts::{RigidPart, in_words, parts, threshold, tints};
 use super::path::{Path, Pixel};
 use super::svg::{Svg, style};
 use super::wall::line_width;
@@ -16,7 +16,7 @@ pub struct DrawnMechanism<'a> {
     /// Where it takes every point.
     pub displacement: Displacement<'a>,
     /// Its rigid parts, as from [`parts`].
-    parts: Vec<Part>,
+    parts: Vec<RigidPart>,
     /// A tint for each part; `None` for what stands still.
     tints: Vec<Option<usize>>,
     /// Rate below which a joint is at rest.
@@ -63,7 +63,7 @@ fn fill(tint: Option<usize>) -> &'static str {
 
 /// Blocks where the mechanism takes them, each rigid part in one tint.
 pub fn blocks(svg: &mut Svg, frame: &Frame, scene: &Scene, drawn: &DrawnMechanism) {
-    let outline = |part: &Part| {
+    let outline = |part: &RigidPart| {
         let mut path = Path::default();
         for &block in &part.blocks {
             let corners = drawn.displacement.corners(block);

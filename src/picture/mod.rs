@@ -33,14 +33,14 @@ mod view;
 mod wall;
 mod words;
 
-pub(crate) use cells::{Cell, Cells, Field, cells};
+pub(crate) use cells::{Cells, Field, PictureCell, cells};
 pub(crate) use figure::{common_scale, legend};
-pub(crate) use plot::{Axis, Band, Line, Marks, Note, Plot, PlotPoint, Ticks};
+pub(crate) use plot::{Band, Line, Marks, Note, Plot, PlotAxis, PlotPoint, Ticks};
 pub(crate) use plotted::{panels, plot};
-pub(crate) use ranges::{Range, Ranges, ranges};
+pub(crate) use ranges::{RangeMark, Ranges, ranges};
 pub(crate) use replay::{Replay, replay};
 pub(crate) use words::lines;
 
 pub use figure::figure;
-pub use parts::{Part, parts, threshold};
+pub use parts::{RigidPart, parts, threshold};
 pub use view::{Options, View};

@@ -16,7 +16,7 @@ pub fn threshold(method: &str) -> f64 {
 
 /// Blocks of one rigid motion.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Part {
+pub struct RigidPart {
     /// The blocks, in the scene's order.
     pub blocks: Vec<usize>,
     /// Whether the part moves at all.
@@ -27,13 +27,13 @@ pub struct Part {
 
 /// Every block in exactly one part, largest area first. Blocks belong together where each moves
 /// like the first of them, touching or not.
-pub fn parts(scene: &Scene, mechanism: &Mechanism, threshold: f64) -> Vec<Part> {
+pub fn parts(scene: &Scene, mechanism: &Mechanism, threshold: f64) -> Vec<RigidPart> {
     let limit = threshold * mechanism.fastest(scene);
-    let mut parts: Vec<Part> = Vec::new();
+    let mut parts: Vec<RigidPart> = Vec::new();
     for (index, block) in scene.blocks().iter().enumerate() {
         let moves = mechanism.speed(scene, index, None) > limit;
         let area = block.shape.area();
-        let alike = |part: &&mut Part| {
+        let alike = |part: &&mut RigidPart| {
             if part.moves {
                 moves && mechanism.speed(scene, index, Some(part.blocks[0])) <= limit
             } else {
@@ -45,7 +45,7 @@ pub fn parts(scene: &Scene, mechanism: &Mechanism, threshold: f64) -> Vec<Part> 
                 part.blocks.push(index);
                 part.area += area;
             }
-            None => parts.push(Part {
+            None => parts.push(RigidPart {
                 blocks: vec![index],
                 moves,
                 area,
@@ -60,7 +60,7 @@ pub fn parts(scene: &Scene, mechanism: &Mechanism, threshold: f64) -> Vec<Part> 
 /// A tint for each part, one of so many `tints`: parts with a joint between them get
 /// different ones as long as there are enough. `None` for what stands still and `Some(0)` for the
 /// largest part that moves, which no other part shares.
-pub fn tints(scene: &Scene, parts: &[Part], tints: usize) -> Vec<Option<usize>> {
+pub fn tints(scene: &Scene, parts: &[RigidPart], tints: usize) -> Vec<Option<usize>> {
     let mut part_of = vec![0; scene.blocks().len()];
     for (index, part) in parts.iter().enumerate() {
         for &block in &part.blocks {
@@ -101,7 +101,7 @@ pub fn tints(scene: &Scene, parts: &[Part], tints: usize) -> Vec<Option<usize>> 
 }
 
 /// How a part moves, in words: what turns, turns about a point.
-pub fn in_words(scene: &Scene, mechanism: &Mechanism, part: &Part) -> String {
+pub fn in_words(scene: &Scene, mechanism: &Mechanism, part: &RigidPart) -> String {
     let count = match part.blocks.len() {
         1 => "1 block".to_owned(),
         count => format!("{count} blocks as one body"),

@@ -7,9 +7,9 @@ pub struct Plot {
     /// Heading; may be empty.
     pub title: String,
     /// From left to right.
-    pub x: Axis,
+    pub x: PlotAxis,
     /// From bottom to top.
-    pub y: Axis,
+    pub y: PlotAxis,
     /// Shaded from one height to another over the whole width, behind everything.
     pub bands: Vec<Band>,
     /// Lines, under the points.
@@ -21,7 +21,7 @@ pub struct Plot {
 }
 
 /// An axis.
-pub struct Axis {
+pub struct PlotAxis {
     /// What it shows, with its unit.
     pub label: String,
     /// What part of it is shown and how it is labelled.

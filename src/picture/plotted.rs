@@ -3,7 +3,7 @@
 use indexmap::IndexMap;
 
 use super::axes::{Area, scale};
-use super::legend::{self, Entry};
+use super::legend::{self, LegendEntry};
 use super::marks::mark;
 use super::names;
 use super::palette::LEADER;
@@ -35,9 +35,9 @@ pub fn plot(plot: &Plot, title: &str) -> String {
     panel(&mut svg, plot, [0.0, 0.0], ALONE);
     let entries = plot.lines.iter().filter_map(|line| {
         let name = line.name.clone()?;
-        Some(Entry::line(stroke(line), name))
+        Some(LegendEntry::line(stroke(line), name))
     });
-    let entries: Vec<Entry> = entries.collect();
+    let entries: Vec<LegendEntry> = entries.collect();
     let width = ALONE[0] - MARGINS[0] - MARGINS[2];
     let height = legend::draw(&mut svg, &entries, [MARGINS[0], ALONE[1]], width);
     svg.document([ALONE[0], ALONE[1] + height], title)
@@ -52,8 +52,8 @@ pub fn panels(title: &str, panels: &[Plot], looks: &IndexMap<&str, Look>) -> Str
     let heading = style().font_size(16.0).bold();
     svg.text([BORDER, BORDER + 14.0], Anchor::Start, heading, title);
     let entries = looks.iter();
-    let entries: Vec<Entry> = entries
-        .map(|(name, look)| Entry::point(*look, (*name).to_owned()))
+    let entries: Vec<LegendEntry> = entries
+        .map(|(name, look)| LegendEntry::point(*look, (*name).to_owned()))
         .collect();
     let top = BORDER + 28.0;
     let top = top + legend::draw(&mut svg, &entries, [BORDER, top], width - 2.0 * BORDER) + BORDER;
@@ -174,12 +174,12 @@ fn covered(point: &PlotPoint, area: &Area) -> Vec<Pixel> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::plot::{Axis, Ticks};
+    use super::super::plot::{PlotAxis, Ticks};
     use super::*;
 
     #[test]
     fn a_plot_holds_its_lines_and_ticks_and_escapes_words() {
-        let axis = |label: &str, ticks| Axis {
+        let axis = |label: &str, ticks| PlotAxis {
             label: label.to_owned(),
             ticks,
         };

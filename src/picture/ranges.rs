@@ -12,7 +12,7 @@ const WIDTH: f64 = 560.0;
 /// Ranges below one another over one axis that begins at 0.
 pub struct Ranges {
     /// The ranges, from top to bottom.
-    pub ranges: Vec<Range>,
+    pub ranges: Vec<RangeMark>,
     /// Ends of the shaded range behind them.
     pub shaded: [f64; 2],
     /// Its colour, which is thinned.
@@ -24,7 +24,7 @@ pub struct Ranges {
 }
 
 /// One range.
-pub struct Range {
+pub struct RangeMark {
     /// Its name.
     pub name: String,
     /// Its ends.

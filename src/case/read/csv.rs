@@ -15,7 +15,7 @@ const HEADER: [&str; 3] = ["block", "x", "y"];
 const ROWS: &str = "write a header `block,x,y`, then one corner a row, such as `A,0,1.75`";
 
 /// A cell's text and its place.
-type Cell<'a> = (&'a str, Range<usize>);
+type CsvCell<'a> = (&'a str, Range<usize>);
 
 /// The outlines of a CSV, in the order of their first rows. Rows of a block stand together; blank
 /// lines and lines that begin with `#` are left out.
@@ -72,7 +72,7 @@ pub(super) fn outlines(document: &Document) -> Result<Vec<Outline>, Complaint> {
 fn corner<'a>(
     document: &Document,
     line: Range<usize>,
-    cells: &[Cell<'a>],
+    cells: &[CsvCell<'a>],
 ) -> Result<(&'a str, Point), Complaint> {
     let [(name, _), x, y] = cells else {
         let title = format!("a row of {} columns", cells.len());
@@ -95,7 +95,7 @@ fn corner<'a>(
     ))
 }
 
-fn coordinate(document: &Document, (text, place): &Cell) -> Result<f64, Complaint> {
+fn coordinate(document: &Document, (text, place): &CsvCell) -> Result<f64, Complaint> {
     let complain = |title: String, help: String| {
         let complaint = document.complain(place.clone(), title, "here");
         Err(complaint.help(help))
@@ -114,7 +114,7 @@ fn coordinate(document: &Document, (text, place): &Cell) -> Result<f64, Complain
 }
 
 /// Rows with their places and cells, from the header on.
-fn rows(document: &Document) -> impl Iterator<Item = (Range<usize>, Vec<Cell<'_>>)> {
+fn rows(document: &Document) -> impl Iterator<Item = (Range<usize>, Vec<CsvCell<'_>>)> {
     let mut start = 0;
     let lines = document.text.split('\n').map(move |line| {
         let at = start;

@@ -12,7 +12,7 @@ use crate::answer::{JointForce, Mechanism, Motion, Work};
 use crate::scene::{Joint, Load, Push, Scene, Side};
 
 /// A part of a scene; all other blocks are supports in it.
-pub(super) struct Part {
+pub(super) struct ScenePart {
     /// The part as a scene of its own.
     pub(super) scene: Scene,
     /// Block of the whole scene by block of the part.
@@ -31,7 +31,7 @@ const REACHES: [f64; 2] = [1.0, 4.0];
 ///
 /// A crack that starts at the toe is not flatter than the stagger (paper, section 2.1.1), so the
 /// parts follow the stagger line from the toe upwards.
-pub(super) fn parts(scene: &Scene) -> Vec<Part> {
+pub(super) fn parts(scene: &Scene) -> Vec<ScenePart> {
     let Some(coursing) = scene
         .coursing()
         .filter(|_| scene.blocks().len() >= LEAST_BLOCKS)
@@ -40,7 +40,7 @@ pub(super) fn parts(scene: &Scene) -> Vec<Part> {
     };
     let (low, high) = scene.bounds();
     let course_height = coursing.height / coursing.courses as f64;
-    let mut parts: Vec<Part> = Vec::new();
+    let mut parts: Vec<ScenePart> = Vec::new();
     for reach in REACHES {
         let kept: Vec<bool> = scene
             .blocks()
@@ -57,13 +57,13 @@ pub(super) fn parts(scene: &Scene) -> Vec<Part> {
             .collect();
         let count = kept.iter().filter(|&&kept| kept).count();
         if count * 5 < scene.blocks().len() * 4 {
-            parts.push(Part::new(scene, &kept));
+            parts.push(ScenePart::new(scene, &kept));
         }
     }
     parts
 }
 
-impl Part {
+impl ScenePart {
     fn new(scene: &Scene, kept: &[bool]) -> Self {
         let mut place = vec![Side::Block(0); scene.blocks().len()];
         let mut supports = scene.supports().to_vec();
@@ -116,7 +116,7 @@ impl Part {
             kept[i] = true;
         }
         let others: Vec<bool> = kept.iter().map(|kept| !kept).collect();
-        let mut rest = Part::new(whole, &others);
+        let mut rest = ScenePart::new(whole, &others);
         let mut all = vec![JointForce::default(); whole.joints().len()];
         for (&j, force) in self.joints.iter().zip(forces) {
             all[j] = *force;

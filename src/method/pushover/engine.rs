@@ -14,13 +14,13 @@ use rapier2d::prelude::{
 };
 
 use super::groups::{Groups, Surface};
-use super::model::{Body, Model};
+use super::model::{EngineBody, Model};
 use super::parameters::Parameters;
 use crate::scene::Side;
 
 /// Where a block is and how fast it moves, in course heights and g = 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct State {
+pub struct BodyState {
     /// Centroid.
     pub position: [f64; 2],
     /// Rotation since the start, counter-clockwise.
@@ -169,12 +169,12 @@ impl<'a> Engine<'a> {
     }
 
     /// All blocks, in the model's order.
-    pub fn states(&self) -> Vec<State> {
+    pub fn states(&self) -> Vec<BodyState> {
         let bodies = self.blocks.iter().map(|&handle| {
             let Some(body) = self.world.bodies.get(handle) else {
-                return State::default();
+                return BodyState::default();
             };
-            State {
+            BodyState {
                 position: body.translation().into(),
                 rotation: body.rotation().angle(),
                 velocity: body.linvel().into(),
@@ -289,7 +289,7 @@ fn integration(parameters: &Parameters) -> IntegrationParameters {
 }
 
 /// A block's body. Gravity is off: weights are forces like all others.
-fn body(block: &Body) -> RigidBodyBuilder {
+fn body(block: &EngineBody) -> RigidBodyBuilder {
     let properties = MassProperties::new(Vec2::ZERO, block.mass, block.inertia);
     RigidBodyBuilder::dynamic()
         .translation(vec2(block.centre))

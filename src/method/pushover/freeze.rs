@@ -1,7 +1,7 @@
 //! Tall walls: the part beyond the stagger line is held fixed, which halves the work, and must be
 //! shown afterwards to have had no reason to move.
 
-use super::engine::State;
+use super::engine::BodyState;
 use super::measure::{displacement, farthest};
 use super::model::Model;
 use super::parameters::SWAYING;
@@ -32,7 +32,7 @@ impl Freeze {
     }
 
     /// Whether any block of the strip moved between two states.
-    pub fn moved(&self, model: &Model, from: &[State], to: &[State]) -> bool {
+    pub fn moved(&self, model: &Model, from: &[BodyState], to: &[BodyState]) -> bool {
         let limit = STILL * displacement(model, from, to);
         (0..model.blocks.len()).any(|i| {
             let block = std::slice::from_ref(&model.blocks[i]);

@@ -1,6 +1,6 @@
 //! Holding a load until the blocks rest or run away.
 
-use super::engine::{Engine, State};
+use super::engine::{BodyState, Engine};
 use super::measure::{displacement, speed, twice_kinetic_energy};
 use super::model::Model;
 use super::parameters::{GRID, Parameters};
@@ -24,7 +24,7 @@ pub struct Hold<'a> {
     model: &'a Model,
     parameters: &'a Parameters,
     /// The last hold, thinned to fewer than twice the frames asked for.
-    pub frames: Vec<Vec<State>>,
+    pub frames: Vec<Vec<BodyState>>,
     /// Time steps between two frames.
     stride: usize,
 }
@@ -72,7 +72,7 @@ impl<'a> Hold<'a> {
         limit: f64,
     ) -> Held {
         let parameters = self.parameters;
-        let from: Vec<State> = engine.states();
+        let from: Vec<BodyState> = engine.states();
         let steps = (parameters.window / engine.dt()).ceil() as usize;
         let windows = (parameters.patience / parameters.window).ceil() as usize;
         let ramp = (parameters.ramp / engine.dt()).ceil().max(1.0);
@@ -127,7 +127,7 @@ impl<'a> Hold<'a> {
     }
 
     /// How fast all blocks are together: the root of twice their kinetic energy.
-    fn pace(&self, states: &[State]) -> f64 {
+    fn pace(&self, states: &[BodyState]) -> f64 {
         twice_kinetic_energy(self.model, states).sqrt()
     }
 
@@ -135,7 +135,12 @@ impl<'a> Hold<'a> {
     /// the [pace](Self::pace) at the end of the window before. Near the limit the blocks drift by
     /// many elastic deflections before they rest or run away, and inertia alone sets how long that
     /// takes; it has no part in where they stop. Returns the scale of the velocities.
-    fn extrapolate_drift(&self, engine: &mut Engine, from: &[State], before: Option<f64>) -> f64 {
+    fn extrapolate_drift(
+        &self,
+        engine: &mut Engine,
+        from: &[BodyState],
+        before: Option<f64>,
+    ) -> f64 {
         let Parameters {
             extrapolation,
             slow_motion,
@@ -156,7 +161,7 @@ impl<'a> Hold<'a> {
     }
 
     /// Keeps every frame at first, and fewer as the hold grows longer.
-    fn keep(&mut self, states: &[State], step: usize) {
+    fn keep(&mut self, states: &[BodyState], step: usize) {
         if self.parameters.frames == 0 || !step.is_multiple_of(self.stride) {
             return;
         }

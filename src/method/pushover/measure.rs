@@ -1,11 +1,11 @@
 //! How far and how fast: pure functions of states.
 
-use super::engine::State;
-use super::model::{Body, Model};
+use super::engine::BodyState;
+use super::model::{EngineBody, Model};
 
 /// Largest speed of any point of any block.
-pub fn speed(model: &Model, states: &[State]) -> f64 {
-    let of = |(state, block): (&State, &Body)| {
+pub fn speed(model: &Model, states: &[BodyState]) -> f64 {
+    let of = |(state, block): (&BodyState, &EngineBody)| {
         let [x, y] = state.velocity;
         (x * x + y * y).sqrt() + state.spin.abs() * block.reach
     };
@@ -13,13 +13,13 @@ pub fn speed(model: &Model, states: &[State]) -> f64 {
 }
 
 /// Largest displacement of any point of any block.
-pub fn displacement(model: &Model, from: &[State], to: &[State]) -> f64 {
+pub fn displacement(model: &Model, from: &[BodyState], to: &[BodyState]) -> f64 {
     farthest(&model.blocks, from, to)
 }
 
 /// Largest displacement of any point of these blocks.
-pub fn farthest(blocks: &[Body], from: &[State], to: &[State]) -> f64 {
-    let of = |((a, b), block): ((&State, &State), &Body)| {
+pub fn farthest(blocks: &[EngineBody], from: &[BodyState], to: &[BodyState]) -> f64 {
+    let of = |((a, b), block): ((&BodyState, &BodyState), &EngineBody)| {
         let (x, y) = (b.position[0] - a.position[0], b.position[1] - a.position[1]);
         (x * x + y * y).sqrt() + (b.rotation - a.rotation).abs() * block.reach
     };
@@ -27,8 +27,8 @@ pub fn farthest(blocks: &[Body], from: &[State], to: &[State]) -> f64 {
 }
 
 /// Twice the kinetic energy.
-pub fn twice_kinetic_energy(model: &Model, states: &[State]) -> f64 {
-    let of = |(state, block): (&State, &Body)| {
+pub fn twice_kinetic_energy(model: &Model, states: &[BodyState]) -> f64 {
+    let of = |(state, block): (&BodyState, &EngineBody)| {
         let [x, y] = state.velocity;
         block.mass * (x * x + y * y) + block.inertia * state.spin * state.spin
     };

@@ -8,7 +8,7 @@ use crate::answer::PushoverFact;
 use crate::scene::{Block, Point, Polygon, Scene, Side, Vector};
 
 /// A force at a point that turns with its block.
-pub struct Force {
+pub struct BodyForce {
     /// From the centroid to the point.
     pub arm: [f64; 2],
     /// Constant part.
@@ -18,7 +18,7 @@ pub struct Force {
 }
 
 /// A block as the engine sees it.
-pub struct Body {
+pub struct EngineBody {
     /// Its place in the scene.
     pub index: usize,
     /// Centroid.
@@ -35,11 +35,11 @@ pub struct Body {
     /// What it collides with, and how rough it is.
     pub surfaces: Vec<Surface>,
     /// Forces.
-    pub loads: Vec<Force>,
+    pub loads: Vec<BodyForce>,
 }
 
 /// A support as the engine sees it.
-pub struct Support {
+pub struct FixedBody {
     /// What it is in the scene: a support, or a block that is held fixed.
     pub side: Side,
     /// Centroid.
@@ -53,9 +53,9 @@ pub struct Support {
 /// The dimensionless scene.
 pub struct Model {
     /// Blocks that may move, in the scene's order.
-    pub blocks: Vec<Body>,
+    pub blocks: Vec<EngineBody>,
     /// Supports in the scene's order, then blocks held fixed.
-    pub supports: Vec<Support>,
+    pub supports: Vec<FixedBody>,
     /// Course height: the median block height, in the scene's length unit.
     pub length: f64,
     /// Number of courses that fit into the height.
@@ -85,7 +85,7 @@ impl Model {
         let units = Units::of(scene)?;
         let surfaces = surfaces(scene, NEAR * units.length)?;
         let supports = scene.supports().iter().zip(surfaces.supports).enumerate();
-        let mut supports: Vec<Support> = supports
+        let mut supports: Vec<FixedBody> = supports
             .map(|(index, (shape, surfaces))| units.support(Side::Support(index), shape, surfaces))
             .collect();
         let mut blocks = Vec::with_capacity(scene.blocks().len());
@@ -146,8 +146,8 @@ impl Units {
         (force / self.force).into()
     }
 
-    fn support(&self, side: Side, shape: &Polygon, surfaces: Vec<Surface>) -> Support {
-        Support {
+    fn support(&self, side: Side, shape: &Polygon, surfaces: Vec<Surface>) -> FixedBody {
+        FixedBody {
             side,
             centre: self.point(shape.centroid()),
             outline: outline(shape, self.length),
@@ -155,18 +155,18 @@ impl Units {
         }
     }
 
-    fn body(&self, index: usize, block: &Block, surfaces: Vec<Surface>) -> Body {
+    fn body(&self, index: usize, block: &Block, surfaces: Vec<Surface>) -> EngineBody {
         let shape = &block.shape;
         let centroid = shape.centroid();
         let mass = (shape.area() / self.area).clamp(MASS_RANGE[0], MASS_RANGE[1]);
-        let loads = block.loads.iter().map(|load| Force {
+        let loads = block.loads.iter().map(|load| BodyForce {
             arm: ((load.point - centroid) / self.length).into(),
             dead: self.vector(load.dead),
             live: self.vector(load.live),
         });
         let corners = shape.corners().iter();
         let reach = corners.map(|c| (c - centroid).norm()).fold(0.0, f64::max);
-        Body {
+        EngineBody {
             index,
             centre: self.point(centroid),
             outline: outline(shape, self.length),
@@ -180,7 +180,7 @@ impl Units {
 }
 
 /// Sum of a part of all forces.
-fn total(blocks: &[Body], part: fn(&Force) -> [f64; 2]) -> [f64; 2] {
+fn total(blocks: &[EngineBody], part: fn(&BodyForce) -> [f64; 2]) -> [f64; 2] {
     let loads = blocks.iter().flat_map(|block| &block.loads);
     let add = |[x, y]: [f64; 2], force: [f64; 2]| [x + force[0], y + force[1]];
     loads.map(part).fold([0.0; 2], add)

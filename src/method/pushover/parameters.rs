@@ -150,7 +150,7 @@ parameters! { of:
     damp_below: f64 = if of.sways { 0.5 } else { 1.0 }, "kinetic damping below", "of its peak";
     /// Factor of the extrapolation of slow drift: what speeds gain or lose over a window, they gain
     /// or lose this many times more. None where it is 0.
-    extrapolation: f64 = 16.0, "hurry", "";
+    extrapolation: f64 = 16.0, "drift extrapolation", "";
     /// Acceleration, in g, below which a motion is slow.
     slow_motion: f64 = if of.sways { 0.02 } else { 0.01 }, "slow motion", "g";
     /// Speed below which the settled scene is at rest under its own weight.

@@ -1,7 +1,7 @@
 //! One pushover of one scene: search, self-checks, outcome.
 
 use super::checks::{self, AtRest};
-use super::engine::{Engine, State};
+use super::engine::{BodyState, Engine};
 use super::freeze::{Freeze, beyond_stagger};
 use super::measure;
 use super::model::Model;
@@ -62,7 +62,7 @@ fn run(
     if !sees.passed() {
         return (undecided(PushoverFact::Checked(sees)), false);
     }
-    let slip = |from: &[State], to: &[State]| {
+    let slip = |from: &[BodyState], to: &[BodyState]| {
         let rates = mechanism(scene, &model, from, to).joint_rates(scene);
         let slips = rates.iter().map(|rate| rate.slip.abs() / model.length);
         slips.fold(0.0, f64::max)
@@ -105,7 +105,7 @@ fn judged(
             ..Outcome::without_number(Status::Undecided, fact)
         };
     }
-    let moved = |frame: &Vec<State>| mechanism(scene, model, &seen.settled.states, frame);
+    let moved = |frame: &Vec<BodyState>| mechanism(scene, model, &seen.settled.states, frame);
     let mechanism = mechanism(scene, model, &seen.rest.states, &seen.collapsed);
     Outcome {
         bracket: Some(Bracket {
@@ -147,7 +147,7 @@ fn self_checks(
 }
 
 /// Displacements from one state to another, in the scene's length unit.
-fn mechanism(scene: &Scene, model: &Model, from: &[State], to: &[State]) -> Mechanism {
+fn mechanism(scene: &Scene, model: &Model, from: &[BodyState], to: &[BodyState]) -> Mechanism {
     let mut motions = vec![Motion::default(); scene.blocks().len()];
     for ((a, b), block) in from.iter().zip(to).zip(&model.blocks) {
         let moved = Vector::new(b.position[0] - a.position[0], b.position[1] - a.position[1]);

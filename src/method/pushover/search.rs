@@ -1,6 +1,6 @@
 //! The whole search: settle, then raise λ from rest to rest until the smallest step collapses.
 
-use super::engine::{Contact, Engine, State};
+use super::engine::{BodyState, Contact, Engine};
 use super::hint::{Hint, finest_increment};
 use super::hold::{Held, Hold};
 use super::model::Model;
@@ -18,15 +18,15 @@ pub struct Observation {
     /// Blocks at rest at `lower`.
     pub rest: RestState,
     /// Blocks when the collapse at `upper` was called.
-    pub collapsed: Vec<State>,
+    pub collapsed: Vec<BodyState>,
     /// The collapse, where frames are asked for.
-    pub frames: Vec<Vec<State>>,
+    pub frames: Vec<Vec<BodyState>>,
 }
 
 /// Blocks and contacts at rest.
 pub struct RestState {
     /// Blocks.
-    pub states: Vec<State>,
+    pub states: Vec<BodyState>,
     /// Contacts.
     pub contacts: Vec<Contact>,
 }
@@ -61,7 +61,7 @@ pub fn search(
     engine: &mut Engine,
     model: &Model,
     parameters: &Parameters,
-    slip: impl Fn(&[State], &[State]) -> f64,
+    slip: impl Fn(&[BodyState], &[BodyState]) -> f64,
 ) -> SearchEnd {
     let mut hold = Hold::new(model, parameters);
     match hold.settle(engine) {

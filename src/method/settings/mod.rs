@@ -15,7 +15,7 @@ use std::sync::LazyLock;
 pub use choice::{Accuracy, Collapse};
 pub use error::SettingError;
 pub use value::Allowed;
-use value::Value;
+use value::SettingValue;
 
 /// Relative tolerance of all linear programs, unless a user asks for another. 1e-8 leaves 9e-8 of λ
 /// on a wall of 915 blocks, 1e-10 less than 1e-9, for a fifth more iterations.

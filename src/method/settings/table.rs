@@ -46,7 +46,7 @@ macro_rules! settings {
                 allowed: $allowed,
                 written: |settings| settings.$group.$field.written(),
                 read: |settings, text| {
-                    Value::read(text).map(|value| settings.$group.$field = value)
+                    SettingValue::read(text).map(|value| settings.$group.$field = value)
                 },
             },
         )+)+]);

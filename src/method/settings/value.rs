@@ -65,7 +65,7 @@ impl fmt::Display for Allowed {
 }
 
 /// The type of a setting.
-pub(super) trait Value: Sized {
+pub(super) trait SettingValue: Sized {
     /// The value that a text stands for, as far as the type alone tells.
     fn read(text: &str) -> Option<Self>;
 
@@ -73,7 +73,7 @@ pub(super) trait Value: Sized {
     fn written(&self) -> String;
 }
 
-impl Value for usize {
+impl SettingValue for usize {
     fn read(text: &str) -> Option<Self> {
         text.parse().ok()
     }
@@ -83,7 +83,7 @@ impl Value for usize {
     }
 }
 
-impl Value for f64 {
+impl SettingValue for f64 {
     fn read(text: &str) -> Option<Self> {
         text.parse().ok()
     }
@@ -93,7 +93,7 @@ impl Value for f64 {
     }
 }
 
-impl Value for bool {
+impl SettingValue for bool {
     fn read(text: &str) -> Option<Self> {
         text.parse().ok()
     }
@@ -106,7 +106,7 @@ impl Value for bool {
 /// The words of a type are its variants, with hyphens.
 macro_rules! words {
     ($($Type:ty),+) => {$(
-        impl Value for $Type {
+        impl SettingValue for $Type {
             fn read(text: &str) -> Option<Self> {
                 Self::from_str(text, false).ok()
             }

@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use super::table::{Cell, sortable};
+use super::table::{TableCell, sortable};
 use crate::answer::{
     Claim, CollapseResidual, JointForce, Mechanism, Outcome, StaticResidual, VERIFIED_RESIDUAL,
     associative_violation, kinematic_multiplier,
@@ -11,11 +11,11 @@ use crate::number::number;
 use crate::run::{CaseResult, Row};
 use crate::scene::Scene;
 
-/// Residuals of one thing that was put forward: name and value, scaled to total weight, height and
+/// NamedResiduals of one thing that was put forward: name and value, scaled to total weight, height and
 /// live power 1.
-type Residuals = Vec<(&'static str, f64)>;
+type NamedResiduals = Vec<(&'static str, f64)>;
 
-fn of_forces(scene: &Scene, forces: &[JointForce], lambda: f64) -> Residuals {
+fn of_forces(scene: &Scene, forces: &[JointForce], lambda: f64) -> NamedResiduals {
     let StaticResidual {
         equilibrium,
         tension,
@@ -28,7 +28,7 @@ fn of_forces(scene: &Scene, forces: &[JointForce], lambda: f64) -> Residuals {
     ]
 }
 
-fn of_state(scene: &Scene, forces: &[JointForce], mechanism: &Mechanism) -> Residuals {
+fn of_state(scene: &Scene, forces: &[JointForce], mechanism: &Mechanism) -> NamedResiduals {
     let CollapseResidual {
         penetration,
         open_contact,
@@ -44,7 +44,7 @@ fn of_state(scene: &Scene, forces: &[JointForce], mechanism: &Mechanism) -> Resi
 }
 
 /// Everything that an answer puts forward, as (what, λ, residuals).
-fn put_forward(scene: &Scene, outcome: &Outcome) -> Vec<(String, f64, Residuals)> {
+fn put_forward(scene: &Scene, outcome: &Outcome) -> Vec<(String, f64, NamedResiduals)> {
     let mut found = Vec::new();
     if !outcome.states.is_empty() {
         for (index, state) in outcome.states.iter().enumerate() {
@@ -99,13 +99,13 @@ pub fn certificates(result: &CaseResult) -> Option<Markup> {
             for (name, value) in residuals {
                 let holds = value <= VERIFIED_RESIDUAL;
                 lines.push(vec![
-                    Cell::text(&row.method),
-                    Cell::text(row.head_joints.name()),
-                    Cell::text(&what),
-                    Cell::number(number(lambda, 6)),
-                    Cell::text(name),
-                    Cell::number(format!("{value:.1e}")),
-                    Cell::word(if holds { "holds" } else { "above 1e-8" }),
+                    TableCell::text(&row.method),
+                    TableCell::text(row.head_joints.name()),
+                    TableCell::text(&what),
+                    TableCell::number(number(lambda, 6)),
+                    TableCell::text(name),
+                    TableCell::number(format!("{value:.1e}")),
+                    TableCell::word(if holds { "holds" } else { "above 1e-8" }),
                 ]);
             }
         }

@@ -4,7 +4,7 @@ use maud::{Markup, PreEscaped, html};
 
 use crate::answer::Bracket;
 use crate::method::{Kind, method_look};
-use crate::picture::{Range, Ranges, ranges as drawn};
+use crate::picture::{RangeMark, Ranges, ranges as drawn};
 use crate::run::{CaseResult, Row};
 
 /// A plot a case that the closed form covers; `None` where it covers none.
@@ -48,7 +48,7 @@ fn one(result: &CaseResult, closed: &Row, largest: f64) -> String {
         if is_closed_form && row.head_joints != closed.head_joints {
             continue;
         }
-        ranges.push(Range {
+        ranges.push(RangeMark {
             name: if is_closed_form {
                 row.method.clone()
             } else {

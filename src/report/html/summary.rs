@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use super::table::{Cell, sortable};
+use super::table::{TableCell, sortable};
 use crate::answer::Status;
 use crate::judge::Verdict;
 use crate::run::CaseResult;
@@ -40,17 +40,17 @@ pub fn summary(results: &[CaseResult]) -> Markup {
         (verdicts(Verdict::NotDecided), "not decided", "mixed"),
         (bad, "violated or failed", if bad == 0 { "" } else { "bad" }),
     ];
-    let open: Vec<Vec<Cell>> = checks
+    let open: Vec<Vec<TableCell>> = checks
         .iter()
         .filter(|(_, check)| check.verdict > Verdict::Holds)
         .map(|(result, check)| {
             let name = &result.case.name;
             vec![
-                Cell::link(name, format!("#case-{name}")),
-                Cell::text(check.head_joints.name()),
-                Cell::text(&check.method),
-                Cell::word(check.verdict.name()),
-                Cell::text(&check.text),
+                TableCell::link(name, format!("#case-{name}")),
+                TableCell::text(check.head_joints.name()),
+                TableCell::text(&check.method),
+                TableCell::word(check.verdict.name()),
+                TableCell::text(&check.text),
             ]
         })
         .collect();

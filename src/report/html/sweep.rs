@@ -4,10 +4,10 @@ use std::path::Path;
 
 use maud::{Markup, PreEscaped, html};
 
-use super::table::{Cell, sortable};
+use super::table::{TableCell, sortable};
 use crate::method::method_look;
 use crate::number::short;
-use crate::picture::{Axis, Line, Plot, Ticks, plot};
+use crate::picture::{Line, Plot, PlotAxis, Ticks, plot};
 
 /// A sweep's CSV, read.
 pub struct SweepTable {
@@ -148,7 +148,7 @@ const LINES: usize = 14;
 /// The plot, where something varies and few enough lines come of it; and the table.
 pub fn section(table: &SweepTable) -> Markup {
     let columns: Vec<&str> = table.columns.iter().map(String::as_str).collect();
-    let rows: Vec<Vec<Cell>> = table
+    let rows: Vec<Vec<TableCell>> = table
         .rows
         .iter()
         .map(|row| row.iter().map(|cell| fitting(cell)).collect())
@@ -166,11 +166,11 @@ pub fn section(table: &SweepTable) -> Markup {
     }
 }
 
-fn fitting(cell: &str) -> Cell {
+fn fitting(cell: &str) -> TableCell {
     match cell.parse::<f64>() {
-        Ok(value) if cell.contains('.') => Cell::number(short(value, 5)),
-        Ok(_) => Cell::number(cell),
-        Err(_) => Cell::text(cell),
+        Ok(value) if cell.contains('.') => TableCell::number(short(value, 5)),
+        Ok(_) => TableCell::number(cell),
+        Err(_) => TableCell::text(cell),
     }
 }
 
@@ -205,7 +205,7 @@ fn plotted(table: &SweepTable, x: &str) -> Option<String> {
         }
         lines.push(line(high, Some(label.clone())));
     }
-    let axis = |label: &str, ticks| Axis {
+    let axis = |label: &str, ticks| PlotAxis {
         label: label.to_owned(),
         ticks,
     };

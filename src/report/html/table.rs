@@ -6,7 +6,7 @@ use crate::record::LEGEND;
 use crate::run::CaseResult;
 
 /// One cell.
-pub struct Cell {
+pub struct TableCell {
     text: String,
     /// Where a click leads.
     link: Option<String>,
@@ -14,7 +14,7 @@ pub struct Cell {
     class: &'static str,
 }
 
-impl Cell {
+impl TableCell {
     /// Plain text.
     pub fn text(text: impl Into<String>) -> Self {
         Self {
@@ -57,7 +57,7 @@ impl Cell {
 }
 
 /// A table with a caption; a click on a column's name sorts by it.
-pub fn sortable(caption: &str, columns: &[&str], rows: &[Vec<Cell>]) -> Markup {
+pub fn sortable(caption: &str, columns: &[&str], rows: &[Vec<TableCell>]) -> Markup {
     html! {
         div.scroll tabindex="0" role="region" aria-label=(caption) {
             table.sortable {
@@ -77,7 +77,7 @@ pub fn sortable(caption: &str, columns: &[&str], rows: &[Vec<Cell>]) -> Markup {
     }
 }
 
-fn shown(place: usize, cell: &Cell) -> Markup {
+fn shown(place: usize, cell: &TableCell) -> Markup {
     let inner = html! {
         @if let Some(to) = &cell.link { a href=(to) { (cell.text) } } @else { (cell.text) }
     };
@@ -112,14 +112,14 @@ pub fn multipliers(results: &[CaseResult]) -> Markup {
     for result in results {
         let name = &result.case.name;
         for row in &result.rows {
-            let mut line = vec![Cell::link(name, format!("#case-{name}"))];
+            let mut line = vec![TableCell::link(name, format!("#case-{name}"))];
             for (column, _) in columns {
                 let text = crate::run::column(column).value;
                 let text = text(row).shown().replace(" - ", " – ");
                 line.push(match column {
-                    "method" | "head_joints" | "note" => Cell::text(text),
-                    "status" | "verdict" => Cell::word(text),
-                    _ => Cell::number(text),
+                    "method" | "head_joints" | "note" => TableCell::text(text),
+                    "status" | "verdict" => TableCell::word(text),
+                    _ => TableCell::number(text),
                 });
             }
             rows.push(line);

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use super::grid::{Grid, Place, grids};
+use super::grid::{Grid, GridPoint, grids};
 use crate::answer::{Bracket, Status};
 use crate::method::{Method, kind};
 use crate::run::{Progress, Row, Subject, Task};
@@ -64,7 +64,7 @@ pub struct Cell {
 }
 
 impl Cell {
-    fn new(grid: &Grid, place: &Place, row: Row) -> Self {
+    fn new(grid: &Grid, place: &GridPoint, row: Row) -> Self {
         let stated = row.outcome.stated_error.unwrap_or(0.0);
         let (status, bracket) = (row.status(), row.bracket());
         Self {
@@ -137,7 +137,7 @@ pub fn run(grids: &[Grid], methods: &[&dyn Method], progress: &dyn Progress) -> 
         .collect()
 }
 
-fn task<'a>(grid: &Grid, place: &'a Place, method: &'a dyn Method) -> Task<'a> {
+fn task<'a>(grid: &Grid, place: &'a GridPoint, method: &'a dyn Method) -> Task<'a> {
     let subject = Subject {
         case: grid.name.to_owned(),
         head_joints: HeadJoints::Contact,

@@ -17,11 +17,11 @@ pub struct Grid {
     /// What it shows, where methods fail in it, and why.
     pub causes: &'static str,
     /// Its cells, row by row.
-    pub cells: Vec<Place>,
+    pub cells: Vec<GridPoint>,
 }
 
 /// A place on a grid: one scene and setting, and what the answer must be.
-pub struct Place {
+pub struct GridPoint {
     /// Value from left to right.
     pub x: String,
     /// Value from bottom to top.
@@ -66,8 +66,8 @@ fn chosen<T: Copy>(values: &[(T, bool)], large: bool) -> Vec<T> {
     wanted.map(|(value, _)| *value).collect()
 }
 
-fn on_columns(x: String, y: String, columns: Columns) -> Place {
-    Place {
+fn on_columns(x: String, y: String, columns: Columns) -> GridPoint {
+    GridPoint {
         x,
         y,
         blocks: columns.courses * columns.count,
@@ -258,7 +258,7 @@ fn unit_and_distance(large: bool) -> Grid {
                 let wall = running_bond_in(courses, unit);
                 moved(&wall, distance * wall.height())
             };
-            cells.push(Place {
+            cells.push(GridPoint {
                 x: format!("{unit:e}"),
                 y: format!("{distance:e}"),
                 scene: Box::new(scene),
@@ -298,7 +298,7 @@ fn tolerance_of_programs(large: bool) -> Grid {
         for tolerance in chosen(&tolerances, large) {
             let mut settings = Settings::default();
             settings.programs.lp_tolerance = tolerance;
-            cells.push(Place {
+            cells.push(GridPoint {
                 x: format!("{tolerance:e}"),
                 y: format!("{courses} courses"),
                 scene: Box::new(move || running_bond(courses)),
@@ -346,7 +346,7 @@ fn substep_and_stiffness(large: bool) -> Grid {
             let mut settings = Settings::default();
             settings.pushover.substep = substep;
             settings.pushover.stiffness = stiffness;
-            cells.push(Place {
+            cells.push(GridPoint {
                 x: substep.to_string(),
                 y: stiffness.to_string(),
                 scene: Box::new(move || running_bond(courses)),

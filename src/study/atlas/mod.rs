@@ -15,7 +15,7 @@ mod scenes;
 mod text;
 
 pub use cell::{Cell, CellVerdict, run, size};
-pub use grid::{Grid, Place, grids};
+pub use grid::{Grid, GridPoint, grids};
 pub use picture::picture;
 pub use scenes::{Columns, moved, running_bond};
 pub use text::{csv, table};

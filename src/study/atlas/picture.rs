@@ -18,7 +18,7 @@ pub fn picture(grid: &Grid, cells: &[Cell]) -> String {
         let of_method = |cell: &&Cell| cell.grid == grid.name && cell.row.method == name;
         let own = cells.iter().filter(of_method);
         let shown = own.filter_map(|cell| {
-            Some(picture::Cell {
+            Some(picture::PictureCell {
                 place: place(cell)?,
                 tone: tone(cell.verdict),
                 word: word(cell),

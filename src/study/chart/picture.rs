@@ -10,7 +10,7 @@ use super::table::Measurement;
 use crate::method::{Look, METHODS, method_look};
 use crate::number::short;
 use crate::picture::palette::{FRONT, NO_ANSWER};
-use crate::picture::{Axis, Band, Line, Marks, Note, Plot, PlotPoint, Ticks, panels};
+use crate::picture::{Band, Line, Marks, Note, Plot, PlotAxis, PlotPoint, Ticks, panels};
 
 /// The plane of all panels, in decades.
 #[derive(Clone, Copy)]
@@ -56,20 +56,20 @@ impl Plane {
     }
 
     /// Time, with a tick a decade.
-    fn time(&self) -> Axis {
+    fn time(&self) -> PlotAxis {
         let [from, to] = self.seconds.map(|end| end as i32);
         let ticks = (from..=to).map(|decade| (f64::from(decade), duration(decade)));
-        Axis {
+        PlotAxis {
             label: "CPU time, median".to_owned(),
             ticks: Ticks::Words(self.seconds, ticks.collect()),
         }
     }
 
     /// Error, with a tick a decade up to the band of failures.
-    fn error(&self) -> Axis {
+    fn error(&self) -> PlotAxis {
         let [from, to] = [FLOOR.log10().round(), self.limit()].map(|end| end as i32);
         let ticks = (from..=to).map(|decade| (f64::from(decade), share(decade)));
-        Axis {
+        PlotAxis {
             label: "error, relative".to_owned(),
             ticks: Ticks::Words(self.errors, ticks.collect()),
         }

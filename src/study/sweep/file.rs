@@ -17,7 +17,7 @@ pub(super) struct File {
     pub source: Option<String>,
     pub case: Spanned<CaseSource>,
     pub head_joints: Option<Spanned<String>>,
-    pub methods: Option<Spanned<Words>>,
+    pub methods: Option<Spanned<WordList>>,
     pub neighbours: Option<Spanned<String>>,
     #[serde(default)]
     pub settings: BTreeMap<Spanned<String>, Spanned<Scalar>>,
@@ -38,7 +38,7 @@ pub(super) enum CaseSource {
 
 /// A list of words, or one word.
 #[derive(Debug)]
-pub(super) struct Words(pub Vec<Spanned<String>>);
+pub(super) struct WordList(pub Vec<Spanned<String>>);
 
 /// One value of a key.
 #[derive(Clone, Debug, PartialEq)]
@@ -50,13 +50,13 @@ pub(super) enum Values {
     /// One by one.
     List(Vec<Spanned<Scalar>>),
     /// Evenly from one number to another.
-    Range(Range),
+    ValueRange(ValueRange),
 }
 
 /// `{ from = 0, to = 10, count = 40 }`.
 #[derive(Debug, serde::Deserialize)]
 #[serde(deny_unknown_fields)]
-pub(super) struct Range {
+pub(super) struct ValueRange {
     pub from: Spanned<Scalar>,
     pub to: Spanned<Scalar>,
     pub count: Spanned<Scalar>,
@@ -194,7 +194,7 @@ fn list<'de, T: Deserialize<'de>, A: SeqAccess<'de>>(mut items: A) -> Result<Vec
     Ok(list)
 }
 
-impl<'de> Deserialize<'de> for Words {
+impl<'de> Deserialize<'de> for WordList {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         deserializer.deserialize_any(WordsVisitor)
     }
@@ -203,14 +203,14 @@ impl<'de> Deserialize<'de> for Words {
 struct WordsVisitor;
 
 impl<'de> Visitor<'de> for WordsVisitor {
-    type Value = Words;
+    type Value = WordList;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(WORDS)
     }
 
-    fn visit_seq<A: SeqAccess<'de>>(self, items: A) -> Result<Words, A::Error> {
-        list(items).map(Words)
+    fn visit_seq<A: SeqAccess<'de>>(self, items: A) -> Result<WordList, A::Error> {
+        list(items).map(WordList)
     }
 }
 
@@ -266,6 +266,6 @@ impl<'de> Visitor<'de> for ValuesVisitor {
     }
 
     fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Values, A::Error> {
-        Range::deserialize(MapAccessDeserializer::new(map)).map(Values::Range)
+        ValueRange::deserialize(MapAccessDeserializer::new(map)).map(Values::ValueRange)
     }
 }

@@ -5,7 +5,7 @@ use std::ops;
 
 use toml::{Spanned, Value};
 
-use super::file::{Range, Scalar, Values};
+use super::file::{Scalar, ValueRange, Values};
 use crate::case::{Complaint, Document};
 use crate::number::nine_digits;
 
@@ -26,7 +26,7 @@ pub(super) fn values(
             .iter()
             .map(|scalar| (scalar.get_ref().0.clone(), scalar.span()))
             .collect(),
-        Values::Range(range) => {
+        Values::ValueRange(range) => {
             let numbers = range_values(document, range)?;
             numbers.map(|value| (value, written.span())).collect()
         }
@@ -75,7 +75,7 @@ pub(super) fn text(value: &Value) -> String {
 /// They are whole where all of them can be, as for a number of courses.
 fn range_values(
     document: &Document,
-    range: &Range,
+    range: &ValueRange,
 ) -> Result<impl Iterator<Item = Value>, Complaint> {
     let from = number(document, "from", &range.from)?;
     let to = number(document, "to", &range.to)?;

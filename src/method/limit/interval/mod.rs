@@ -14,7 +14,7 @@ mod starts;
 
 use super::ending::Ending;
 use super::own_weight::{own_weight, without_optimum};
-use super::reduction::{self, Part};
+use super::reduction::{self, ScenePart};
 use super::scale::Scale;
 use crate::answer::{
     Bracket, CollapseState, JointForce, LimitFact, Outcome, SearchEnding, SearchFacts,
@@ -126,7 +126,7 @@ struct States {
 /// Follows every start on a part of the scene, or on the whole of it.
 fn search(
     scene: &Scene,
-    part: Option<&Part>,
+    part: Option<&ScenePart>,
     request: &Request,
     work: &mut Work,
 ) -> Result<Vec<End>, Ending> {
@@ -173,7 +173,7 @@ fn search(
 }
 
 /// A start from normal forces of the whole scene, over its total weight.
-fn neighbour(scene: &Scene, part: Option<&Part>, normal: &[f64]) -> Start {
+fn neighbour(scene: &Scene, part: Option<&ScenePart>, normal: &[f64]) -> Start {
     let normal = match part {
         None => normal.to_vec(),
         Some(part) => {
@@ -191,7 +191,7 @@ fn neighbour(scene: &Scene, part: Option<&Part>, normal: &[f64]) -> Start {
 /// A state in the case's units, completed to one of the whole scene.
 fn collapse_state(
     scene: &Scene,
-    part: Option<&Part>,
+    part: Option<&ScenePart>,
     scale: Scale,
     state: &State,
     work: &mut Work,
