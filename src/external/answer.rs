@@ -88,7 +88,8 @@ pub(super) fn outcome(scene: &Scene, output: &[u8]) -> Result<Outcome, ProgramFa
     let mechanism = velocities.map(|list| mechanism(scene, list)).transpose()?;
     let reason = shortened(answer.reason.as_deref().unwrap_or_default(), REASON_LENGTH);
     let claim = match answer.kind {
-        AnswerKind::Associative => Claim::Associative,
+        // A ray within friction proves that no multiplier is too large for associative friction.
+        AnswerKind::Associative | AnswerKind::Stands => Claim::Associative,
         _ => Claim::CollapseState,
     };
     Ok(Outcome {

@@ -2,9 +2,9 @@
 //! that a new method of a known kind is compared without a line here.
 
 use super::check::{Check, Verdict};
-use crate::answer::{Bracket, Outcome};
+use crate::answer::{Bracket, Claim, Outcome, Status};
 use crate::method::{Kind, kind};
-use crate::number::short;
+use crate::number::{number, short};
 use crate::scene::HeadJoints;
 
 /// Convergence tolerance of the sequential method: what it may exceed λ_A by through c0.
@@ -59,6 +59,13 @@ pub fn cross_check(head_joints: HeadJoints, answers: &Answers) -> Vec<Check> {
     for (state, states) in pairs(&converged, &found) {
         add(state.name, converged_among_found(state, states));
     }
+    for (stands, outcome) in answers {
+        if outcome.status == Status::Stands {
+            for state in verified_states(answers) {
+                add(stands, stands_beside_state(stands, outcome, &state));
+            }
+        }
+    }
     for range in of_kind(answers, Kind::ClosedForm) {
         for (name, outcome) in answers.iter().filter(|(name, _)| *name != range.name) {
             if let Some(value) = outcome.bracket {
@@ -72,6 +79,36 @@ pub fn cross_check(head_joints: HeadJoints, answers: &Answers) -> Vec<Check> {
         }
     }
     checks
+}
+
+/// The answers that the judge has verified as collapse states.
+fn verified_states<'a>(answers: &'a Answers) -> Vec<Answered<'a>> {
+    let verified = answers.iter().filter(|(_, outcome)| {
+        outcome.status == Status::Verified && outcome.claim == Claim::CollapseState
+    });
+    let verified = verified.filter_map(|&(name, outcome)| {
+        Some(Answered {
+            name,
+            bracket: outcome.bracket?,
+            outcome,
+        })
+    });
+    verified.collect()
+}
+
+/// Without dilatancy a scene that stands has no collapse state; with associative friction it may.
+fn stands_beside_state(name: &str, stands: &Outcome, state: &Answered) -> (String, Verdict) {
+    let (state, lambda) = (state.name, number(state.bracket.lower, 5));
+    if stands.claim == Claim::Associative {
+        let text = format!(
+            "{name} stands, {state} collapses at {lambda}: joints that would wedge with dilatancy \
+             slip without it"
+        );
+        (text, Verdict::Holds)
+    } else {
+        let text = format!("{name} stands, although {state} verifies a collapse state at {lambda}");
+        (text, Verdict::Violated)
+    }
 }
 
 fn pairs<'a>(

@@ -124,8 +124,8 @@ fn conclude_state(
     residual
 }
 
-/// The residual of what proves `falls` (a mechanism) or `stands` (forces at λ = 0 and a ray): refutes
-/// the status where that fails, lowers it to `undecided` where nothing is given.
+/// The residual of what proves `falls` (a mechanism) or `stands` (forces at λ = 0 and a ray, without
+/// friction where the claim is not one of associative friction): refutes the status where that fails, lowers it to `undecided` where nothing is given.
 fn judge_certificate(scene: &Scene, outcome: &mut Outcome) -> Option<f64> {
     let residual = match (
         outcome.status,
@@ -134,9 +134,18 @@ fn judge_certificate(scene: &Scene, outcome: &mut Outcome) -> Option<f64> {
         &outcome.ray,
     ) {
         (Status::Falls, Some(mechanism), _, _) => falling_violation(scene, mechanism),
-        (Status::Stands, _, Some(forces), Some(ray)) => StaticResidual::of(scene, forces, 0.0)
-            .largest()
-            .max(StaticResidual::of_ray(scene, ray).largest()),
+        (Status::Stands, _, Some(forces), Some(ray)) => {
+            let at_rest = StaticResidual::of(scene, forces, 0.0).largest();
+            // Without dilatancy a joint may slip where the ray needs its friction, so that only a
+            // ray without friction proves that nothing collapses.
+            let ray = if outcome.claim == Claim::Associative {
+                StaticResidual::of_ray(scene, ray)
+            } else {
+                let smooth = scene.clone().with_friction(|_, _| 0.0);
+                StaticResidual::of_ray(&smooth, ray)
+            };
+            at_rest.max(ray.largest())
+        }
         (Status::Falls, None, _, _) if outcome.claim == Claim::Observed => return None,
         (status, _, _, _) => {
             outcome.status = Status::Undecided;

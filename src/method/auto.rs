@@ -40,10 +40,14 @@ impl Method for Auto {
         };
         let closed_form = MacroBlock.solve(scene, settings).bracket;
         let bound = ladder.run(&Associative);
+        let starts = settings.interval.starts.max(2);
+        if bound.status == Status::Stands {
+            let found = ladder.states(starts, f64::NEG_INFINITY);
+            return ladder.without_bound(found);
+        }
         let Some(Bracket { upper, .. }) = bound.bracket else {
             return ladder.settled(bound);
         };
-        let starts = settings.interval.starts.max(2);
         let stop_below = upper - settings.auto.tolerance * upper.abs().max(1e-3);
         let found = ladder.states(starts, stop_below);
         let Some(Bracket { lower, .. }) = found.bracket else {
@@ -110,6 +114,24 @@ impl Ladder<'_> {
             work: self.work,
             facts: introduced(AutoFact::SettledByAssociative, bound.facts),
             ..bound
+        }
+    }
+
+    /// The answer where nothing collapses by associative friction, which settles nothing without
+    /// dilatancy: `found` stands by a proof of its own, or the multiplier is not unique.
+    fn without_bound(&self, found: Outcome) -> Outcome {
+        if found.status == Status::Stands {
+            return self.settled(found);
+        }
+        let lowest = found.bracket.map(|bracket| bracket.lower);
+        let lowest = lowest.map(|lambda| AutoFact::CollapsesWithoutBound { lambda });
+        Outcome {
+            work: self.work,
+            facts: match lowest {
+                Some(fact) => vec![fact.into()],
+                None => found.facts,
+            },
+            ..Outcome::of(Status::Undecided)
         }
     }
 

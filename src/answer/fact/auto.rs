@@ -15,6 +15,11 @@ pub enum AutoFact {
         /// λ_A, below which all of them would lie.
         associative: f64,
     },
+    /// A collapse state is found, and with associative friction none exists.
+    CollapsesWithoutBound {
+        /// λ of the lowest state found.
+        lambda: f64,
+    },
     /// How far the multiplier is from being unique.
     Uniqueness(Uniqueness),
     /// What was not needed, beside the sequential method and the pushover, which never are.
@@ -53,6 +58,14 @@ impl fmt::Display for AutoFact {
         match *self {
             AutoFact::SettledByAssociative => {
                 write!(f, "by the program of the associative multiplier")
+            }
+            AutoFact::CollapsesWithoutBound { lambda } => {
+                let lambda = short(lambda, 5);
+                write!(
+                    f,
+                    "not unique: a collapse state is found at λ = {lambda}, and with associative \
+                     friction none exists"
+                )
             }
             AutoFact::NoState { associative } => {
                 let lambda = short(associative, 5);

@@ -30,6 +30,11 @@ pub enum LimitFact {
         /// Rigorous lower bound: λ without friction, where that is proved. The upper one is λ_A.
         frictionless: Option<f64>,
     },
+    /// The interval is what was found, although with associative friction nothing collapses.
+    FoundWithoutBound,
+    /// No state was found where with associative friction none exists, which proves nothing of
+    /// friction without dilatancy.
+    NoneFoundWithoutBound,
 }
 
 impl fmt::Display for LimitFact {
@@ -65,6 +70,14 @@ impl fmt::Display for LimitFact {
                 ),
                 None => write!(f, "found, no bounds (rigorous is associative alone)"),
             },
+            LimitFact::FoundWithoutBound => write!(
+                f,
+                "found, no bounds (with associative friction no collapse state exists)"
+            ),
+            LimitFact::NoneFoundWithoutBound => write!(
+                f,
+                "no collapse state found; with associative friction none exists"
+            ),
         }
     }
 }

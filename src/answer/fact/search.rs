@@ -27,7 +27,9 @@ pub enum SearchStart {
     Associative,
     /// Those after a few programs with frozen shear capacities.
     Frozen,
-    /// Those of the associative state, each scaled at random.
+    /// Those under the own weight, where there is no associative state.
+    OwnWeight,
+    /// Those of the associative state, or under the own weight, each scaled at random.
     Scaled,
     /// Those of a state of a scene that differs little.
     Neighbour,
@@ -39,6 +41,7 @@ impl SearchStart {
             SearchStart::OpenState => "open state",
             SearchStart::Associative => "associative",
             SearchStart::Frozen => "frozen",
+            SearchStart::OwnWeight => "own weight",
             SearchStart::Scaled => "scaled",
             SearchStart::Neighbour => "neighbour",
         }

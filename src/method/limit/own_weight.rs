@@ -7,8 +7,8 @@ use super::program::{Margins, Program};
 use super::scale::Scale;
 use super::vertical;
 use crate::answer::{
-    JointForce, LimitFact, Mechanism, Outcome, StaticResidual, Status, VERIFIED_RESIDUAL, Work,
-    falling_violation, live_unit,
+    Claim, JointForce, LimitFact, Mechanism, Outcome, StaticResidual, Status, VERIFIED_RESIDUAL,
+    Work, falling_violation, live_unit,
 };
 use crate::scene::Scene;
 
@@ -69,7 +69,7 @@ fn falls(scene: &Scene, mechanism: Mechanism, work: Work) -> Option<Outcome> {
 }
 
 /// The outcome of a scene whose program for λ_A has no optimum although `at_rest` holds it at
-/// λ = 0: `stands` where a ray of forces proves that, else `undecided`.
+/// λ = 0: `stands` for associative friction where a ray of forces proves that, else `undecided`.
 pub(super) fn without_optimum(
     scene: &Scene,
     ending: &Ending,
@@ -78,17 +78,39 @@ pub(super) fn without_optimum(
 ) -> Outcome {
     let ray = matches!(ending, Ending::Unbounded).then(|| ray(scene, work));
     let outcome = match ray.flatten() {
-        Some(ray) => Outcome {
-            forces: Some(at_rest),
-            ray: Some(ray),
-            ..Outcome::without_number(Status::Stands, LimitFact::ForcesWithoutLimit)
-        },
+        Some(ray) => stands(Claim::Associative, at_rest, ray),
         None => Outcome::without_number(Status::Undecided, LimitFact::NoOptimum(ending.kind())),
     };
     Outcome {
         work: *work,
         ..outcome
     }
+}
+
+fn stands(claim: Claim, at_rest: Vec<JointForce>, ray: Vec<JointForce>) -> Outcome {
+    Outcome {
+        claim,
+        forces: Some(at_rest),
+        ray: Some(ray),
+        ..Outcome::without_number(Status::Stands, LimitFact::ForcesWithoutLimit)
+    }
+}
+
+/// The outcome `stands` for friction without dilatancy, where forces without any shear carry the
+/// live load: they exist where no mechanism opens all joints or leaves them closed while the push
+/// does work on it (Farkas), and then nothing can collapse. A ray that needs friction proves nothing
+/// here: a joint that slips without opening need not carry it.
+pub(super) fn stands_without_dilatancy(
+    scene: &Scene,
+    at_rest: &[JointForce],
+    work: &mut Work,
+) -> Option<Outcome> {
+    let smooth = scene.clone().with_friction(|_, _| 0.0);
+    let ray = ray(&smooth, work)?;
+    Some(Outcome {
+        work: *work,
+        ..stands(Claim::CollapseState, at_rest.to_vec(), ray)
+    })
 }
 
 /// Distance of forces from their limits, so that what the solver leaves stays inside them.

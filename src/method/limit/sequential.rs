@@ -2,11 +2,11 @@
 //! (Gilbert, Casapulla & Ahmed, Computers & Structures 84 (2006) 873-887).
 
 use super::ending::{Ending, Solution};
-use super::own_weight::{own_weight, without_optimum};
+use super::own_weight::{own_weight, stands_without_dilatancy, without_optimum};
 use super::program::{FrictionLaw, Program};
 use crate::answer::{
-    Bracket, Outcome, SequentialEnding, SequentialFacts, Status, VELOCITY_THRESHOLDS, Work,
-    crack_slope,
+    Bracket, JointForce, Outcome, SequentialEnding, SequentialFacts, Status, VELOCITY_THRESHOLDS,
+    Work, crack_slope,
 };
 use crate::method::{Method, SequentialSettings, Settings};
 use crate::scene::Scene;
@@ -49,25 +49,36 @@ fn sequential(scene: &Scene, settings: &Settings) -> Outcome {
         Err(outcome) => return *outcome,
     };
     let mut program = Program::to_tolerance(scene, settings.programs.lp_tolerance);
-    let start = match program.solve_counted(&mut work) {
-        Ending::Solved(solution) => solution,
+    let (mut frozen, mut lambdas) = match program.solve_counted(&mut work) {
+        Ending::Solved(solution) => (normal_forces(&solution.forces), vec![solution.lambda]),
+        // Nothing collapses by associative friction. The forces under the own weight are a start.
+        Ending::Unbounded => {
+            if let Some(outcome) = stands_without_dilatancy(scene, &at_rest, &mut work) {
+                return outcome;
+            }
+            let unit = scene.total_weight();
+            let normal = normal_forces(&at_rest);
+            (normal.iter().map(|n| n / unit).collect(), Vec::new())
+        }
         ending => return without_optimum(scene, &ending, at_rest, &mut work),
     };
-    let mut frozen = normal_forces(&start);
-    let mut lambdas = vec![start.lambda];
-    let mut last = start;
+    let mut steps = 0;
+    let mut last = None;
     let ending = loop {
-        if lambdas.len() > STEPS {
+        if steps == STEPS {
             break SequentialEnding::StepLimit;
         }
         program.set_friction(&substitute_law(scene, &frozen, alpha, c0));
-        last = match program.solve_counted(&mut work) {
+        let solution = match program.solve_counted(&mut work) {
             Ending::Solved(solution) => solution,
             Ending::Infeasible(_) => break SequentialEnding::SubProgramInfeasible,
             Ending::Unbounded => break SequentialEnding::SubProgramUnbounded,
             Ending::GaveUp(_) => break SequentialEnding::SubProgramUnsolved,
         };
-        lambdas.push(last.lambda);
+        steps += 1;
+        lambdas.push(solution.lambda);
+        let normal = normal_forces(&solution.forces);
+        last = Some(solution);
         let at_floor = alpha <= LAST_ALPHA;
         if at_floor && has_settled(&lambdas) {
             break SequentialEnding::Converged;
@@ -75,19 +86,15 @@ fn sequential(scene: &Scene, settings: &Settings) -> Outcome {
         if at_floor && let Some(period) = cycle(&lambdas, SETTLED) {
             break SequentialEnding::Cycling { period };
         }
-        for (old, new) in frozen.iter_mut().zip(normal_forces(&last)) {
+        for (old, new) in frozen.iter_mut().zip(normal) {
             *old = beta * new + (1.0 - beta) * *old;
         }
         alpha = (alpha / 2.0).max(LAST_ALPHA);
     };
-    let facts = SequentialFacts {
-        ending,
-        steps: lambdas.len() - 1,
-    };
-    let outcome = if ending == SequentialEnding::Converged {
-        converged(scene, &program, &last, facts)
-    } else {
-        Outcome::without_number(Status::Undecided, facts)
+    let facts = SequentialFacts { ending, steps };
+    let outcome = match last.filter(|_| ending == SequentialEnding::Converged) {
+        Some(last) => converged(scene, &program, &last, facts),
+        None => Outcome::without_number(Status::Undecided, facts),
     };
     Outcome { work, ..outcome }
 }
@@ -104,8 +111,8 @@ fn converged(scene: &Scene, program: &Program, last: &Solution, facts: Sequentia
     }
 }
 
-fn normal_forces(solution: &Solution) -> Vec<f64> {
-    let forces = solution.forces.iter();
+fn normal_forces(forces: &[JointForce]) -> Vec<f64> {
+    let forces = forces.iter();
     forces
         .map(|f| (f.normal[0] + f.normal[1]).max(0.0))
         .collect()

@@ -13,7 +13,7 @@ mod search;
 mod starts;
 
 use super::ending::Ending;
-use super::own_weight::{own_weight, without_optimum};
+use super::own_weight::{own_weight, stands_without_dilatancy, without_optimum};
 use super::reduction::{self, ScenePart};
 use super::scale::Scale;
 use crate::answer::{
@@ -23,7 +23,7 @@ use crate::answer::{
 use crate::method::{Method, Settings};
 use crate::scene::Scene;
 use descent::descend;
-use search::{Search, State};
+use search::{Search, State, totals};
 use starts::Start;
 
 /// `lower` and `upper` are the lowest and the highest verified λ found.
@@ -95,7 +95,45 @@ fn solve(scene: &Scene, request: &Request) -> Outcome {
         Ok(ends) => {
             report(scene, &ends, &at_rest, &mut work).unwrap_or_else(|| undecided(&ends, work))
         }
+        Err(Ending::Unbounded) => without_bound(scene, request, &at_rest, work),
         Err(ending) => without_optimum(scene, &ending, at_rest, &mut work),
+    }
+}
+
+/// Starts of a search where λ_A has no limit, at least: it begins under the own weight, far from
+/// where it ends.
+const STARTS_WITHOUT_BOUND: usize = 8;
+
+/// The outcome where nothing collapses by associative friction. That says nothing of friction
+/// without dilatancy, of which either forces without friction prove that the scene stands, or a
+/// search may find states.
+fn without_bound(
+    scene: &Scene,
+    request: &Request,
+    at_rest: &[JointForce],
+    mut work: Work,
+) -> Outcome {
+    if let Some(outcome) = stands_without_dilatancy(scene, at_rest, &mut work) {
+        return outcome;
+    }
+    let mut search = Search::new(scene);
+    let unit = scene.total_weight();
+    let normal: Vec<f64> = (totals(at_rest).iter()).map(|n| n / unit).collect();
+    let count = request.settings.interval.starts.max(STARTS_WITHOUT_BOUND);
+    let starts = starts::starts_at_rest(&mut search, &normal, count);
+    let ends = follow(scene, None, request, &mut search, starts, &mut work);
+    match report(scene, &ends, at_rest, &mut work) {
+        Some(outcome) => Outcome {
+            facts: vec![LimitFact::FoundWithoutBound.into(), facts(&ends).into()],
+            ..outcome
+        },
+        None => {
+            let mut outcome = undecided(&ends, work);
+            outcome
+                .facts
+                .insert(0, LimitFact::NoneFoundWithoutBound.into());
+            outcome
+        }
     }
 }
 
@@ -132,21 +170,28 @@ fn search(
 ) -> Result<Vec<End>, Ending> {
     let searched = part.map_or(scene, |part| &part.scene);
     let mut search = Search::new(searched);
+    let starts = starts::starts(searched, &mut search, request.settings.interval.starts)?;
+    Ok(follow(scene, part, request, &mut search, starts, work))
+}
+
+/// Follows these starts, and those that the request adds, down to their lowest states.
+fn follow(
+    scene: &Scene,
+    part: Option<&ScenePart>,
+    request: &Request,
+    search: &mut Search,
+    starts: Vec<Start>,
+    work: &mut Work,
+) -> Vec<End> {
     let mut ends = Vec::new();
-    let own = starts::starts(searched, &mut search, request.settings.interval.starts)?;
     let further = request
         .further
         .iter()
         .map(|normal| neighbour(scene, part, normal));
-    for start in own.into_iter().chain(further) {
+    for start in starts.into_iter().chain(further) {
         let kind = start.kind;
         let settings = request.settings;
-        let branch = descend(
-            &mut search,
-            start,
-            settings.interval.starts,
-            request.stop_below,
-        );
+        let branch = descend(search, start, settings.interval.starts, request.stop_below);
         let scale = search.program().scale();
         let states = branch.and_then(|branch| {
             let mut whole = |state| collapse_state(scene, part, scale, state, work);
@@ -168,8 +213,8 @@ fn search(
     }
     work.programs += search.work.programs;
     work.iterations += search.work.iterations;
-    work.modelled = searched.blocks().len();
-    Ok(ends)
+    work.modelled = part.map_or(scene, |part| &part.scene).blocks().len();
+    ends
 }
 
 /// A start from normal forces of the whole scene, over its total weight.

@@ -171,6 +171,11 @@ impl<'a> Search<'a> {
         }
     }
 
+    /// Takes these normal forces, which carry a Coulomb state, where there is no associative one.
+    pub(super) fn carry(&mut self, normal: Vec<f64>) {
+        self.coulomb_normal = Some(normal);
+    }
+
     /// From normal forces to a collapse state: (a) and (b) in turn until the gap is closed.
     pub(super) fn close(&mut self, mut normal: Vec<f64>) -> Result<State, SearchFailure> {
         let mut last_gap = f64::INFINITY;

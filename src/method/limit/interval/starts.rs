@@ -66,6 +66,27 @@ pub(super) fn starts(
     Ok(starts)
 }
 
+/// The first `count` starts of a scene without an associative state: the forces that hold it under
+/// its own weight, as they are and each scaled by 0.1 to 1.8.
+pub(super) fn starts_at_rest(search: &mut Search, at_rest: &[f64], count: usize) -> Vec<Start> {
+    search.carry(at_rest.to_vec());
+    let scaled = |index: usize| {
+        let mut noise = Noise::new(index);
+        let scaled = at_rest.iter().map(|n| n * (0.1 + 1.7 * noise.uniform()));
+        Start {
+            kind: SearchStart::Scaled,
+            normal: scaled.collect(),
+        }
+    };
+    let first = Start {
+        kind: SearchStart::OwnWeight,
+        normal: at_rest.to_vec(),
+    };
+    std::iter::once(first)
+        .chain((1..count).map(scaled))
+        .collect()
+}
+
 /// Normal forces after a few programs with frozen capacities, each from the last one's forces: the
 /// way of the sequential method, which ends on other branches than the gap does.
 fn frozen_state(search: &mut Search, mut normal: Vec<f64>) -> Option<Vec<f64>> {
