@@ -9,7 +9,7 @@ pub enum Status {
     Bracketed,
     /// A number with no proof behind it.
     Estimate,
-    /// No multiplier is too large.
+    /// No multiplier is too large, for the friction law that the method assumes.
     Stands,
     /// The scene does not stand under its own weight.
     Falls,

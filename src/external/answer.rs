@@ -50,7 +50,7 @@ pub enum AnswerKind {
     /// A number without a proof: `lambda`, or `lambda` to `upper`. Forces and velocities may come
     /// along; should they be a collapse state, the answer is verified after all.
     Estimate,
-    /// No multiplier is too large: `forces` at λ = 0 and a `ray`.
+    /// No multiplier is too large for associative friction: `forces` at λ = 0 and a `ray`.
     Stands,
     /// The scene does not stand under its dead load: `velocities`.
     Falls,

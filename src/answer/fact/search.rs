@@ -75,16 +75,19 @@ pub enum SearchFailure {
     Unsolved,
     /// The state found for a part of the scene is none of the whole scene.
     PartOnly,
+    /// The state found leaves residuals that prove nothing.
+    Unproved,
 }
 
 impl SearchFailure {
     /// Every failure, in the order in which they are counted.
-    pub const ALL: [SearchFailure; 5] = [
+    pub const ALL: [SearchFailure; 6] = [
         SearchFailure::GapOpen,
         SearchFailure::Infeasible,
         SearchFailure::Unbounded,
         SearchFailure::Unsolved,
         SearchFailure::PartOnly,
+        SearchFailure::Unproved,
     ];
 }
 
@@ -96,6 +99,7 @@ impl fmt::Display for SearchFailure {
             SearchFailure::Unbounded => "program unbounded",
             SearchFailure::Unsolved => "program unsolved",
             SearchFailure::PartOnly => "no state of the whole scene",
+            SearchFailure::Unproved => "state not proved",
         })
     }
 }

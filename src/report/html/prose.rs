@@ -19,7 +19,8 @@ pub fn reading() -> Markup {
         ("estimate", "a number without a proof"),
         (
             "stands, falls",
-            "no push is too large; does not stand under its own weight",
+            "no push is too large, for the friction law that the method assumes; does not stand \
+             under its own weight",
         ),
         (
             "not-applicable",

@@ -27,7 +27,7 @@ pub(super) fn descend(
     starts: usize,
     stop_below: f64,
 ) -> Result<Branch, SearchFailure> {
-    let first = search.close(start.normal)?;
+    let first = search.close(start.normal, start.approach)?;
     let mut lowest = search.extreme_of(&first, -1.0);
     let idle_limit = starts.min(MAX_IDLE_STEPS);
     let (mut idle, mut step) = (0, 0);

@@ -17,13 +17,14 @@ use super::own_weight::{own_weight, stands_without_dilatancy, without_optimum};
 use super::reduction::{self, ScenePart};
 use super::scale::Scale;
 use crate::answer::{
-    Bracket, CollapseState, JointForce, LimitFact, Outcome, SearchEnding, SearchFacts,
-    SearchFailure, SearchStart, StartEnding, Status, VELOCITY_THRESHOLDS, Work, crack_slope,
+    Bracket, CollapseResidual, CollapseState, JointForce, LimitFact, Outcome, SearchEnding,
+    SearchFacts, SearchFailure, SearchStart, StartEnding, StaticResidual, Status,
+    VELOCITY_THRESHOLDS, VERIFIED_RESIDUAL, Work, crack_slope,
 };
 use crate::method::{Method, Settings};
 use crate::scene::Scene;
 use descent::descend;
-use search::{Search, State, totals};
+use search::{Approach, Search, State, totals};
 use starts::Start;
 
 /// `lower` and `upper` are the lowest and the highest verified λ found.
@@ -121,7 +122,8 @@ fn without_bound(
     let normal: Vec<f64> = (totals(at_rest).iter()).map(|n| n / unit).collect();
     let count = request.settings.interval.starts.max(STARTS_WITHOUT_BOUND);
     let starts = starts::starts_at_rest(&mut search, &normal, count);
-    let ends = follow(scene, None, request, &mut search, starts, &mut work);
+    let mut ends = follow(scene, None, request, &mut search, starts, &mut work);
+    ends.iter_mut().for_each(|end| end.keep_proved(scene));
     match report(scene, &ends, at_rest, &mut work) {
         Some(outcome) => Outcome {
             facts: vec![LimitFact::FoundWithoutBound.into(), facts(&ends).into()],
@@ -149,6 +151,26 @@ struct End {
     start: SearchStart,
     /// States of the whole scene.
     states: Result<States, SearchFailure>,
+}
+
+impl End {
+    /// Drops what leaves residuals too large for a proof: here λ may be far beyond 1, where the same
+    /// digits of λ are larger residuals.
+    fn keep_proved(&mut self, scene: &Scene) {
+        let Ok(states) = &mut self.states else {
+            return;
+        };
+        let is_proved = |state: &CollapseState| {
+            let statics = StaticResidual::of(scene, &state.forces, state.lambda);
+            let collapse = CollapseResidual::of(scene, &state.forces, &state.mechanism);
+            statics.largest().max(collapse.largest()) <= VERIFIED_RESIDUAL
+        };
+        states.same_mechanism = states.same_mechanism.take().filter(is_proved);
+        states.first = states.first.take().filter(is_proved);
+        if !is_proved(&states.lowest) {
+            self.states = Err(SearchFailure::Unproved);
+        }
+    }
 }
 
 /// What one start found, of the whole scene.
@@ -230,6 +252,7 @@ fn neighbour(scene: &Scene, part: Option<&ScenePart>, normal: &[f64]) -> Start {
     Start {
         kind: SearchStart::Neighbour,
         normal,
+        approach: Approach::Quick,
     }
 }
 

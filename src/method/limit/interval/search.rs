@@ -64,6 +64,15 @@ impl Prices {
     }
 }
 
+/// How a search goes on from capacities that leave a gap.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Approach {
+    /// To the Coulomb state's normal forces where that halves the gap: few programs.
+    Quick,
+    /// Half the way to the forces of the frozen program, always: more programs, and other states.
+    Blending,
+}
+
 /// Programs of one start until it is given up.
 const MAX_PROGRAMS: usize = 60;
 
@@ -177,7 +186,11 @@ impl<'a> Search<'a> {
     }
 
     /// From normal forces to a collapse state: (a) and (b) in turn until the gap is closed.
-    pub(super) fn close(&mut self, mut normal: Vec<f64>) -> Result<State, SearchFailure> {
+    pub(super) fn close(
+        &mut self,
+        mut normal: Vec<f64>,
+        approach: Approach,
+    ) -> Result<State, SearchFailure> {
         let mut last_gap = f64::INFINITY;
         let end = self.work.programs + MAX_PROGRAMS;
         let mut infeasible = 0;
@@ -200,7 +213,7 @@ impl<'a> Search<'a> {
             // (b) alone stalls on walls with openings; blending alone is slow.
             let coulomb = totals(&below.forces);
             self.coulomb_normal = Some(coulomb.clone());
-            if gap < 0.5 * last_gap {
+            if approach == Approach::Quick && gap < 0.5 * last_gap {
                 normal = coulomb;
             } else {
                 normal = halfway(&normal, &totals(&above.forces));

@@ -1,7 +1,7 @@
 //! Where the search for collapse states begins: few starts, chosen on purpose, all deterministic.
 
 use super::noise::Noise;
-use super::search::{Search, totals};
+use super::search::{Approach, Search, totals};
 use crate::answer::SearchStart;
 use crate::method::limit::ending::Ending;
 use crate::scene::{HeadJoints, JointClass, Scene};
@@ -12,6 +12,8 @@ pub(super) struct Start {
     pub(super) kind: SearchStart,
     /// N of every joint, dimensionless.
     pub(super) normal: Vec<f64>,
+    /// How it goes on.
+    pub(super) approach: Approach,
 }
 
 /// The first `count` starts, at least one.
@@ -35,6 +37,7 @@ pub(super) fn starts(
         starts.push(Start {
             kind: SearchStart::OpenState,
             normal,
+            approach: Approach::Quick,
         });
     }
     if starts.len() >= count {
@@ -44,6 +47,7 @@ pub(super) fn starts(
     starts.push(Start {
         kind: SearchStart::Associative,
         normal: associative.clone(),
+        approach: Approach::Quick,
     });
     if starts.len() < count
         && let Some(normal) = frozen_state(search, associative.clone())
@@ -51,6 +55,7 @@ pub(super) fn starts(
         starts.push(Start {
             kind: SearchStart::Frozen,
             normal,
+            approach: Approach::Quick,
         });
     }
     while starts.len() < count {
@@ -61,6 +66,7 @@ pub(super) fn starts(
         starts.push(Start {
             kind: SearchStart::Scaled,
             normal: scaled.collect(),
+            approach: Approach::Quick,
         });
     }
     Ok(starts)
@@ -76,11 +82,13 @@ pub(super) fn starts_at_rest(search: &mut Search, at_rest: &[f64], count: usize)
         Start {
             kind: SearchStart::Scaled,
             normal: scaled.collect(),
+            approach: Approach::Blending,
         }
     };
     let first = Start {
         kind: SearchStart::OwnWeight,
         normal: at_rest.to_vec(),
+        approach: Approach::Quick,
     };
     std::iter::once(first)
         .chain((1..count).map(scaled))
@@ -106,7 +114,7 @@ fn open_state(scene: &Scene, search: &mut Search) -> Option<Vec<f64>> {
     let open = scene.clone().with_head_joints(HeadJoints::Open);
     let mut inner = Search::new(&open);
     let state = inner.associative().ok().and_then(|normal| {
-        let first = inner.close(normal).ok()?;
+        let first = inner.close(normal, Approach::Quick).ok()?;
         Some(inner.extreme_of(&first, -1.0))
     });
     search.work.programs += inner.work.programs;
