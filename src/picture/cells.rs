@@ -128,5 +128,5 @@ fn one_field(svg: &mut Svg, corner: Pixel, picture: &Cells, field: &Field) {
 }
 
 fn small(svg: &mut Svg, at: Pixel, anchor: Anchor, ink: &str, words: &str) {
-    svg.text(at, anchor, style().font_size(11.0).fill(ink), words);
+    svg.text(at, anchor, style().font_size(10.5).fill(ink), words);
 }
