@@ -39,7 +39,7 @@ pub(super) fn solve(
             show(&result);
             complete.push(result);
         }
-        told(cases, &complete, || keep(&complete));
+        report_interruption(cases, &complete, || keep(&complete));
     });
     bar.clear();
     let failed = failed.lock().expect("showing does not panic").take();
@@ -47,7 +47,11 @@ pub(super) fn solve(
 }
 
 /// Says on standard error which cases are complete and what became of them, and which are missing.
-fn told(cases: &[Case], complete: &[CaseResult], keep: impl FnOnce() -> Result<String, Stop>) {
+fn report_interruption(
+    cases: &[Case],
+    complete: &[CaseResult],
+    keep: impl FnOnce() -> Result<String, Stop>,
+) {
     let is_complete = |case: &&Case| complete.iter().any(|result| result.case.name == case.name);
     let (complete, missing): (Vec<&Case>, Vec<&Case>) = cases.iter().partition(is_complete);
     let [complete, missing] = [complete, missing].map(|cases| {

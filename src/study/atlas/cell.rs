@@ -2,7 +2,8 @@
 
 use std::borrow::Cow;
 
-use super::grid::{Grid, GridPoint, grids};
+use super::grid::{Grid, GridPoint};
+use super::grids::grids;
 use crate::answer::{Bracket, Status};
 use crate::method::{Method, kind};
 use crate::run::{Progress, Row, Subject, Task};

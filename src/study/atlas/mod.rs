@@ -10,12 +10,14 @@
 
 mod cell;
 mod grid;
+mod grids;
 mod picture;
 mod scenes;
 mod text;
 
 pub use cell::{Cell, CellVerdict, run, size};
-pub use grid::{Grid, GridPoint, grids};
+pub use grid::{Grid, GridPoint};
+pub use grids::grids;
 pub use picture::picture;
 pub use scenes::{Columns, moved, running_bond};
 pub use text::{csv, table};

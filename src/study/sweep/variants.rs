@@ -245,14 +245,14 @@ impl<'a> Replaced<'a> {
                 return Complaint::new(title).help(inner.advice());
             }
         };
-        let told = self.values.iter();
-        let told: Vec<String> = told
+        let values = self.values.iter();
+        let values: Vec<String> = values
             .map(|(key, (value, _))| format!("{key} = {value}"))
             .collect();
-        let label = if told.is_empty() {
+        let label = if values.is_empty() {
             "in this case".to_owned()
         } else {
-            format!("with {}", told.join(", "))
+            format!("with {}", values.join(", "))
         };
         let title = format!("no such wall: {}", inner.title());
         document

@@ -1,0 +1,338 @@
+//! The grids of the atlas.
+
+use super::grid::{Grid, GridPoint};
+use super::scenes::{Columns, moved, running_bond, running_bond_in};
+use crate::method::{Kind, Settings};
+
+/// Accuracy of a formula.
+const EXACT: f64 = 1e-6;
+
+/// Collapse multipliers of running bond with open head joints, computed with HiGHS (the verified
+/// state nearest the pushover's), by number of courses, and what they are worth: λ_A of paper-2 lies
+/// 3e-4 above, and all pushovers within 5e-4.
+const WALLS: [(usize, f64); 2] = [(6, 0.639969), (10, 0.562786)];
+const OF_WALLS: f64 = 1e-3;
+
+/// All grids; the small ones are subsets of the large ones.
+pub fn grids(large: bool) -> Vec<Grid> {
+    vec![
+        courses_and_friction(large),
+        slenderness_and_mass(large),
+        courses_and_overburden(large),
+        courses_and_gap(large),
+        unit_and_distance(large),
+        tolerance_of_programs(large),
+        substep_and_stiffness(large),
+    ]
+}
+
+/// The first values of a list of pairs (value, whether it is in the small atlas).
+fn chosen<T: Copy>(values: &[(T, bool)], large: bool) -> Vec<T> {
+    let wanted = values.iter().filter(|(_, small)| large || *small);
+    wanted.map(|(value, _)| *value).collect()
+}
+
+fn on_columns(x: String, y: String, columns: Columns) -> GridPoint {
+    GridPoint {
+        x,
+        y,
+        blocks: columns.courses * columns.count,
+        settings: Settings::default(),
+        reference: columns.multiplier(),
+        accuracy: EXACT,
+        scene: Box::new(move || columns.scene()),
+    }
+}
+
+fn courses_and_friction(large: bool) -> Grid {
+    let courses = [
+        (1, true),
+        (2, false),
+        (4, false),
+        (8, true),
+        (16, false),
+        (32, false),
+    ];
+    let frictions = [
+        (0.05, true),
+        (0.2, false),
+        (0.4, true),
+        (0.9, true),
+        (2.0, false),
+    ];
+    let mut cells = Vec::new();
+    for friction in chosen(&frictions, large) {
+        for courses in chosen(&courses, large) {
+            let columns = Columns {
+                courses,
+                friction,
+                ..Columns::default()
+            };
+            cells.push(on_columns(
+                courses.to_string(),
+                friction.to_string(),
+                columns,
+            ));
+        }
+    }
+    Grid {
+        name: "courses-friction",
+        x: "courses",
+        y: "friction coefficient",
+        kinds: &[],
+        causes: "A column of blocks 1 x 0.5 on level ground; exact: min(friction, width / height). \
+                 sequential: where the column slides as a whole, c0 lifts its multiplier by c0 over \
+                 the friction, and the judge finds the gap: an estimate. pushover: the substep \
+                 shrinks with the courses, so that tall columns take long; where a push within its \
+                 grid of 1e-5 is large against the multiplier, its bracket is wide. macro-block: a \
+                 column has no stagger, so that it declines.",
+        cells,
+    }
+}
+
+fn slenderness_and_mass(large: bool) -> Grid {
+    let slender = [
+        (0.5, true),
+        (1.0, false),
+        (2.0, true),
+        (5.0, false),
+        (10.0, true),
+        (40.0, false),
+    ];
+    let ratios = [
+        (1e-6, false),
+        (1e-3, true),
+        (0.1, false),
+        (1.0, true),
+        (1e3, true),
+        (1e6, false),
+    ];
+    let mut cells = Vec::new();
+    for ratio in chosen(&ratios, large) {
+        for slenderness in chosen(&slender, large) {
+            let columns = Columns {
+                height: slenderness / 3.0,
+                mass_ratio: ratio,
+                friction: 0.8,
+                ..Columns::default()
+            };
+            cells.push(on_columns(
+                slenderness.to_string(),
+                format!("{ratio:e}"),
+                columns,
+            ));
+        }
+    }
+    Grid {
+        name: "slenderness-mass",
+        x: "height over width",
+        y: "weight of the top block over that of the others",
+        kinds: &[],
+        causes: "A column of three blocks, friction 0.8; exact. pushover: contact forces differ as \
+                 much as the weights, and the solver's sweeps pass a heavy block's load through \
+                 light ones only slowly: the contacts under it give more, the self-checks of \
+                 settlement and reaction refuse it, or the stated time runs out. Very slender \
+                 columns collapse at loads near its finest step.",
+        cells,
+    }
+}
+
+fn courses_and_overburden(large: bool) -> Grid {
+    let courses = [(1, true), (3, true), (6, false), (12, false)];
+    let ratios = [
+        (0.0, false),
+        (0.1, false),
+        (1.0, true),
+        (10.0, true),
+        (100.0, false),
+    ];
+    let mut cells = Vec::new();
+    for overburden in chosen(&ratios, large) {
+        for courses in chosen(&courses, large) {
+            let columns = Columns {
+                courses,
+                overburden,
+                ..Columns::default()
+            };
+            cells.push(on_columns(
+                courses.to_string(),
+                overburden.to_string(),
+                columns,
+            ));
+        }
+    }
+    Grid {
+        name: "courses-overburden",
+        x: "courses",
+        y: "overburden over the column's weight",
+        kinds: &[],
+        causes: "A column of blocks 1 x 0.5, friction 0.6, loaded on its top both downwards and \
+                 sideways; exact. pushover: the load on the top block is no mass of it, so that it \
+                 is the heavy-top case of the grid of slenderness and mass once more.",
+        cells,
+    }
+}
+
+fn courses_and_gap(large: bool) -> Grid {
+    let courses = [(2, true), (4, false), (8, false)];
+    let gaps = [
+        (1e-4, true),
+        (1e-3, false),
+        (1e-2, true),
+        (0.1, false),
+        (0.5, true),
+    ];
+    let mut cells = Vec::new();
+    for gap in chosen(&gaps, large) {
+        for courses in chosen(&courses, large) {
+            let columns = Columns {
+                courses,
+                gap,
+                count: 2,
+                ..Columns::default()
+            };
+            cells.push(on_columns(courses.to_string(), format!("{gap:e}"), columns));
+        }
+    }
+    Grid {
+        name: "courses-gap",
+        x: "courses",
+        y: "gap between two columns over their width",
+        kinds: &[],
+        causes: "Two equal columns with a gap between them, friction 0.6; exact: each for itself. \
+                 The limit analysis sees no joint across a gap, however narrow. pushover: blocks \
+                 without a joint must never touch in the engine, or the gap would close before the \
+                 collapse and the columns would lean on each other.",
+        cells,
+    }
+}
+
+fn unit_and_distance(large: bool) -> Grid {
+    let units = [
+        (1e-6, false),
+        (1e-3, true),
+        (1.0, true),
+        (1e3, true),
+        (1e6, false),
+    ];
+    let distances = [(0.0, true), (1e3, true), (1e5, false), (1e7, false)];
+    let mut cells = Vec::new();
+    let (courses, reference) = WALLS[0];
+    for distance in chosen(&distances, large) {
+        for unit in chosen(&units, large) {
+            let scene = move || {
+                let wall = running_bond_in(courses, unit);
+                moved(&wall, distance * wall.height())
+            };
+            cells.push(GridPoint {
+                x: format!("{unit:e}"),
+                y: format!("{distance:e}"),
+                scene: Box::new(scene),
+                blocks: 33,
+                settings: Settings::default(),
+                reference,
+                accuracy: OF_WALLS,
+            });
+        }
+    }
+    Grid {
+        name: "unit-distance",
+        x: "unit of length",
+        y: "distance from the origin over the wall's height",
+        kinds: &[],
+        causes: "paper-1 with open head joints in another unit and at another place; HiGHS: 0.639969 \
+                 wherever it stands. Every method scales to the wall's own size first. Far away, \
+                 coordinates lose the digits that joints and moment arms need: residuals above 1e-8 \
+                 are refuted or undecided, never a number. \
+                 macro-block: its range holds the multiplier and is far wider than 1 %.",
+        cells,
+    }
+}
+
+fn tolerance_of_programs(large: bool) -> Grid {
+    let tolerances = [
+        (1e-1, false),
+        (1e-2, true),
+        (1e-3, false),
+        (1e-4, true),
+        (1e-6, true),
+        (1e-8, false),
+        (1e-10, true),
+    ];
+    let mut cells = Vec::new();
+    for (courses, reference) in WALLS {
+        for tolerance in chosen(&tolerances, large) {
+            let mut settings = Settings::default();
+            settings.programs.lp_tolerance = tolerance;
+            cells.push(GridPoint {
+                x: format!("{tolerance:e}"),
+                y: format!("{courses} courses"),
+                scene: Box::new(move || running_bond(courses)),
+                blocks: 5 * courses + courses / 2,
+                settings,
+                reference,
+                accuracy: OF_WALLS,
+            });
+        }
+    }
+    Grid {
+        name: "tolerance",
+        x: "tolerance of the linear programs",
+        y: "courses",
+        kinds: &[Kind::AssociativeBounds, Kind::CollapseState],
+        causes: "paper-1 and paper-2 with open head joints; HiGHS: 0.639969 and 0.562786. An \
+                 interior-point solver stopped early reports success away from the optimum, the \
+                 further the larger the wall. Its forces and velocities then \
+                 prove nothing, and the answer is an estimate. sequential: a loose program stops its \
+                 steps from settling.",
+        cells,
+    }
+}
+
+fn substep_and_stiffness(large: bool) -> Grid {
+    let substeps = [
+        (0.5, false),
+        (1.0, true),
+        (2.0, false),
+        (4.0, true),
+        (16.0, true),
+        (64.0, false),
+    ];
+    let stiffnesses = [
+        (4.0, true),
+        (1.0, true),
+        (0.25, false),
+        (1.0 / 16.0, true),
+        (1.0 / 256.0, false),
+    ];
+    let mut cells = Vec::new();
+    let (courses, reference) = WALLS[0];
+    for stiffness in chosen(&stiffnesses, large) {
+        for substep in chosen(&substeps, large) {
+            let mut settings = Settings::default();
+            settings.pushover.substep = substep;
+            settings.pushover.stiffness = stiffness;
+            cells.push(GridPoint {
+                x: substep.to_string(),
+                y: stiffness.to_string(),
+                scene: Box::new(move || running_bond(courses)),
+                blocks: 33,
+                settings,
+                reference,
+                accuracy: OF_WALLS,
+            });
+        }
+    }
+    Grid {
+        name: "substep-stiffness",
+        x: "substep over the default",
+        y: "contact stiffness over the default",
+        kinds: &[Kind::Observed],
+        causes: "paper-1 with open head joints; HiGHS: 0.639969. Contacts are springs bound to the \
+                 substep: longer substeps and softer springs let the wall settle and sway before it \
+                 falls, which costs multiplier, and the self-check of the settlement refuses it; \
+                 stiffer ones than the substep resolves jitter, and are refused at once. Off the \
+                 default nothing is known about the error, so that answers are estimates.",
+        cells,
+    }
+}
