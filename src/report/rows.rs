@@ -56,8 +56,10 @@ pub fn csv(results: &[CaseResult]) -> Result<String, csv::Error> {
 pub fn json(results: &[CaseResult]) -> Result<String, serde_json::Error> {
     let mut list = Vec::new();
     for row in rows(results) {
-        let cells = for_programs().map(|column| (column.name.to_owned(), (column.value)(row)));
-        let cells = cells.map(|(name, value)| (name, json_value(&value)));
+        let cells = for_programs().map(|column| {
+            let value = (column.value)(row);
+            (column.name.to_owned(), value.json())
+        });
         let mut object: serde_json::Map<String, serde_json::Value> = cells.collect();
         let checks = row.outcome.checks.iter().map(ToString::to_string);
         object.insert("checks".to_owned(), checks.collect());
@@ -70,10 +72,6 @@ pub fn json(results: &[CaseResult]) -> Result<String, serde_json::Error> {
     let mut text = serde_json::to_string_pretty(&list)?;
     text.push('\n');
     Ok(text)
-}
-
-fn json_value(value: &Value) -> serde_json::Value {
-    value.json()
 }
 
 fn frame(moved: &Mechanism) -> serde_json::Value {
