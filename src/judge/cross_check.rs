@@ -200,3 +200,39 @@ pub fn open_never_raises(contact: &Answers, open: &Answers) -> Vec<Check> {
     });
     compared.collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Without dilatancy `stands` beside a state that the judge verified is a contradiction; with
+    /// associative friction it is explained.
+    #[test]
+    fn stands_beside_a_verified_state() {
+        let state = Outcome {
+            bracket: Some(Bracket::point(0.4)),
+            ..Outcome::of(Status::Verified)
+        };
+        for (claim, expected) in [
+            (Claim::CollapseState, Verdict::Violated),
+            (Claim::Associative, Verdict::Holds),
+        ] {
+            let stands = Outcome {
+                claim,
+                ..Outcome::of(Status::Stands)
+            };
+            let answers = [("one", &stands), ("other", &state)];
+            let checks = cross_check(HeadJoints::Contact, &answers);
+            let verdicts: Vec<Verdict> = checks.iter().map(|check| check.verdict).collect();
+            assert_eq!(verdicts, [expected], "{checks:?}");
+            assert!(checks[0].text.contains("0.4"), "{}", checks[0].text);
+        }
+        let bound = Outcome {
+            claim: Claim::Associative,
+            ..state.clone()
+        };
+        let stands = Outcome::of(Status::Stands);
+        let answers = [("one", &stands), ("bound", &bound)];
+        assert!(cross_check(HeadJoints::Contact, &answers).is_empty());
+    }
+}

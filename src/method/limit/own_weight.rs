@@ -120,8 +120,9 @@ const RAY_MARGINS: Margins = Margins {
 };
 
 /// Forces that balance the live load for λ = 1 and nothing else, within friction: they can be added
-/// to any state without limit.
-fn ray(scene: &Scene, work: &mut Work) -> Option<Vec<JointForce>> {
+/// to any state without limit, so that λ_A has none. Where the solver says so and no such forces are
+/// proved, it is the solver's word alone.
+pub(super) fn ray(scene: &Scene, work: &mut Work) -> Option<Vec<JointForce>> {
     let pushed = scene.clone().with_loads(|load, _| load.dead = load.live);
     let scale = Scale {
         force: live_unit(scene),

@@ -13,12 +13,12 @@ mod search;
 mod starts;
 
 use super::ending::Ending;
-use super::own_weight::{own_weight, stands_without_dilatancy, without_optimum};
+use super::own_weight::{own_weight, ray, stands_without_dilatancy, without_optimum};
 use super::reduction::{self, ScenePart};
 use super::scale::Scale;
 use crate::answer::{
     Bracket, CollapseResidual, CollapseState, JointForce, LimitFact, Outcome, SearchEnding,
-    SearchFacts, SearchFailure, SearchStart, StartEnding, StaticResidual, Status,
+    SearchFacts, SearchFailure, SearchStart, SolverEnding, StartEnding, StaticResidual, Status,
     VELOCITY_THRESHOLDS, VERIFIED_RESIDUAL, Work, crack_slope,
 };
 use crate::method::{Method, Settings};
@@ -117,6 +117,15 @@ fn without_bound(
     if let Some(outcome) = stands_without_dilatancy(scene, at_rest, &mut work) {
         return outcome;
     }
+    // That λ_A has no limit is said where forces prove it; else it is the solver's word.
+    let proved = ray(scene, &mut work).is_some();
+    let said = |fact: LimitFact| {
+        if proved {
+            fact
+        } else {
+            LimitFact::NoOptimum(SolverEnding::Unbounded)
+        }
+    };
     let mut search = Search::new(scene);
     let unit = scene.total_weight();
     let normal: Vec<f64> = (totals(at_rest).iter()).map(|n| n / unit).collect();
@@ -126,14 +135,16 @@ fn without_bound(
     ends.iter_mut().for_each(|end| end.keep_proved(scene));
     match report(scene, &ends, at_rest, &mut work) {
         Some(outcome) => Outcome {
-            facts: vec![LimitFact::FoundWithoutBound.into(), facts(&ends).into()],
+            facts: vec![
+                said(LimitFact::FoundWithoutBound).into(),
+                facts(&ends).into(),
+            ],
             ..outcome
         },
         None => {
             let mut outcome = undecided(&ends, work);
-            outcome
-                .facts
-                .insert(0, LimitFact::NoneFoundWithoutBound.into());
+            let fact = said(LimitFact::NoneFoundWithoutBound);
+            outcome.facts.insert(0, fact.into());
             outcome
         }
     }
