@@ -40,16 +40,15 @@ impl Method for Auto {
         };
         let closed_form = MacroBlock.solve(scene, settings).bracket;
         let bound = ladder.run(&Associative);
-        let starts = settings.interval.starts.max(2);
         if bound.status == Status::Stands {
-            let found = ladder.states(starts, f64::NEG_INFINITY);
+            let found = ladder.states(f64::NEG_INFINITY);
             return ladder.without_bound(found);
         }
         let Some(Bracket { upper, .. }) = bound.bracket else {
             return ladder.settled(bound);
         };
         let stop_below = upper - settings.auto.tolerance * upper.abs().max(1e-3);
-        let found = ladder.states(starts, stop_below);
+        let found = ladder.states(stop_below);
         let Some(Bracket { lower, .. }) = found.bracket else {
             return ladder.without_state(upper, found);
         };
@@ -62,7 +61,7 @@ impl Method for Auto {
             unique: width <= settings.auto.tolerance,
             relative_width: width,
             closed_form,
-            starts,
+            starts: found.search().map_or(0, |search| search.starts.len()),
             ended_early: lower < stop_below,
         };
         ladder.answer(bound, found, bracket, uniqueness)
@@ -92,10 +91,8 @@ impl Ladder<'_> {
     }
 
     /// The interval, stopped at the first state below `stop_below`.
-    fn states(&mut self, starts: usize, stop_below: f64) -> Outcome {
-        let mut settings = proving(self.settings);
-        settings.interval.starts = starts;
-        let outcome = limit::lowest(self.scene, &settings, stop_below);
+    fn states(&mut self, stop_below: f64) -> Outcome {
+        let outcome = limit::lowest(self.scene, &proving(self.settings), stop_below);
         self.count(outcome.work);
         outcome
     }
