@@ -47,6 +47,8 @@ pub enum SearchStart {
     StaticsBelow,
     /// Those of the force state with the largest λ less random prices of the normal forces.
     Priced,
+    /// Those of the lowest state known, each raised a little at random.
+    LowestRaised,
     /// Those of the lowest state known, each scaled at random.
     LowestScaled,
     /// Those of the force state nearest to the lowest state's mechanism with its slips changed at

@@ -260,8 +260,16 @@ fn follow(
     let mut found = Found::default();
     let mut endings = Vec::new();
     while budget.goes_on(endings.len(), search.work.programs, &found) {
+        let before = found.lowest().map(|state| state.lambda);
         let (start, branch) = starts.follow_next(&mut search, &found);
         let branch = branch.and_then(|branch| proved(searched, scale, branch));
+        let branch = branch.and_then(|branch| {
+            let is_lower = before.is_none_or(|lowest| branch.lowest.lambda < lowest);
+            let is_whole = place.part.is_none()
+                || !is_lower
+                || place.state(scale, &branch.lowest, work).is_some();
+            is_whole.then_some(branch).ok_or(SearchFailure::PartOnly)
+        });
         let ending = match branch {
             Ok(branch) => {
                 let lowest = branch.lowest.lambda;
@@ -271,6 +279,10 @@ fn follow(
             Err(failure) => SearchEnding::Failed(failure),
         };
         endings.push(StartEnding { start, ending });
+        let after = found.lowest().map(|state| state.lambda);
+            eprintln!("{start:?} {ending:?} {} {after:?}", search.work.programs);
+        }
+        starts.go_on(before.is_some() && after < before);
         let reached = |state: &State| state.lambda <= request.stop_below;
         if found.lowest().is_some_and(reached) {
             break;
@@ -315,31 +327,28 @@ fn whole_states(
     work: &mut Work,
 ) -> Vec<CollapseState> {
     let scale = search.program().scale();
-    let mut states = Vec::new();
-    let mut highest = Vec::new();
-    for state in found.states() {
-        let Some(whole) = place.state(scale, state, work) else {
-            continue;
-        };
-        if states.is_empty() {
-            highest.push(search.highest_of(state));
-        }
-        states.push(whole);
-        if place.part.is_some() {
-            break;
-        }
+    let mut whole = |state: &State| place.state(scale, state, work);
+    let mut lowest = found
+        .states()
+        .filter_map(|state| Some((state, whole(state)?)));
+    let Some((of_part, first)) = lowest.next() else {
+        return Vec::new();
+    };
+    let mut states = vec![first];
+    if place.part.is_none() {
+        states.extend(lowest.map(|(_, state)| state));
     }
-    if let (false, Some(state)) = (states.is_empty(), found.highest()) {
-        highest.push(search.highest_of(state));
-        highest.push(state.clone());
-    }
-    let lambdas: Vec<f64> = states
-        .iter()
-        .map(|state: &CollapseState| state.lambda)
-        .collect();
-    highest.retain(|state| lambdas.iter().all(|&lambda| lambda < state.lambda));
-    states.extend((highest.iter()).filter_map(|state| place.state(scale, state, work)));
-    states.sort_by(|a, b| a.lambda.total_cmp(&b.lambda));
+    let mut higher: Vec<State> = vec![search.highest_of(of_part)];
+    higher.extend(found.highest().next().map(|state| search.highest_of(state)));
+    higher.extend(found.highest().cloned());
+    higher.sort_by(|a, b| b.lambda.total_cmp(&a.lambda));
+    let known = states[states.len() - 1].lambda;
+    let higher = higher.iter().filter(|state| state.lambda > known);
+    states.extend(
+        higher
+            .filter_map(|state| place.state(scale, state, work))
+            .next(),
+    );
     states
 }
 
