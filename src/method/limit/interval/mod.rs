@@ -214,6 +214,33 @@ impl<'a> Place<'a> {
         };
         is_proved(self.whole, &state).then_some(state)
     }
+
+    /// The branch, where its states are proved in the scene that is searched: what a program calls
+    /// solved need not be. A state of a part that is lower than all others must be one of the whole
+    /// scene too, as the search goes on from it.
+    fn proved(
+        &self,
+        scale: Scale,
+        mut branch: Branch,
+        lowest: f64,
+        work: &mut Work,
+    ) -> Result<Branch, SearchFailure> {
+        let searched = Place::whole(self.searched());
+        let is_proved = |place: &Place, state: &State, work: &mut Work| {
+            place.state(scale, state, work).is_some()
+        };
+        if !is_proved(&searched, &branch.lowest, work) {
+            return Err(SearchFailure::Unproved);
+        }
+        let is_lower = self.part.is_some() && branch.lowest.lambda < lowest;
+        if is_lower && !is_proved(self, &branch.lowest, work) {
+            return Err(SearchFailure::PartOnly);
+        }
+        if !is_proved(&searched, &branch.first, work) {
+            branch.first = branch.lowest.clone();
+        }
+        Ok(branch)
+    }
 }
 
 fn is_proved(scene: &Scene, state: &CollapseState) -> bool {
@@ -260,31 +287,20 @@ fn follow(
     let mut found = Found::default();
     let mut endings = Vec::new();
     while budget.goes_on(endings.len(), search.work.programs, &found) {
-        let before = found.lowest().map(|state| state.lambda);
+        let lowest = found.lowest().map_or(f64::INFINITY, |state| state.lambda);
         let (start, branch) = starts.follow_next(&mut search, &found);
-        let branch = branch.and_then(|branch| proved(searched, scale, branch));
-        let branch = branch.and_then(|branch| {
-            let is_lower = before.is_none_or(|lowest| branch.lowest.lambda < lowest);
-            let is_whole = place.part.is_none()
-                || !is_lower
-                || place.state(scale, &branch.lowest, work).is_some();
-            is_whole.then_some(branch).ok_or(SearchFailure::PartOnly)
-        });
-        let ending = match branch {
+        let branch = branch.and_then(|branch| place.proved(scale, branch, lowest, work));
+        let (ending, lambda) = match branch {
             Ok(branch) => {
-                let lowest = branch.lowest.lambda;
+                let lambda = branch.lowest.lambda;
                 found.take(branch);
-                SearchEnding::Verified { lowest }
+                (SearchEnding::Verified { lowest: lambda }, lambda)
             }
-            Err(failure) => SearchEnding::Failed(failure),
+            Err(failure) => (SearchEnding::Failed(failure), f64::INFINITY),
         };
         endings.push(StartEnding { start, ending });
-        let after = found.lowest().map(|state| state.lambda);
-            eprintln!("{start:?} {ending:?} {} {after:?}", search.work.programs);
-        }
-        starts.go_on(before.is_some() && after < before);
-        let reached = |state: &State| state.lambda <= request.stop_below;
-        if found.lowest().is_some_and(reached) {
+        starts.go_on(lambda < lowest);
+        if lambda <= request.stop_below {
             break;
         }
     }
@@ -292,30 +308,8 @@ fn follow(
     work.programs += search.work.programs;
     work.iterations += search.work.iterations;
     work.modelled = searched.blocks().len();
-    if states.is_empty() && found.lowest().is_some() {
-        let failed = SearchEnding::Failed(SearchFailure::PartOnly);
-        endings.iter_mut().for_each(|end| end.ending = failed);
-    }
     let facts = SearchFacts { starts: endings };
     Explored { states, facts }
-}
-
-/// The branch, where its states are proved in the scene that is searched: what a program calls
-/// solved need not be.
-fn proved(searched: &Scene, scale: Scale, branch: Branch) -> Result<Branch, SearchFailure> {
-    let place = Place::whole(searched);
-    let mut no_work = Work::default();
-    let is_proved = |state: &State, work: &mut Work| place.state(scale, state, work).is_some();
-    if !is_proved(&branch.lowest, &mut no_work) {
-        return Err(SearchFailure::Unproved);
-    }
-    if is_proved(&branch.first, &mut no_work) {
-        return Ok(branch);
-    }
-    Ok(Branch {
-        first: branch.lowest.clone(),
-        lowest: branch.lowest,
-    })
 }
 
 /// The states found that are states of the whole scene. Each one of a part costs a program, so that
