@@ -132,7 +132,8 @@ kind = \"independent\"
     fn a_course_that_cannot_be_laid_is_shown_in_its_string() {
         let shown = complaint(&SMALL.replace("\"11\"", "\"gg\""));
         assert!(shown.contains("course 2 holds no block"), "{shown}");
-        let caret = "2 | courses = [\"h1*1h\", \"gg\"] # remark\n  |                       ^^^^ in course 2";
+        let caret =
+            "2 | courses = [\"h1*1h\", \"gg\"] # remark\n  |                     ^^^^ in course 2";
         assert!(shown.contains(caret), "{shown}");
     }
 
