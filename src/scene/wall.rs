@@ -102,6 +102,21 @@ impl Wall {
         self.courses.len() as f64 * self.unit_height
     }
 
+    /// Where every block lies, in the order of the scene's blocks. Courses count from the bottom,
+    /// pieces from the left with gaps.
+    pub fn block_names(&self) -> Vec<String> {
+        let places = self
+            .courses
+            .iter()
+            .enumerate()
+            .flat_map(|(course, pieces)| {
+                let blocks = pieces.iter().enumerate();
+                let blocks = blocks.filter(|(_, piece)| **piece != Piece::Gap);
+                blocks.map(move |(piece, _)| format!("course {} piece {}", course + 1, piece + 1))
+            });
+        places.collect()
+    }
+
     fn width(&self, piece: Piece) -> f64 {
         match piece {
             Piece::Unit | Piece::Gap => self.unit_length,
