@@ -139,6 +139,7 @@ impl TryFrom<KeptRow> for Row {
             joints: kept.joints,
             residual: kept.residual,
             seconds: kept.seconds,
+            stronger: None,
             references: Vec::new(),
             verdict: None,
         })
