@@ -1,9 +1,13 @@
 """What a scene owes its polygons and its case file, for `judge.py`: centroids, loads and joints are
 derived here again, and what differs is told in a line each."""
 import re
-import tomllib
 
 import numpy as np
+
+try:
+    import tomllib
+except ImportError:  # Python before 3.11: scenes are not laid again
+    tomllib = None
 
 TOUCH = 1e-6  # edges touch within this part of the smaller body's extent, unless the file says otherwise
 
@@ -134,7 +138,7 @@ def contacts(source, to, near):
 def case_files(folder):
     """Every case file below a folder that can be laid again here, by the name of its case."""
     files = {}
-    for path in sorted(folder.rglob("*.toml")):
+    for path in sorted(folder.rglob("*.toml")) if tomllib else []:
         if not path.name.endswith(".sweep.toml"):
             files[path.stem] = tomllib.loads(path.read_text())
     return files
