@@ -143,6 +143,7 @@ impl<'a> Task<'a> {
             friction: friction(scene),
             blocks: scene.blocks().len(),
             joints: scene.joints().len(),
+            multiplier_unit: scene.multiplier_unit(),
             outcome: answer.outcome,
             residual: answer.residual,
             seconds: answer.seconds,
