@@ -163,7 +163,9 @@ fn checks(case: &Case, scenes: &[(HeadJoints, Vec<Scene>)], rows: &[Row]) -> Vec
             let of_side: Vec<_> = of_side.map(|(_, answer)| answer).collect();
             checks.extend(cross_check(*head_joints, &of_side));
         }
-        checks.extend(reference_checks(case, *head_joints, &answers(*head_joints)));
+        let unit = sides.first().map_or(1.0, Scene::multiplier_unit);
+        let answers = answers(*head_joints);
+        checks.extend(reference_checks(case, *head_joints, &answers, unit));
     }
     let (contact, open) = (answers(HeadJoints::Contact), answers(HeadJoints::Open));
     let (contact, open): (&Answers, &Answers) = (&contact, &open);

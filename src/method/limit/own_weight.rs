@@ -133,6 +133,7 @@ pub(super) fn ray(scene: &Scene, work: &mut Work) -> Option<Vec<JointForce>> {
     let scale = Scale {
         force: live_unit(scene),
         length: scene.height(),
+        multiplier: 1.0,
     };
     for margins in [Some(RAY_MARGINS), None] {
         let mut program = Program::at_multiplier(&pushed, 0.0, scale);

@@ -1,7 +1,7 @@
 //! The one linear program of the limit analysis, assembled once and solved by Clarabel.
 //!
-//! Variables: two corner forces n1, n2 and one shear t a joint, then λ. Rows: three equilibrium
-//! equations a block, A q + λ f_L = −f_D, then four inequalities a joint,
+//! Variables: two corner forces n1, n2 and one shear t a joint, then λ*. Rows: three equilibrium
+//! equations a block, A q + λ* f_L = −f_D, then four inequalities a joint,
 //!
 //! ```text
 //! n1 ≥ 0,  n2 ≥ 0,  ±t ≤ slope · (n1 + n2) + intercept
@@ -238,7 +238,10 @@ impl Program {
             shear: q[2],
         });
         Solution {
-            lambda: self.goal.fixed().unwrap_or_else(|| lambda[0]),
+            lambda: match self.goal.fixed() {
+                None => lambda[0],
+                Some(lambda) => lambda / self.scale.multiplier,
+            },
             forces: forces.collect(),
             velocity: solution.z[..self.rows_of_blocks].to_vec(),
             iterations: solution.iterations as usize,

@@ -224,8 +224,9 @@ fn follow(
     for start in starts.into_iter().chain(further) {
         let kind = start.kind;
         let settings = request.settings;
-        let branch = descend(search, start, settings.interval.starts, request.stop_below);
         let scale = search.program().scale();
+        let stop_below = request.stop_below / scale.multiplier;
+        let branch = descend(search, start, settings.interval.starts, stop_below);
         let states = branch.and_then(|branch| {
             let mut whole = |state| collapse_state(scene, part, scale, state, work);
             Ok(States {
@@ -275,7 +276,7 @@ fn collapse_state(
     state: &State,
     work: &mut Work,
 ) -> Option<CollapseState> {
-    let lambda = state.lambda;
+    let lambda = state.lambda * scale.multiplier;
     let forces = scale.forces(&state.forces);
     let mechanism = scale.mechanism(&state.velocity);
     let (forces, mechanism) = match part {
