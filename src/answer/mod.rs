@@ -19,6 +19,7 @@ mod status;
 mod work;
 
 pub use block_residual::BlockResidual;
+pub(crate) use block_residual::reach;
 pub use bracket::{Bracket, magnitude};
 pub use claim::Claim;
 pub use crack::Crack;

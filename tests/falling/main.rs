@@ -30,26 +30,27 @@ fn letter(scene: &Scene) -> char {
     }
 }
 
-/// Scenes of the class with weights over nine decades whose lightest blocks are out of balance by
-/// less than the residual over the whole scene shows.
-const HIDDEN: [usize; 2] = [180, 186];
-
 #[test]
 fn what_falls_is_told_from_what_stands() {
     for (class, (name, truth)) in CLASSES.iter().enumerate() {
         let (mut right, mut refused, mut wrong) = (0, Vec::new(), Vec::new());
+        let mut missed = Vec::new();
         for (index, truth) in truth.chars().enumerate() {
             match (letter(&of_class(class, index)), truth) {
+                ('?', 'f') => missed.push(index),
                 ('?', _) => refused.push(index),
                 (said, truth) if said == truth || truth == '?' => right += 1,
                 _ => wrong.push(index),
             }
         }
-        println!("{name}: {right} right, {refused:?} refused, {wrong:?} wrong");
-        wrong.retain(|index| class != 2 || !HIDDEN.contains(index));
+        println!(
+            "{name}: {right} right, {missed:?} fall and {refused:?} stand but are refused, {wrong:?} wrong"
+        );
         assert!(wrong.is_empty(), "{name}: {wrong:?}");
-        let most = if class == 2 { 5 } else { 1 };
-        assert!(refused.len() <= most, "{name}: {refused:?}");
+        // Over nine decades double precision does not resolve λ_A of many that stand.
+        let (falling, standing) = if class == 2 { (8, 80) } else { (0, 1) };
+        assert!(missed.len() <= falling, "{name}: {missed:?}");
+        assert!(refused.len() <= standing, "{name}: {refused:?}");
     }
 }
 

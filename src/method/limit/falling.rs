@@ -4,7 +4,7 @@
 use super::ending::Ending;
 use super::program::Program;
 use super::reduction::ScenePart;
-use crate::answer::{Mechanism, Motion, VERIFIED_RESIDUAL, Work, falling_violation};
+use crate::answer::{BlockResidual, Mechanism, Motion, VERIFIED_RESIDUAL, Work, falling_violation};
 use crate::scene::{Scene, Side, Vector};
 
 /// Openings beyond the flow rule, the mechanism's total opening and slip being 1: first enough to
@@ -17,6 +17,7 @@ const RESTING: f64 = 1e-6;
 /// Whether a mechanism proves that the scene falls.
 pub(super) fn proves(scene: &Scene, mechanism: &Mechanism) -> bool {
     falling_violation(scene, mechanism) <= VERIFIED_RESIDUAL
+        && BlockResidual::of_flow(scene, mechanism).is_small()
 }
 
 /// The mechanism of blocks that no chain of joints connects with a support: they drift along their
@@ -109,7 +110,7 @@ fn lighter(scene: &Scene) -> Vec<Vec<bool>> {
 /// The mechanism on which the dead load does the most work for its openings and slips.
 fn fastest_fall(scene: &Scene, opening: f64, work: &mut Work) -> Option<Mechanism> {
     let mut program = Program::with_slack(scene, 0.0);
-    program.set_cost(1.0, &vec![-opening; scene.joints().len()]);
+    program.set_opening(opening);
     let velocity = match program.solve_counted(work) {
         Ending::Solved(solution) => solution.velocity,
         Ending::Infeasible(certificate) => certificate,

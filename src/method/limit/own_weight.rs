@@ -8,8 +8,8 @@ use super::program::{Margins, Program};
 use super::scale::Scale;
 use super::vertical;
 use crate::answer::{
-    Claim, JointForce, LimitFact, Mechanism, Outcome, StaticResidual, Status, VERIFIED_RESIDUAL,
-    Work, live_unit,
+    BlockResidual, Claim, JointForce, LimitFact, Mechanism, Outcome, StaticResidual, Status,
+    VERIFIED_RESIDUAL, Work, live_unit,
 };
 use crate::scene::Scene;
 
@@ -20,7 +20,8 @@ use crate::scene::Scene;
 /// nothing. Walls of level beds are mostly settled from top to bottom without a program.
 pub(super) fn own_weight(scene: &Scene, work: &mut Work) -> Result<Vec<JointForce>, Box<Outcome>> {
     let stands = |forces: &[JointForce]| {
-        StaticResidual::of(scene, forces, 0.0).largest() <= VERIFIED_RESIDUAL
+        let statics = StaticResidual::of(scene, forces, 0.0).largest();
+        statics <= VERIFIED_RESIDUAL && BlockResidual::of_forces(scene, forces, 0.0).is_small()
     };
     if let Some(forces) = vertical::forces(scene).filter(|forces| stands(forces)) {
         return Ok(forces);
@@ -32,7 +33,7 @@ pub(super) fn own_weight(scene: &Scene, work: &mut Work) -> Result<Vec<JointForc
     let mut moved = Vec::new();
     for opening in OPENINGS {
         let mut program = Program::with_slack(scene, 0.0);
-        program.set_cost(1.0, &vec![-opening; scene.joints().len()]);
+        program.set_opening(opening);
         let velocity = match program.solve_counted(work) {
             Ending::Solved(solution) => {
                 let forces = program.scale().forces(&solution.forces);

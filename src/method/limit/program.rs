@@ -18,6 +18,7 @@ use clarabel::solver::{
 
 use super::columns::{Entries, joint_columns, multiplier_column, right_side, slack_column};
 use super::ending::{Ending, Solution};
+use super::equilibration::Equilibration;
 use super::scale::Scale;
 use crate::answer::{JointForce, Work};
 use crate::method::settings::LP_TOLERANCE;
@@ -52,6 +53,8 @@ pub struct Program {
     friction_at: Vec<[usize; 4]>,
     rows_of_blocks: usize,
     scale: Scale,
+    /// Units of blocks and joints inside the program, where it needs them.
+    equilibration: Option<Equilibration>,
     goal: Goal,
 }
 
@@ -125,6 +128,10 @@ impl Program {
                 right[rows - 1] = MAX_SLACK / scene.blocks().len() as f64;
             }
         }
+        let equilibration = Equilibration::of(scene, &scale);
+        if let Some(units) = &equilibration {
+            equilibrate(units, &mut entries, &mut right[..rows_of_blocks]);
+        }
         let matrix = CscMatrix::new(rows, columns, entries.starts, entries.rows, entries.values);
         let mut cost = vec![0.0; columns];
         if let Some(last) = cost.get_mut(3 * joints) {
@@ -147,6 +154,7 @@ impl Program {
             friction_at,
             rows_of_blocks,
             scale,
+            equilibration,
             goal,
         }
     }
@@ -169,7 +177,13 @@ impl Program {
         }
         let updated = self.solver.update_b(&self.right);
         updated.expect("presolve is off, so updates are allowed");
-        self.set_cost(1.0, &vec![-margins.opening; self.friction_at.len()]);
+        self.set_opening(margins.opening);
+    }
+
+    /// Asks for every corner to open by this much beyond what the flow rule needs, in the program's
+    /// own units.
+    pub(super) fn set_opening(&mut self, opening: f64) {
+        self.change_cost(1.0, |_| -opening);
     }
 
     /// Changes the friction law of every joint; one law a joint, in the scene's order.
@@ -179,8 +193,9 @@ impl Program {
                 self.values[at] = -law.slope;
             }
             let first = self.rows_of_blocks + 4 * j;
-            self.right[first + 2] = law.intercept;
-            self.right[first + 3] = law.intercept;
+            let intercept = law.intercept / self.joint_unit(j);
+            self.right[first + 2] = intercept;
+            self.right[first + 3] = intercept;
         }
         let updated = self.solver.update_A(&self.values);
         updated.expect("presolve is off, so updates are allowed");
@@ -191,12 +206,23 @@ impl Program {
     /// Changes the cost: `lambda` · λ (or the slack) − Σ price · (n1 + n2) is to be largest, with
     /// one price a joint in `normal`.
     pub(super) fn set_cost(&mut self, lambda: f64, normal: &[f64]) {
+        let units = self.equilibration.as_ref().map(|units| &units.joints);
+        let units = units.cloned();
+        self.change_cost(lambda, |j| match &units {
+            Some(units) => normal[j] * units[j],
+            None => normal[j],
+        });
+    }
+
+    /// As [`Program::set_cost`], with prices in the program's own units.
+    fn change_cost(&mut self, lambda: f64, price: impl Fn(usize) -> f64) {
+        let joints = self.friction_at.len();
         let mut cost = vec![0.0; self.solver.solution.x.len()];
-        for (j, price) in normal.iter().enumerate() {
-            cost[3 * j] = *price;
-            cost[3 * j + 1] = *price;
+        for j in 0..joints {
+            cost[3 * j] = price(j);
+            cost[3 * j + 1] = price(j);
         }
-        if let Some(last) = cost.get_mut(3 * normal.len()) {
+        if let Some(last) = cost.get_mut(3 * joints) {
             *last = -lambda;
         }
         let updated = self.solver.update_q(&cost);
@@ -218,7 +244,7 @@ impl Program {
         match solution.status {
             SolverStatus::Solved | SolverStatus::AlmostSolved => Ending::Solved(self.read()),
             SolverStatus::PrimalInfeasible | SolverStatus::AlmostPrimalInfeasible => {
-                Ending::Infeasible(solution.z[..self.rows_of_blocks].to_vec())
+                Ending::Infeasible(self.velocity())
             }
             SolverStatus::DualInfeasible | SolverStatus::AlmostDualInfeasible => Ending::Unbounded,
             status @ (SolverStatus::Unsolved
@@ -230,12 +256,32 @@ impl Program {
         }
     }
 
+    /// Force unit of a joint in the program, in that of the scale.
+    fn joint_unit(&self, joint: usize) -> f64 {
+        self.equilibration
+            .as_ref()
+            .map_or(1.0, |units| units.joints[joint])
+    }
+
+    fn velocity(&self) -> Vec<f64> {
+        let rates = self.solver.solution.z[..self.rows_of_blocks].iter();
+        match &self.equilibration {
+            None => rates.copied().collect(),
+            Some(units) => (rates.enumerate())
+                .map(|(row, rate)| rate * units.of_block_row(row))
+                .collect(),
+        }
+    }
+
     fn read(&self) -> Solution {
         let solution = &self.solver.solution;
         let (corners, lambda) = solution.x.split_at(3 * self.friction_at.len());
-        let forces = corners.chunks_exact(3).map(|q| JointForce {
-            normal: [q[0], q[1]],
-            shear: q[2],
+        let forces = corners.chunks_exact(3).enumerate().map(|(j, q)| {
+            let unit = self.joint_unit(j);
+            JointForce {
+                normal: [q[0] * unit, q[1] * unit],
+                shear: q[2] * unit,
+            }
         });
         Solution {
             lambda: match self.goal.fixed() {
@@ -243,9 +289,26 @@ impl Program {
                 Some(lambda) => lambda / self.scale.multiplier,
             },
             forces: forces.collect(),
-            velocity: solution.z[..self.rows_of_blocks].to_vec(),
+            velocity: self.velocity(),
             iterations: solution.iterations as usize,
         }
+    }
+}
+
+/// Scales the equilibrium rows by the blocks' units and the joints' columns by theirs. A joint's
+/// inequalities have its unit on both sides.
+fn equilibrate(units: &Equilibration, entries: &mut Entries, right: &mut [f64]) {
+    for column in 0..entries.starts.len() - 1 {
+        let unit = units.joints.get(column / 3).copied().unwrap_or(1.0);
+        for at in entries.starts[column]..entries.starts[column + 1] {
+            let row = entries.rows[at];
+            if row < right.len() {
+                entries.values[at] *= unit * units.of_block_row(row);
+            }
+        }
+    }
+    for (row, value) in right.iter_mut().enumerate() {
+        *value *= units.of_block_row(row);
     }
 }
 
