@@ -281,10 +281,12 @@ fn collapse_state(
     let mechanism = scale.mechanism(&state.velocity);
     let (forces, mechanism) = match part {
         None => (forces, mechanism),
-        Some(part) => (
-            part.complete(scene, lambda, &forces, work)?,
-            part.extend(scene, &mechanism),
-        ),
+        Some(part) => {
+            let forces = part.complete(scene, lambda, &forces, work)?;
+            let statics = StaticResidual::of(scene, &forces, lambda).largest();
+            let proved = statics <= VERIFIED_RESIDUAL;
+            proved.then(|| (forces, part.extend(scene, &mechanism)))?
+        }
     };
     Some(CollapseState {
         lambda,
