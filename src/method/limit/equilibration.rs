@@ -22,7 +22,7 @@ pub(super) struct Equilibration {
 
 /// Share of the scene's force times length below which the moments of a block need units of their
 /// own: what the solver leaves is 1e-12 of that, and a proof takes 1e-6 of the block's.
-const LIGHT: f64 = 1e-5;
+const LIGHT: f64 = 1e-3;
 
 /// The same as a share of the largest block's: on many blocks of much the same size each is a small
 /// part of the scene, and none is lost.

@@ -144,7 +144,7 @@ impl Program {
             &matrix,
             &right,
             &cones,
-            settings(tolerance),
+            settings(tolerance, equilibration.as_ref()),
         )
         .expect("dimensions agree by construction");
         Self {
@@ -312,8 +312,8 @@ fn equilibrate(units: &Equilibration, entries: &mut Entries, right: &mut [f64]) 
     }
 }
 
-fn settings(tolerance: f64) -> DefaultSettings<f64> {
-    DefaultSettings {
+fn settings(tolerance: f64, units: Option<&Equilibration>) -> DefaultSettings<f64> {
+    let settings = DefaultSettings {
         verbose: false,
         max_threads: 1,
         direct_solve_method: "qdldl".to_owned(),
@@ -323,5 +323,19 @@ fn settings(tolerance: f64) -> DefaultSettings<f64> {
         tol_gap_rel: tolerance,
         tol_feas: tolerance,
         ..DefaultSettings::default()
+    };
+    if units.is_none() {
+        return settings;
+    }
+    // What is left of a light block's velocities comes back divided by its force unit, so that
+    // these programs are solved to the last digit.
+    DefaultSettings {
+        tol_feas: LAST_DIGIT,
+        iterative_refinement_abstol: 0.0,
+        iterative_refinement_reltol: 0.0,
+        ..settings
     }
 }
+
+/// Infeasibility that the solver is to reach where blocks have units of their own.
+const LAST_DIGIT: f64 = 1e-15;
