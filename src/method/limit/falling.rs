@@ -9,10 +9,29 @@ use crate::scene::{Scene, Side, Vector};
 
 /// Openings beyond the flow rule, the mechanism's total opening and slip being 1: first enough to
 /// cover what the solver leaves, then none, for scenes that do not fall by much.
-pub(super) const OPENINGS: [f64; 2] = [1e-10, 0.0];
+const OPENINGS: [f64; 2] = [1e-10, 0.0];
 
 /// Blocks slower than this part of the fastest are taken to rest.
 const RESTING: f64 = 1e-6;
+
+/// Programs for the own weight, one after the other: the mechanisms of those before may prove
+/// nothing. Where blocks have units of their own in a program, those at rest and those that fall can
+/// pull it apart, so that one unit for all comes after.
+pub(super) fn programs(scene: &Scene) -> impl Iterator<Item = Program> + '_ {
+    let own = OPENINGS.map(|opening| (opening, false)).into_iter();
+    let common = OPENINGS.map(|opening| (opening, true)).into_iter();
+    own.chain(common).filter_map(|(opening, in_common)| {
+        let mut program = Program::with_slack(scene, 0.0);
+        if in_common {
+            if !program.has_own_units() {
+                return None;
+            }
+            program = Program::with_slack_in_common_units(scene, 0.0);
+        }
+        program.set_opening(opening);
+        Some(program)
+    })
+}
 
 /// Whether a mechanism proves that the scene falls.
 pub(super) fn proves(scene: &Scene, mechanism: &Mechanism) -> bool {
@@ -77,8 +96,8 @@ pub(super) fn of_a_part(scene: &Scene, moved: &[Mechanism], work: &mut Work) -> 
             continue;
         }
         let part = ScenePart::new(scene, &kept);
-        for opening in OPENINGS {
-            let Some(mechanism) = fastest_fall(&part.scene, opening, work) else {
+        for program in programs(&part.scene) {
+            let Some(mechanism) = fastest_fall(program, work) else {
                 continue;
             };
             let mechanism = part.extend(scene, &mechanism);
@@ -108,9 +127,7 @@ fn lighter(scene: &Scene) -> Vec<Vec<bool>> {
 }
 
 /// The mechanism on which the dead load does the most work for its openings and slips.
-fn fastest_fall(scene: &Scene, opening: f64, work: &mut Work) -> Option<Mechanism> {
-    let mut program = Program::with_slack(scene, 0.0);
-    program.set_opening(opening);
+fn fastest_fall(mut program: Program, work: &mut Work) -> Option<Mechanism> {
     let velocity = match program.solve_counted(work) {
         Ending::Solved(solution) => solution.velocity,
         Ending::Infeasible(certificate) => certificate,

@@ -3,7 +3,7 @@
 //! tested here by the residuals that the judge computes.
 
 use super::ending::Ending;
-use super::falling::{self, OPENINGS};
+use super::falling;
 use super::program::{Margins, Program};
 use super::scale::Scale;
 use super::vertical;
@@ -31,9 +31,7 @@ pub(super) fn own_weight(scene: &Scene, work: &mut Work) -> Result<Vec<JointForc
     }
     let mut solver = None;
     let mut moved = Vec::new();
-    for opening in OPENINGS {
-        let mut program = Program::with_slack(scene, 0.0);
-        program.set_opening(opening);
+    for mut program in falling::programs(scene) {
         let velocity = match program.solve_counted(work) {
             Ending::Solved(solution) => {
                 let forces = program.scale().forces(&solution.forces);

@@ -106,11 +106,33 @@ impl Program {
         Self::assemble(scene, Scale::of(scene), Goal::Slack(lambda))
     }
 
+    /// The same with one unit of force and length for all blocks, however unequal they are.
+    pub(super) fn with_slack_in_common_units(scene: &Scene, lambda: f64) -> Self {
+        let (scale, goal) = (Scale::of(scene), Goal::Slack(lambda));
+        Self::assemble_in(scene, scale, goal, LP_TOLERANCE, None)
+    }
+
+    /// Whether blocks and joints have units of their own in it.
+    pub(super) fn has_own_units(&self) -> bool {
+        self.equilibration.is_some()
+    }
+
     fn assemble(scene: &Scene, scale: Scale, goal: Goal) -> Self {
         Self::assemble_to(scene, scale, goal, LP_TOLERANCE)
     }
 
     fn assemble_to(scene: &Scene, scale: Scale, goal: Goal, tolerance: f64) -> Self {
+        let equilibration = Equilibration::of(scene, &scale);
+        Self::assemble_in(scene, scale, goal, tolerance, equilibration)
+    }
+
+    fn assemble_in(
+        scene: &Scene,
+        scale: Scale,
+        goal: Goal,
+        tolerance: f64,
+        equilibration: Option<Equilibration>,
+    ) -> Self {
         let rows_of_blocks = 3 * scene.blocks().len();
         let joints = scene.joints().len();
         let inequalities = 4 * joints + usize::from(matches!(goal, Goal::Slack(_)));
@@ -128,7 +150,6 @@ impl Program {
                 right[rows - 1] = MAX_SLACK / scene.blocks().len() as f64;
             }
         }
-        let equilibration = Equilibration::of(scene, &scale);
         if let Some(units) = &equilibration {
             equilibrate(units, &mut entries, &mut right[..rows_of_blocks]);
         }
