@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use super::super::block_residual::BlockResidual;
+
 /// What a limit analysis proves, or fails to.
 #[derive(Clone, Debug, PartialEq)]
 pub enum LimitFact {
@@ -19,6 +21,8 @@ pub enum LimitFact {
     },
     /// The program for λ_A has no optimum, and nothing proves why.
     NoOptimum(SolverEnding),
+    /// A state was found, and one block violates its own conditions in it by too much.
+    Unresolved(BlockResidual),
     /// Force state and mechanism of λ_A do not meet.
     Apart {
         /// Distance of their multipliers over the larger one.
@@ -56,6 +60,7 @@ impl fmt::Display for LimitFact {
                 solver.map_or(Ok(()), |solver| write!(f, ": {solver}"))
             }
             LimitFact::NoOptimum(solver) => write!(f, "no proof: {solver}"),
+            LimitFact::Unresolved(blocks) => write!(f, "not resolved: {blocks}"),
             LimitFact::Apart { relative_width } => {
                 write!(
                     f,

@@ -17,7 +17,7 @@ use super::own_weight::{own_weight, ray, stands_without_dilatancy, without_optim
 use super::reduction::{self, ScenePart};
 use super::scale::Scale;
 use crate::answer::{
-    Bracket, CollapseResidual, CollapseState, JointForce, LimitFact, Outcome, SearchEnding,
+    BlockResidual, Bracket, CollapseResidual, CollapseState, JointForce, LimitFact, Outcome, SearchEnding,
     SearchFacts, SearchFailure, SearchStart, SolverEnding, StartEnding, StaticResidual, Status,
     VELOCITY_THRESHOLDS, VERIFIED_RESIDUAL, Work, crack_slope,
 };
@@ -131,8 +131,7 @@ fn without_bound(
     let normal: Vec<f64> = (totals(at_rest).iter()).map(|n| n / unit).collect();
     let count = request.settings.interval.starts.max(STARTS_WITHOUT_BOUND);
     let starts = starts::starts_at_rest(&mut search, &normal, count);
-    let mut ends = follow(scene, None, request, &mut search, starts, &mut work);
-    ends.iter_mut().for_each(|end| end.keep_proved(scene));
+    let ends = follow(scene, None, request, &mut search, starts, &mut work);
     match report(scene, &ends, at_rest, &mut work) {
         Some(outcome) => Outcome {
             facts: vec![
@@ -151,9 +150,12 @@ fn without_bound(
 }
 
 fn undecided(ends: &[End], work: Work) -> Outcome {
+    let unresolved = ends.iter().find_map(|end| end.unresolved);
+    let unresolved = unresolved.map(|blocks| LimitFact::Unresolved(blocks).into());
     Outcome {
         work,
-        ..Outcome::without_number(Status::Undecided, facts(ends))
+        facts: unresolved.into_iter().chain([facts(ends).into()]).collect(),
+        ..Outcome::of(Status::Undecided)
     }
 }
 
@@ -162,11 +164,13 @@ struct End {
     start: SearchStart,
     /// States of the whole scene.
     states: Result<States, SearchFailure>,
+    /// Where the lowest one is none because of one block: its residual.
+    unresolved: Option<BlockResidual>,
 }
 
 impl End {
-    /// Drops what leaves residuals too large for a proof: here λ may be far beyond 1, where the same
-    /// digits of λ are larger residuals.
+    /// Drops what leaves residuals too large for a proof: where λ is far beyond 1, or blocks are very
+    /// unequal, the same digits are larger residuals.
     fn keep_proved(&mut self, scene: &Scene) {
         let Ok(states) = &mut self.states else {
             return;
@@ -174,11 +178,14 @@ impl End {
         let is_proved = |state: &CollapseState| {
             let statics = StaticResidual::of(scene, &state.forces, state.lambda);
             let collapse = CollapseResidual::of(scene, &state.forces, &state.mechanism);
-            statics.largest().max(collapse.largest()) <= VERIFIED_RESIDUAL
+            let of_scene = statics.largest().max(collapse.largest());
+            of_scene <= VERIFIED_RESIDUAL && BlockResidual::of_state(scene, state).is_small()
         };
         states.same_mechanism = states.same_mechanism.take().filter(is_proved);
         states.first = states.first.take().filter(is_proved);
         if !is_proved(&states.lowest) {
+            let blocks = BlockResidual::of_state(scene, &states.lowest);
+            self.unresolved = (!blocks.is_small()).then_some(blocks);
             self.states = Err(SearchFailure::Unproved);
         }
     }
@@ -235,12 +242,15 @@ fn follow(
                 first: whole(&branch.first),
             })
         });
-        let reached = |states: &States| states.lowest.lambda <= request.stop_below;
-        let stop = states.as_ref().is_ok_and(reached);
-        ends.push(End {
+        let mut end = End {
             start: kind,
             states,
-        });
+            unresolved: None,
+        };
+        end.keep_proved(scene);
+        let reached = |states: &States| states.lowest.lambda <= request.stop_below;
+        let stop = end.states.as_ref().is_ok_and(reached);
+        ends.push(end);
         if stop {
             break;
         }
