@@ -128,6 +128,10 @@ const RAY_MARGINS: Margins = Margins {
 /// to any state without limit, so that λ_A has none. Where the solver says so and no such forces are
 /// proved, it is the solver's word alone.
 pub(super) fn ray(scene: &Scene, work: &mut Work) -> Option<Vec<JointForce>> {
+    if scene.total_live() == 0.0 {
+        // Nothing pushes, and no forces balance nothing; a program leaves its noise.
+        return Some(vec![JointForce::default(); scene.joints().len()]);
+    }
     let pushed = scene.clone().with_loads(|load, _| load.dead = load.live);
     let scale = Scale {
         force: live_unit(scene),
