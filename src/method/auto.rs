@@ -21,7 +21,7 @@ use super::limit::{self, Associative};
 use super::macro_block::MacroBlock;
 use super::settings::LP_TOLERANCE;
 use super::{Method, Settings};
-use crate::answer::{AutoFact, Bracket, Claim, Fact, Outcome, Status, Uniqueness, Work};
+use crate::answer::{AutoFact, Bracket, Claim, Fact, Outcome, Status, Uniqueness, Work, magnitude};
 use crate::scene::Scene;
 
 /// The method that picks among the others.
@@ -47,7 +47,8 @@ impl Method for Auto {
         let Some(Bracket { upper, .. }) = bound.bracket else {
             return ladder.settled(bound);
         };
-        let stop_below = upper - settings.auto.tolerance * upper.abs().max(1e-3);
+        let unit = scene.multiplier_unit();
+        let stop_below = upper - settings.auto.tolerance * magnitude(upper, unit);
         let found = ladder.states(stop_below);
         let Some(Bracket { lower, .. }) = found.bracket else {
             return ladder.without_state(upper, found);
@@ -56,7 +57,7 @@ impl Method for Auto {
             lower,
             upper: upper.max(lower),
         };
-        let width = bracket.relative_width();
+        let width = bracket.relative_width(unit);
         let uniqueness = Uniqueness {
             unique: width <= settings.auto.tolerance,
             relative_width: width,

@@ -1,6 +1,9 @@
 //! Table, CSV and JSON: the same rows three times.
 
+use serde_json::json;
+
 use crate::answer::Mechanism;
+use crate::external::{SceneFile, answers};
 use crate::judge::Verdict;
 use crate::record::{self, LEGEND};
 use crate::run::{self, Audience, COLUMNS, CaseResult, Column, Row, Value};
@@ -54,24 +57,64 @@ pub fn csv(results: &[CaseResult]) -> Result<String, csv::Error> {
 /// # Errors
 /// Those of the JSON writer; none is expected in memory.
 pub fn json(results: &[CaseResult]) -> Result<String, serde_json::Error> {
-    let mut list = Vec::new();
-    for row in rows(results) {
-        let cells = for_programs().map(|column| {
-            let value = (column.value)(row);
-            (column.name.to_owned(), value.json())
-        });
-        let mut object: serde_json::Map<String, serde_json::Value> = cells.collect();
-        let checks = row.outcome.checks.iter().map(ToString::to_string);
-        object.insert("checks".to_owned(), checks.collect());
-        if !row.outcome.recording.is_empty() {
-            let frames = row.outcome.recording.iter().map(frame);
-            object.insert("recording".to_owned(), frames.collect());
-        }
-        list.push(object);
-    }
+    let list: Vec<JsonObject> = rows(results).map(object).collect();
     let mut text = serde_json::to_string_pretty(&list)?;
     text.push('\n');
     Ok(text)
+}
+
+/// As [`json`], a row a line, each with its `head_joints` and with the `sides` that it was pushed
+/// to, the row's own side first: the scene and every answer of the method, in the formats of outside
+/// programs and in full digits, so that another program can confirm each claim.
+///
+/// # Errors
+/// As [`json`].
+pub fn json_with_states(results: &[CaseResult]) -> Result<String, serde_json::Error> {
+    let mut lines = Vec::new();
+    for result in results {
+        for row in &result.rows {
+            let mut object = object(row);
+            object.insert("head_joints".to_owned(), row.head_joints.name().into());
+            object.insert("sides".to_owned(), sides(result, row)?);
+            lines.push(serde_json::to_string(&object)?);
+        }
+    }
+    Ok(format!("[\n{}\n]\n", lines.join(",\n")))
+}
+
+type JsonObject = serde_json::Map<String, serde_json::Value>;
+
+/// A row with the columns for programs, its self-checks and its recording.
+fn object(row: &Row) -> JsonObject {
+    let cells = for_programs().map(|column| {
+        let value = (column.value)(row);
+        (column.name.to_owned(), value.json())
+    });
+    let mut object: JsonObject = cells.collect();
+    let checks = row.outcome.checks.iter().map(ToString::to_string);
+    object.insert("checks".to_owned(), checks.collect());
+    if !row.outcome.recording.is_empty() {
+        let frames = row.outcome.recording.iter().map(frame);
+        object.insert("recording".to_owned(), frames.collect());
+    }
+    object
+}
+
+fn sides(result: &CaseResult, row: &Row) -> Result<serde_json::Value, serde_json::Error> {
+    let own = (row.push, &row.outcome);
+    let other = row.stronger.iter();
+    let other = other.map(|stronger| (stronger.push, &*stronger.outcome));
+    let sides = std::iter::once(own).chain(other).map(|(push, outcome)| {
+        Ok(json!({
+            "push": push.name(),
+            "status": outcome.status.name(),
+            "lower": outcome.bracket.map(|bracket| bracket.lower),
+            "upper": outcome.bracket.map(|bracket| bracket.upper),
+            "scene": serde_json::to_value(SceneFile::from(result.side(row.head_joints, push)))?,
+            "answers": serde_json::to_value(answers(outcome))?,
+        }))
+    });
+    sides.collect()
 }
 
 fn frame(moved: &Mechanism) -> serde_json::Value {

@@ -20,6 +20,7 @@ struct KeptRow {
     friction: Option<[f64; 2]>,
     blocks: usize,
     joints: usize,
+    multiplier_unit: f64,
     status: String,
     lower: Option<f64>,
     upper: Option<f64>,
@@ -73,6 +74,7 @@ impl From<Row> for KeptRow {
             friction: row.friction,
             blocks: row.blocks,
             joints: row.joints,
+            multiplier_unit: row.multiplier_unit,
         }
     }
 }
@@ -137,8 +139,10 @@ impl TryFrom<KeptRow> for Row {
             friction: kept.friction,
             blocks: kept.blocks,
             joints: kept.joints,
+            multiplier_unit: kept.multiplier_unit,
             residual: kept.residual,
             seconds: kept.seconds,
+            stronger: None,
             references: Vec::new(),
             verdict: None,
         })

@@ -10,7 +10,7 @@ use crate::answer::Outcome;
 use crate::case::Case;
 use crate::judge::{Answers, Check, cross_check, open_never_raises, reference_checks};
 use crate::method::{Method, Settings};
-use crate::scene::{HeadJoints, Scene};
+use crate::scene::{HeadJoints, Push, Scene};
 
 /// Everything about one case.
 #[derive(Clone, Debug)]
@@ -32,12 +32,20 @@ impl CaseResult {
     /// # Panics
     /// Where the row is of another result.
     pub fn scene(&self, row: &Row) -> &Scene {
+        self.side(row.head_joints, row.push)
+    }
+
+    /// The scene of a head-joint setting and a direction of the push.
+    ///
+    /// # Panics
+    /// Where it did not run.
+    pub fn side(&self, head_joints: HeadJoints, push: Push) -> &Scene {
         let scenes = self.scenes.iter();
-        let mut of_row = scenes.filter(|(head_joints, _)| *head_joints == row.head_joints);
-        let sides = of_row.next().map(|(_, sides)| sides.as_slice());
+        let mut of_setting = scenes.filter(|(setting, _)| *setting == head_joints);
+        let sides = of_setting.next().map(|(_, sides)| sides.as_slice());
         let mut sides = sides.unwrap_or_default().iter();
-        let scene = sides.find(|scene| scene.push() == row.push);
-        scene.expect("the row is of this result")
+        let scene = sides.find(|scene| scene.push() == push);
+        scene.expect("this side ran")
     }
 
     fn new(case: Case, scenes: Vec<(HeadJoints, Vec<Scene>)>, mut rows: Vec<Row>) -> Self {
@@ -155,7 +163,9 @@ fn checks(case: &Case, scenes: &[(HeadJoints, Vec<Scene>)], rows: &[Row]) -> Vec
             let of_side: Vec<_> = of_side.map(|(_, answer)| answer).collect();
             checks.extend(cross_check(*head_joints, &of_side));
         }
-        checks.extend(reference_checks(case, *head_joints, &answers(*head_joints)));
+        let unit = sides.first().map_or(1.0, Scene::multiplier_unit);
+        let answers = answers(*head_joints);
+        checks.extend(reference_checks(case, *head_joints, &answers, unit));
     }
     let (contact, open) = (answers(HeadJoints::Contact), answers(HeadJoints::Open));
     let (contact, open): (&Answers, &Answers) = (&contact, &open);

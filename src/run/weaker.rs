@@ -1,6 +1,6 @@
 //! Of a wall that is pushed both ways, the side that gives way first.
 
-use crate::answer::{Outcome, SideFact, Status};
+use crate::answer::{Outcome, SideFact, Status, magnitude};
 use crate::scene::Scene;
 
 /// The judged answer of a method for one side of the push.
@@ -13,6 +13,8 @@ pub(super) struct Answer<'a> {
     pub residual: Option<f64>,
     /// CPU time of the method, seconds.
     pub seconds: f64,
+    /// The answer of the side that does not count, where the wall is pushed both ways.
+    pub stronger: Option<Box<Answer<'a>>>,
 }
 
 /// Multipliers nearer than this, relative to the larger, are those of sides alike.
@@ -48,13 +50,17 @@ pub(super) fn weaker(mut answers: Vec<Answer>) -> Answer {
     };
     answer.outcome.facts.insert(0, side.into());
     answer.outcome.work = work;
-    Answer { seconds, ..answer }
+    Answer {
+        seconds,
+        stronger: answers.pop().map(Box::new),
+        ..answer
+    }
 }
 
 /// Whether a side gives way before another. Of sides that differ by rounding alone neither does: it
 /// must not depend on the machine.
 fn is_weaker(a: &Answer, b: &Answer) -> bool {
-    let margin = |lambda: f64| ALIKE * lambda.abs().max(1e-3);
+    let margin = |lambda: f64| ALIKE * magnitude(lambda, b.scene.multiplier_unit());
     let ((a, x), (b, y)) = (rank(a), rank(b));
     a < b || a == b && x < y - margin(y)
 }
@@ -106,6 +112,7 @@ mod tests {
             outcome,
             residual: None,
             seconds: 1.0,
+            stronger: None,
         });
         let answer = weaker(answers.collect());
         assert_eq!(answer.seconds, 2.0);

@@ -2,6 +2,7 @@
 
 use super::block::Block;
 use super::joints::Joint;
+use super::labels::Labels;
 use super::polygon::{Point, Polygon};
 use super::push::{HeadJoints, Push};
 use super::regular::{Coursing, Irregularity, RegularWall, WallFacts};
@@ -22,6 +23,8 @@ pub struct Scene {
     pub(super) push: Push,
     /// What only a coursed wall has.
     pub(super) wall: Option<WallFacts>,
+    /// What its case calls it and its blocks.
+    pub(super) labels: Labels,
 }
 
 impl Scene {
@@ -48,6 +51,11 @@ impl Scene {
     /// What only a coursed wall has.
     pub fn wall(&self) -> Option<&WallFacts> {
         self.wall.as_ref()
+    }
+
+    /// What its case calls it and its blocks; empty where it is of none.
+    pub fn labels(&self) -> &Labels {
+        &self.labels
     }
 
     /// Direction of the live load.
@@ -79,6 +87,20 @@ impl Scene {
     pub fn total_live(&self) -> f64 {
         let loads = self.blocks.iter().flat_map(|block| &block.loads);
         loads.map(|load| load.live.norm()).sum()
+    }
+
+    /// Multiplier at which the live loads add up to the dead ones: λ over this is λ*, the multiplier
+    /// without dimension that smallness is measured by. Exactly 1 where every live force is as large
+    /// as the dead one, also where there is no live load.
+    pub fn multiplier_unit(&self) -> f64 {
+        let (dead, live) = (self.total_weight(), self.total_live());
+        let unit = dead / live;
+        // Inclined loads may differ from the weight by rounding.
+        if dead == 0.0 || live == 0.0 || (unit - 1.0).abs() <= 1e-12 {
+            1.0
+        } else {
+            unit
+        }
     }
 
     /// Lower-left and upper-right corner of all blocks.

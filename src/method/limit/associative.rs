@@ -6,9 +6,9 @@ use super::own_weight::{own_weight, without_optimum};
 use super::program::{Margins, Program};
 use super::reduction;
 use crate::answer::{
-    Bracket, Claim, JointForce, LimitFact, Mechanism, Outcome, StaticResidual, Status,
-    VELOCITY_THRESHOLDS, VERIFIED_RESIDUAL, Work, associative_violation, crack_slope,
-    kinematic_multiplier,
+    BlockResidual, Bracket, Claim, JointForce, LimitFact, Mechanism, Outcome, StaticResidual,
+    Status, VELOCITY_THRESHOLDS, VERIFIED_RESIDUAL, Work, associative_violation, crack_slope,
+    kinematic_multiplier, magnitude,
 };
 use crate::method::settings::LP_TOLERANCE;
 use crate::method::{Method, Settings};
@@ -68,8 +68,10 @@ fn optimum(scene: &Scene, user: &Settings, work: &mut Work) -> Result<Optimum, E
     let Ok(found) = solved(scene, Some(WIDE_MARGINS), user, work) else {
         return solved(scene, None, user, work);
     };
-    let is_exact =
-        |found: &Optimum| found.bracket.is_one_number() && (loose(user) || proves(scene, found));
+    let unit = scene.multiplier_unit();
+    let is_exact = |found: &Optimum| {
+        found.bracket.is_one_number(unit) && (loose(user) || proves(scene, found))
+    };
     if is_exact(&found) {
         return Ok(found);
     }
@@ -95,10 +97,11 @@ fn solved(
         Ending::Solved(solution) => {
             let mechanism = program.scale().mechanism(&solution.velocity);
             let upper = kinematic_multiplier(scene, &mechanism);
+            let lambda = solution.lambda * program.scale().multiplier;
             let lower = match margins {
-                Some(_) => solution.lambda,
+                Some(_) => lambda,
                 // Without margins the ends may cross by what the solver leaves.
-                None => solution.lambda.min(upper),
+                None => lambda.min(upper),
             };
             Ok(Optimum {
                 forces: program.scale().forces(&solution.forces),
@@ -125,6 +128,7 @@ const NARROW_MARGINS: Margins = Margins {
 /// The outcome of both sides of λ_A.
 fn outcome(scene: &Scene, optimum: Optimum, user: &Settings, work: Work) -> Outcome {
     let mut bracket = optimum.bracket;
+    let unit = scene.multiplier_unit();
     let (status, fact) = if loose(user) && !proves(scene, &optimum) {
         if !(bracket.lower.is_finite() && bracket.upper.is_finite()) {
             return Outcome {
@@ -136,10 +140,10 @@ fn outcome(scene: &Scene, optimum: Optimum, user: &Settings, work: Work) -> Outc
             (bracket.lower, bracket.upper) = (bracket.upper, bracket.lower);
         }
         (Status::Estimate, Some(LimitFact::Loose))
-    } else if bracket.is_one_number() {
+    } else if bracket.is_one_number(unit) {
         (Status::Verified, None)
     } else {
-        let relative_width = bracket.relative_width();
+        let relative_width = bracket.relative_width(unit);
         (Status::Bracketed, Some(LimitFact::Apart { relative_width }))
     };
     Outcome {
@@ -164,6 +168,8 @@ fn proves(scene: &Scene, optimum: &Optimum) -> bool {
     let Bracket { lower, upper } = optimum.bracket;
     let statics = StaticResidual::of(scene, &optimum.forces, lower).largest();
     let residual = statics.max(associative_violation(scene, &optimum.mechanism));
-    let crossed = lower > upper + 1e-9 * upper.abs().max(1e-3);
-    residual <= VERIFIED_RESIDUAL && upper.is_finite() && !crossed
+    let blocks = BlockResidual::of_forces(scene, &optimum.forces, lower);
+    let blocks = blocks.worse(BlockResidual::of_flow(scene, &optimum.mechanism));
+    let crossed = lower > upper + 1e-9 * magnitude(upper, scene.multiplier_unit());
+    residual <= VERIFIED_RESIDUAL && blocks.is_small() && upper.is_finite() && !crossed
 }

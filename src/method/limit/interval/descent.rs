@@ -4,7 +4,7 @@ use super::noise::Noise;
 use super::search::{CLOSED, COST_CHANGES, Prices, Search, State, totals};
 use crate::answer::SearchFailure;
 use crate::method::limit::ending::Solution;
-use crate::scene::{Joint, JointClass};
+use crate::scene::JointClass;
 
 /// How a search goes on from capacities that leave a gap.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -134,20 +134,22 @@ impl Descent<'_, '_> {
     /// Program (a), with capacities raised by so little that the state hardly changes: at random, or
     /// in the head joints once the quick way has reached a state.
     fn frozen(&mut self, normal: &[f64], has_state: bool) -> Result<Solution, SearchFailure> {
-        let unit = RAISE * self.search.mean_weight();
-        let joints = self.search.scene.joints().iter().zip(normal);
-        let raised: Vec<f64> = match self.approach {
-            Approach::Blending => {
-                let raised = normal.iter().map(|n| n + unit * self.noise.uniform());
-                raised.collect()
-            }
-            Approach::Quick if has_state => {
-                let is_head = |joint: &Joint| joint.class == JointClass::Head;
-                let raised = joints.map(|(joint, n)| if is_head(joint) { n + unit } else { *n });
-                raised.collect()
-            }
-            Approach::Quick | Approach::Nearby => normal.to_vec(),
-        };
+        let mut raised = normal.to_vec();
+        for (j, (joint, n)) in self
+            .search
+            .scene
+            .joints()
+            .iter()
+            .zip(&mut raised)
+            .enumerate()
+        {
+            let share = match self.approach {
+                Approach::Blending => self.noise.uniform(),
+                Approach::Quick if has_state && joint.class == JointClass::Head => 1.0,
+                Approach::Quick | Approach::Nearby => continue,
+            };
+            *n += RAISE * share * self.search.unit(j);
+        }
         self.search.frozen(&raised)
     }
 

@@ -195,9 +195,8 @@ impl Starts {
                 self.at_rest.iter().map(thinned).collect()
             }
             SearchStart::Even => {
-                let unit = search.mean_weight();
-                let joints = self.at_rest.iter();
-                let even = joints.map(|_| unit * 10f64.powf(noise.between(-2.0, 1.0)));
+                let joints = 0..self.at_rest.len();
+                let even = joints.map(|j| search.unit(j) * 10f64.powf(noise.between(-2.0, 1.0)));
                 even.collect()
             }
             SearchStart::Statics => {
@@ -221,16 +220,13 @@ impl Starts {
                 return Some(nearest.map(|solution| totals(&solution.forces)));
             }
             SearchStart::LowestRaised => {
-                let raise = search.mean_weight() * 10f64.powf(noise.between(-3.0, 0.0));
+                let raise = 10f64.powf(noise.between(-3.0, 0.0));
                 let heads_alone = noise.uniform() < 0.3;
-                let joints = search.scene.joints().iter();
-                let normal = joints.zip(totals(&lowest?.forces)).map(|(joint, n)| {
+                let joints = search.scene.joints().iter().enumerate();
+                let normal = joints.zip(totals(&lowest?.forces)).map(|((j, joint), n)| {
                     let is_raised = !heads_alone || joint.class == JointClass::Head;
-                    n + if is_raised {
-                        raise * noise.uniform()
-                    } else {
-                        0.0
-                    }
+                    let share = if is_raised { noise.uniform() } else { 0.0 };
+                    n + raise * share * search.unit(j)
                 });
                 normal.collect()
             }
