@@ -9,6 +9,7 @@ mod bracket;
 mod claim;
 mod crack;
 mod fact;
+mod lift;
 mod mechanism;
 mod outcome;
 mod residual;
@@ -26,6 +27,7 @@ pub use fact::{
     ProgramFailure, PushoverFact, Residuals, SearchEnding, SearchFacts, SearchFailure, SearchStart,
     SequentialEnding, SequentialFacts, SideFact, SolverEnding, StartEnding, Uniqueness,
 };
+pub use lift::excess_lift;
 pub use mechanism::{JointRate, Mechanism, Motion};
 pub use outcome::Outcome;
 pub use residual::{

@@ -10,18 +10,21 @@
 //!    tolerance, the multiplier is not unique, and no further state could change that.
 //! 4. States of more starts, each followed down to the lowest it finds. One start alone may end
 //!    close to λ_A and miss a branch far below it.
-//! 5. The whole scene in place of the part, where the part proves nothing.
+//! 5. Where one start more finds nothing, the sequential method, which ends on other branches, and a
+//!    longer search: an answer that vouches for itself has listened first. If the sequential method
+//!    still lies below the lowest state by more than it states, the answer is `undecided`.
+//! 6. The whole scene in place of the part, where the part proves nothing.
 //!
 //! The answer is the bracket [lowest verified state, λ_A] with both ends proved; where it is wider
 //! than the tolerance, it is `undecided: not unique`, which is right: between its ends the
 //! multiplier depends on what nobody knows of a real wall. No rigorous lower bound on collapse is
 //! known, so that a state below everything that the starts found can never be excluded.
 
-use super::limit::{self, Associative};
+use super::limit::{self, Associative, Sequential};
 use super::macro_block::MacroBlock;
 use super::settings::LP_TOLERANCE;
 use super::{Method, Settings};
-use crate::answer::{AutoFact, Bracket, Claim, Fact, Outcome, Status, Uniqueness, Work};
+use crate::answer::{AutoFact, Bracket, Claim, Fact, Outcome, Status, Uniqueness, Work, live_unit};
 use crate::scene::Scene;
 
 /// The method that picks among the others.
@@ -49,10 +52,20 @@ impl Method for Auto {
             return ladder.settled(bound);
         };
         let stop_below = upper - settings.auto.tolerance * upper.abs().max(1e-3);
-        let found = ladder.states(starts, stop_below);
-        let Some(Bracket { lower, .. }) = found.bracket else {
+        let mut found = ladder.states(starts, stop_below);
+        let Some(Bracket { mut lower, .. }) = found.bracket else {
             return ladder.without_state(upper, found);
         };
+        let mut searched = starts;
+        let mut heard = None;
+        if lower >= stop_below {
+            searched = SEARCH_ON * starts;
+            let longer = ladder.states(searched, stop_below);
+            if let Some(further) = longer.bracket.filter(|further| further.lower < lower) {
+                (lower, found) = (further.lower, longer);
+            }
+            heard = ladder.lower_than(lower);
+        }
         let bracket = Bracket {
             lower,
             upper: upper.max(lower),
@@ -62,12 +75,15 @@ impl Method for Auto {
             unique: width <= settings.auto.tolerance,
             relative_width: width,
             closed_form,
-            starts,
+            starts: searched,
             ended_early: lower < stop_below,
         };
-        ladder.answer(bound, found, bracket, uniqueness)
+        ladder.answer(bound, found, bracket, uniqueness, heard)
     }
 }
+
+/// Starts of the longer search, as a multiple of those of the first.
+const SEARCH_ON: usize = 4;
 
 /// Proofs need the programs as tight as they are by default.
 fn proving(settings: &Settings) -> Settings {
@@ -98,6 +114,15 @@ impl Ladder<'_> {
         let outcome = limit::lowest(self.scene, &settings, stop_below);
         self.count(outcome.work);
         outcome
+    }
+
+    /// What the sequential method says, where that is below a state by more than it states.
+    fn lower_than(&mut self, lowest: f64) -> Option<AutoFact> {
+        let other = self.run(&Sequential);
+        let lambda = other.bracket?.upper;
+        let least = 1e-3 * self.scene.total_weight() / live_unit(self.scene);
+        let below = (lowest - lambda) / lowest.abs().max(least);
+        (below > other.stated_error?).then_some(AutoFact::LowerHeard { lambda, below })
     }
 
     fn count(&mut self, work: Work) {
@@ -150,8 +175,11 @@ impl Ladder<'_> {
         found: Outcome,
         bracket: Bracket,
         uniqueness: Uniqueness,
+        heard: Option<AutoFact>,
     ) -> Outcome {
-        let facts = vec![AutoFact::Uniqueness(uniqueness).into(), self.saved().into()];
+        let is_answer = uniqueness.unique && heard.is_none();
+        let facts = heard.into_iter();
+        let facts = facts.chain([AutoFact::Uniqueness(uniqueness), self.saved(uniqueness)]);
         Outcome {
             claim: Claim::Enclosed,
             bracket: Some(bracket),
@@ -160,8 +188,8 @@ impl Ladder<'_> {
             forces: found.forces,
             ceiling: bound.mechanism,
             work: self.work,
-            facts,
-            ..Outcome::of(if uniqueness.unique {
+            facts: facts.map(Fact::from).collect(),
+            ..Outcome::of(if is_answer {
                 Status::Bracketed
             } else {
                 Status::Undecided
@@ -170,10 +198,11 @@ impl Ladder<'_> {
     }
 
     /// What was not needed.
-    fn saved(&self) -> AutoFact {
+    fn saved(&self, uniqueness: Uniqueness) -> AutoFact {
         let of_blocks = self.scene.blocks().len();
         let is_part = (1..of_blocks).contains(&self.work.modelled);
         AutoFact::Saved {
+            sequential: uniqueness.ended_early,
             blocks: if is_part {
                 of_blocks - self.work.modelled
             } else {

@@ -3,7 +3,7 @@
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};
 
 use super::row::Row;
-use crate::answer::{Bracket, Crack, Outcome, Status, Work};
+use crate::answer::{Bracket, Claim, Crack, Fact, Outcome, Status, Work};
 use crate::number::nine_digits;
 use crate::scene::{HeadJoints, Push};
 
@@ -21,6 +21,7 @@ struct KeptRow {
     blocks: usize,
     joints: usize,
     status: String,
+    claim: String,
     lower: Option<f64>,
     upper: Option<f64>,
     stated_error: Option<f64>,
@@ -30,6 +31,7 @@ struct KeptRow {
     sharp: bool,
     residual: Option<f64>,
     reason: String,
+    refuted: bool,
     /// Blocks that were modelled as movable, linear programs, their iterations, block steps.
     work: [usize; 4],
     seconds: f64,
@@ -38,8 +40,10 @@ struct KeptRow {
 impl From<Row> for KeptRow {
     fn from(row: Row) -> Self {
         let reason = row.outcome.reason();
+        let refuted = row.outcome.is_refuted();
         let Outcome {
             status,
+            claim,
             bracket,
             crack,
             stated_error,
@@ -50,6 +54,7 @@ impl From<Row> for KeptRow {
             head_joints: row.head_joints.name().to_owned(),
             push: row.push.name().to_owned(),
             status: status.name().to_owned(),
+            claim: claim.name().to_owned(),
             lower: bracket.and_then(|b| rounded(b.lower)),
             upper: bracket.and_then(|b| rounded(b.upper)),
             stated_error,
@@ -59,6 +64,7 @@ impl From<Row> for KeptRow {
             sharp: crack.is_none_or(|crack| crack.sharp),
             residual: row.residual.and_then(rounded),
             reason,
+            refuted,
             work: [
                 work.modelled,
                 work.programs,
@@ -102,6 +108,7 @@ impl TryFrom<KeptRow> for Row {
         let head_joints = [HeadJoints::Contact, HeadJoints::Open];
         let pushes = [Push::Right, Push::Left];
         let status = named("status", Status::ALL, Status::name, kept.status)?;
+        let claim = named("claim", Claim::ALL, Claim::name, kept.claim)?;
         let [modelled, programs, iterations, block_steps] = kept.work;
         let ends = kept.lower.zip(kept.upper);
         let crack = kept.tan_beta.map(|tan_beta| Crack {
@@ -119,6 +126,7 @@ impl TryFrom<KeptRow> for Row {
             )?,
             push: named("push", pushes, Push::name, kept.push)?,
             outcome: Outcome {
+                claim,
                 bracket: ends.map(|(lower, upper)| Bracket { lower, upper }),
                 crack,
                 stated_error: kept.stated_error,
@@ -128,7 +136,14 @@ impl TryFrom<KeptRow> for Row {
                     iterations,
                     block_steps,
                 },
-                ..Outcome::without_number(status, kept.reason)
+                ..Outcome::without_number(
+                    status,
+                    if kept.refuted {
+                        Fact::KeptRefutation(kept.reason)
+                    } else {
+                        Fact::Words(kept.reason)
+                    },
+                )
             },
             id: kept.id,
             case: kept.case,

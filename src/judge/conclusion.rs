@@ -1,0 +1,409 @@
+//! What all answers about one scene come to, in one line: the best of them, how far those that prove
+//! something differ, and whether that is explained.
+
+use std::fmt;
+
+use super::claims::{Answered, Answers, Claims, Role};
+use super::heard::{LowerState, UNSTATED_ERROR, lower_states};
+use super::outside::is_impossible;
+use crate::answer::{Bracket, Claim, Outcome, Status};
+use crate::number::number;
+use crate::scene::{HeadJoints, Scene};
+
+/// What the harness answers for one scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Conclusion {
+    /// Head joints of the scene.
+    pub head_joints: HeadJoints,
+    /// The best answer.
+    pub basis: Basis,
+    /// Whose it is; several where they say the same without a number; where there is none, who was
+    /// asked and did not decline.
+    pub methods: Vec<String>,
+    /// What the best answer is worth.
+    pub status: Status,
+    /// Its multiplier: of a collapse state that is one number, of what was seen or estimated may be
+    /// a range.
+    pub bracket: Option<Bracket>,
+    /// Of a lowest state, the highest state that is verified beside it: with head joints in contact,
+    /// say, several mechanisms have one.
+    pub highest_state: Option<f64>,
+    /// What the other proofs say that is not the same.
+    pub difference: Option<Difference>,
+    /// What speaks against the best answer and is not explained.
+    pub doubts: Vec<Doubt>,
+}
+
+/// What the best answer rests on, from best to worst.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Basis {
+    /// It falls under its own weight.
+    Falls,
+    /// A collapse state without dilatancy: the lowest that anybody verified. No lower bound.
+    LowestState,
+    /// No push is too large, also without dilatancy.
+    Stands,
+    /// A bound that no collapse multiplier exceeds, and no state.
+    UpperBound,
+    /// What was seen, without a proof.
+    Observed,
+    /// A number without a proof.
+    Estimate,
+    /// Nothing.
+    Nothing,
+}
+
+impl Basis {
+    /// The word in JSON.
+    pub fn name(self) -> &'static str {
+        match self {
+            Basis::Falls => "falls",
+            Basis::LowestState => "lowest-state-found",
+            Basis::Stands => "stands",
+            Basis::UpperBound => "upper-bound",
+            Basis::Observed => "observed",
+            Basis::Estimate => "estimate",
+            Basis::Nothing => "nothing",
+        }
+    }
+}
+
+/// How far proofs are apart from the lowest state, explained by what they prove: with dilatancy a
+/// joint opens as it slips, which takes more push, so that λ_A bounds what happens without.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Difference {
+    /// Whose upper bound by associative friction it is.
+    pub method: String,
+    /// The bound; `None` where it stands, so that there is none.
+    pub associative: Option<f64>,
+    /// How far it is above the state, relative to that.
+    pub relative: Option<f64>,
+}
+
+/// What is not explained.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Doubt {
+    /// Somebody lies lower.
+    Lower(LowerState),
+    /// A proof contradicts: it bounds the multiplier by less.
+    Bound {
+        /// Whose.
+        by: String,
+        /// The bound.
+        lambda: f64,
+    },
+    /// Somebody lies above what no collapse multiplier exceeds.
+    Above {
+        /// Who.
+        by: String,
+        /// The multiplier.
+        lambda: f64,
+        /// How far above, relative to the bound.
+        above: f64,
+    },
+    /// Somebody gives what no multiplier can be.
+    Impossible {
+        /// Who.
+        by: String,
+        /// The number.
+        lambda: f64,
+    },
+    /// This method proves that nothing collapses.
+    Stands {
+        /// Who.
+        by: String,
+    },
+    /// This method says that it falls under its own weight.
+    Falls {
+        /// Who.
+        by: String,
+    },
+}
+
+impl Conclusion {
+    /// Whether nothing speaks against the best answer but what is explained.
+    pub fn is_explained(&self) -> bool {
+        self.doubts.is_empty()
+    }
+}
+
+/// The conclusion from the answers about one scene.
+pub(crate) fn conclude(scene: &Scene, answers: &Answers) -> Conclusion {
+    let claims = Claims::of(scene, answers);
+    let best = best(&claims);
+    let status = |wanted: Status| {
+        let named = answers.iter().filter(move |(_, o)| o.status == wanted);
+        named.map(|&(name, outcome)| (name, outcome))
+    };
+    let proves_to_stand = |outcome: &Outcome| outcome.claim != Claim::Associative;
+    let mut conclusion = Conclusion {
+        head_joints: claims.head_joints,
+        basis: Basis::Nothing,
+        methods: Vec::new(),
+        status: Status::Undecided,
+        bracket: None,
+        highest_state: None,
+        difference: None,
+        doubts: Vec::new(),
+    };
+    let falls: Vec<String> = status(Status::Falls)
+        .map(|(name, _)| name.to_owned())
+        .collect();
+    let mut stands = status(Status::Stands).filter(|(_, outcome)| proves_to_stand(outcome));
+    if let Some((basis, answer)) = best {
+        let one = Bracket::point(answer.bracket.lower);
+        conclusion.basis = basis;
+        conclusion.methods = vec![answer.name.to_owned()];
+        conclusion.status = match basis {
+            Basis::LowestState => Status::Verified,
+            _ => answer.outcome.status,
+        };
+        conclusion.bracket = Some(match basis {
+            Basis::LowestState => one,
+            _ => answer.bracket,
+        });
+        if basis == Basis::LowestState {
+            conclusion.highest_state = highest_state(&claims, &answer);
+            conclusion.difference = difference(&claims, &answer);
+            conclusion.doubts = doubts(&claims, &answer);
+            conclusion
+                .doubts
+                .extend(stands.map(|(by, _)| Doubt::Stands { by: by.to_owned() }));
+        }
+        let also_falls = falls.into_iter().map(|by| Doubt::Falls { by });
+        conclusion.doubts.extend(also_falls);
+    } else if !falls.is_empty() {
+        conclusion.basis = Basis::Falls;
+        conclusion.status = Status::Falls;
+        conclusion.methods = falls;
+    } else if let Some((name, _)) = stands.next() {
+        conclusion.basis = Basis::Stands;
+        conclusion.status = Status::Stands;
+        conclusion.methods = vec![name.to_owned()];
+        let others = stands.map(|(name, _)| name.to_owned());
+        conclusion.methods.extend(others);
+    } else {
+        let asked = answers.iter();
+        let asked = asked.filter(|(_, outcome)| outcome.status != Status::NotApplicable);
+        conclusion.methods = asked.map(|(name, _)| (*name).to_owned()).collect();
+    }
+    conclusion
+}
+
+/// The best answer with a multiplier: proofs before what was seen, what was seen before numbers.
+fn best<'a>(claims: &Claims<'a>) -> Option<(Basis, Answered<'a>)> {
+    let answered = || claims.answered.iter();
+    let states = || answered().filter(|answer| answer.has_state());
+    let least = states().map(|answer| answer.bracket.lower);
+    let least = least.fold(f64::INFINITY, f64::min);
+    // Of those that differ by rounding alone, whose business it is: it must not depend on the machine.
+    let as_low = |answer: &&Answered| {
+        claims.excess(answer.bracket.lower, least) <= claims.proof_slack(least)
+    };
+    let lowest_state = states()
+        .filter(as_low)
+        .min_by_key(|answer| match answer.role {
+            Role::States => 0,
+            Role::Enclosure => 1,
+            _ => 2,
+        });
+    let of_role = |role| answered().find(|answer| answer.role == role);
+    let bound = answered()
+        .filter(|answer| answer.role == Role::Bounds)
+        .min_by(|a, b| a.bracket.upper.total_cmp(&b.bracket.upper));
+    let number = [Role::Converged, Role::Number, Role::Loose, Role::ClosedForm];
+    let number = number.into_iter().find_map(of_role);
+    let candidates = [
+        (Basis::LowestState, lowest_state),
+        (Basis::UpperBound, bound),
+        (Basis::Observed, of_role(Role::Observed)),
+        (Basis::Estimate, number),
+    ];
+    let mut found = candidates
+        .into_iter()
+        .filter_map(|(basis, answer)| Some((basis, *answer?)));
+    found.next()
+}
+
+/// The highest verified state, where it is another than the lowest.
+fn highest_state(claims: &Claims, lowest: &Answered) -> Option<f64> {
+    let states = claims.answered.iter().filter(|answer| answer.has_state());
+    let highest = states.map(|answer| match answer.role {
+        Role::Enclosure => answer.bracket.lower,
+        _ => answer.bracket.upper,
+    });
+    let highest = highest.fold(f64::NEG_INFINITY, f64::max);
+    (claims.excess(highest, lowest.bracket.lower) > ALIKE).then_some(highest)
+}
+
+/// What associative friction says beside the lowest state.
+fn difference(claims: &Claims, lowest: &Answered) -> Option<Difference> {
+    let bounds = claims.of_role(Role::Bounds);
+    if let Some(bound) = bounds.first() {
+        let upper = bound.bracket.upper;
+        return Some(Difference {
+            method: bound.name.to_owned(),
+            associative: Some(upper),
+            relative: Some(claims.excess(upper, lowest.bracket.lower)),
+        });
+    }
+    let stands = claims.answers.iter().find(|(_, outcome)| {
+        outcome.status == Status::Stands && outcome.claim == Claim::Associative
+    });
+    stands.map(|(name, _)| Difference {
+        method: (*name).to_owned(),
+        associative: None,
+        relative: None,
+    })
+}
+
+fn doubts(claims: &Claims, lowest: &Answered) -> Vec<Doubt> {
+    let lower = lower_states(claims, lowest).into_iter().map(Doubt::Lower);
+    let bounds = claims.of_role(Role::Bounds).into_iter().filter(|bound| {
+        let below = -claims.excess(bound.bracket.upper, lowest.bracket.lower);
+        below > claims.proof_slack(lowest.bracket.lower)
+    });
+    let bounds = bounds.map(|bound| Doubt::Bound {
+        by: bound.name.to_owned(),
+        lambda: bound.bracket.upper,
+    });
+    let impossible = claims.answered.iter();
+    let impossible = impossible.filter(|answer| is_impossible(claims, answer));
+    let impossible = impossible.map(|answer| Doubt::Impossible {
+        by: answer.name.to_owned(),
+        lambda: answer.bracket.lower,
+    });
+    let doubts = lower.chain(bounds).chain(above(claims));
+    doubts.chain(impossible).collect()
+}
+
+/// What lies above λ_A by more than its stated error.
+fn above(claims: &Claims) -> Vec<Doubt> {
+    let Some(bound) = claims.of_role(Role::Bounds).first().copied() else {
+        return Vec::new();
+    };
+    let others = claims.answered.iter().filter_map(|answer| {
+        let unstated = match answer.role {
+            Role::Converged | Role::Number => Some(UNSTATED_ERROR),
+            Role::Observed => None,
+            _ => return None,
+        };
+        let error = answer.outcome.stated_error.or(unstated)?;
+        let lambda = answer.bracket.lower;
+        let most = bound.bracket.upper;
+        claims.is_above(lambda, error, most).then(|| Doubt::Above {
+            by: answer.name.to_owned(),
+            lambda,
+            above: claims.excess(lambda, most),
+        })
+    });
+    others.collect()
+}
+
+/// Differences below this are none: λ with the digits that tables show.
+const ALIKE: f64 = 1e-4;
+
+impl fmt::Display for Conclusion {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let by = self.methods.join(", ");
+        let status = self.status.name();
+        let lambda = self.bracket.map_or_else(String::new, |bracket| {
+            let proved = self.status != Status::Estimate;
+            let decimals = if proved { 5 } else { 4 };
+            let [low, high] = [bracket.lower, bracket.upper].map(|end| number(end, decimals));
+            if low == high {
+                low
+            } else {
+                format!("{low} - {high}")
+            }
+        });
+        match self.basis {
+            Basis::Falls => write!(f, "falls under its own weight ({by})"),
+            Basis::LowestState => {
+                write!(f, "λ = {lambda} {status}, the lowest state found ({by}")?;
+                match self.highest_state {
+                    Some(highest) => write!(f, "; others up to {})", number(highest, 5)),
+                    None => write!(f, ")"),
+                }
+            }
+            Basis::Stands => write!(f, "stands: no push is too large ({by})"),
+            Basis::UpperBound => {
+                let upper = self.bracket.map_or(f64::NAN, |bracket| bracket.upper);
+                let upper = number(upper, 5);
+                write!(
+                    f,
+                    "λ at most {upper} {status} ({by}); no collapse state is verified"
+                )
+            }
+            Basis::Observed => write!(
+                f,
+                "λ = {lambda} {status}, as seen ({by}); nothing is proved"
+            ),
+            Basis::Estimate => write!(f, "λ = {lambda} {status} ({by}); nothing is proved"),
+            Basis::Nothing if self.methods.is_empty() => write!(f, "no answer"),
+            Basis::Nothing => write!(f, "no answer ({by})"),
+        }?;
+        if let Some(difference) = &self.difference {
+            write!(f, "; {difference}")?;
+        }
+        for (place, doubt) in self.doubts.iter().enumerate() {
+            let lead = if place == 0 {
+                "; NOT EXPLAINED: "
+            } else {
+                ", "
+            };
+            write!(f, "{lead}{doubt}")?;
+        }
+        Ok(())
+    }
+}
+
+impl fmt::Display for Difference {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let method = &self.method;
+        match (self.associative, self.relative) {
+            (Some(_), Some(relative)) if relative.abs() <= ALIKE => write!(f, "{method} meets it"),
+            (Some(lambda), Some(relative)) if relative > 0.0 => {
+                let lambda = number(lambda, 5);
+                let percent = 100.0 * relative;
+                let percent = number(percent, if percent < 0.095 { 2 } else { 1 });
+                write!(
+                    f,
+                    "{method} {lambda} is {percent} % above, explained by its dilatancy"
+                )
+            }
+            (Some(lambda), _) => write!(f, "{method} {}", number(lambda, 5)),
+            (None, _) => write!(f, "{method} stands, explained by its dilatancy"),
+        }
+    }
+}
+
+impl fmt::Display for Doubt {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Doubt::Lower(lower) => {
+                let (lambda, below) = (number(lower.lambda, 4), number(100.0 * lower.below, 1));
+                write!(
+                    f,
+                    "{} {lambda} lies {below} % below: a lower state may exist",
+                    lower.by
+                )
+            }
+            Doubt::Above { by, lambda, above } => {
+                let (lambda, above) = (number(*lambda, 4), number(100.0 * above, 1));
+                write!(
+                    f,
+                    "{by} {lambda} lies {above} % above what no collapse multiplier exceeds"
+                )
+            }
+            Doubt::Impossible { by, lambda } => {
+                write!(f, "{by} {lambda:.1e} can be no multiplier")
+            }
+            Doubt::Bound { by, lambda } => {
+                write!(f, "{by} proves that none is above {}", number(*lambda, 5))
+            }
+            Doubt::Stands { by } => write!(f, "{by} stands"),
+            Doubt::Falls { by } => write!(f, "{by} falls under its own weight"),
+        }
+    }
+}
