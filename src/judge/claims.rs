@@ -3,7 +3,7 @@
 
 use crate::answer::{Bracket, Claim, Outcome, Status, VERIFIED_RESIDUAL};
 use crate::method::{Kind, kind};
-use crate::scene::{HeadJoints, Scene};
+use crate::scene::{HeadJoints, JointClass, Scene};
 
 /// Outcomes of one scene by method name.
 pub type Answers<'a> = [(&'a str, &'a Outcome)];
@@ -62,6 +62,8 @@ pub(super) struct Claims<'a> {
     /// Those with a multiplier, in their order.
     pub answered: Vec<Answered<'a>>,
     pub head_joints: HeadJoints,
+    /// Whether there are head joints in contact.
+    pub heads_touch: bool,
     /// The multiplier at which the live loads add up to the weight: λ = `unit` · λ*.
     unit: f64,
 }
@@ -84,6 +86,7 @@ impl<'a> Claims<'a> {
             answers,
             answered: answered.collect(),
             head_joints: scene.head_joints(),
+            heads_touch: scene.joints().iter().any(|j| j.class == JointClass::Head),
             unit: if unit.is_finite() { unit } else { 1.0 },
         }
     }

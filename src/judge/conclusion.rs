@@ -7,7 +7,7 @@ use super::claims::{Answered, Answers, Claims, Role};
 use super::heard::{LowerState, UNSTATED_ERROR, lower_states};
 use super::outside::is_impossible;
 use crate::answer::{Bracket, Claim, Outcome, Status};
-use crate::number::number;
+use crate::number::{number, percent};
 use crate::scene::{HeadJoints, Scene};
 
 /// What the harness answers for one scene.
@@ -78,6 +78,27 @@ pub struct Difference {
     pub associative: Option<f64>,
     /// How far it is above the state, relative to that.
     pub relative: Option<f64>,
+    /// Why that is no contradiction.
+    pub explanation: Explanation,
+}
+
+/// Why associative friction gives more than the lowest state.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Explanation {
+    /// With dilatancy joints open as they slip, which takes more push than any state found.
+    Dilatancy,
+    /// States are verified up to there: which of them happens nobody knows of a real wall.
+    SeveralStates,
+}
+
+impl Explanation {
+    /// The word in JSON.
+    pub fn name(self) -> &'static str {
+        match self {
+            Explanation::Dilatancy => "dilatancy",
+            Explanation::SeveralStates => "several-states",
+        }
+    }
 }
 
 /// What is not explained.
@@ -245,6 +266,12 @@ fn difference(claims: &Claims, lowest: &Answered) -> Option<Difference> {
             method: bound.name.to_owned(),
             associative: Some(upper),
             relative: Some(claims.excess(upper, lowest.bracket.lower)),
+            explanation: match highest_state(claims, lowest) {
+                Some(highest) if claims.excess(upper, highest) <= ALIKE => {
+                    Explanation::SeveralStates
+                }
+                _ => Explanation::Dilatancy,
+            },
         });
     }
     let stands = claims.answers.iter().find(|(_, outcome)| {
@@ -254,6 +281,7 @@ fn difference(claims: &Claims, lowest: &Answered) -> Option<Difference> {
         method: (*name).to_owned(),
         associative: None,
         relative: None,
+        explanation: Explanation::Dilatancy,
     })
 }
 
@@ -361,20 +389,32 @@ impl fmt::Display for Conclusion {
 impl fmt::Display for Difference {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let method = &self.method;
-        match (self.associative, self.relative) {
-            (Some(_), Some(relative)) if relative.abs() <= ALIKE => write!(f, "{method} meets it"),
-            (Some(lambda), Some(relative)) if relative > 0.0 => {
-                let lambda = number(lambda, 5);
-                let percent = 100.0 * relative;
-                let percent = number(percent, if percent < 0.095 { 2 } else { 1 });
-                write!(
-                    f,
-                    "{method} {lambda} is {percent} % above, explained by its dilatancy"
-                )
-            }
-            (Some(lambda), _) => write!(f, "{method} {}", number(lambda, 5)),
-            (None, _) => write!(f, "{method} stands, explained by its dilatancy"),
+        let (Some(lambda), Some(relative)) = (self.associative, self.relative) else {
+            return write!(f, "{method} stands, {}", self.explanation);
+        };
+        if relative.abs() <= ALIKE {
+            return write!(f, "{method} meets it");
         }
+        let lambda = number(lambda, 5);
+        if relative > 0.0 {
+            let above = percent(relative);
+            write!(
+                f,
+                "{method} {lambda} is {above} above, {}",
+                self.explanation
+            )
+        } else {
+            write!(f, "{method} {lambda}")
+        }
+    }
+}
+
+impl fmt::Display for Explanation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Explanation::Dilatancy => "explained by its dilatancy",
+            Explanation::SeveralStates => "explained: it meets the highest state",
+        })
     }
 }
 
@@ -382,18 +422,18 @@ impl fmt::Display for Doubt {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Doubt::Lower(lower) => {
-                let (lambda, below) = (number(lower.lambda, 4), number(100.0 * lower.below, 1));
+                let lambda = number(lower.lambda, lower.decimals);
+                let (by, below) = (&lower.by, percent(lower.below));
                 write!(
                     f,
-                    "{} {lambda} lies {below} % below: a lower state may exist",
-                    lower.by
+                    "{by} {lambda} lies {below} below: a lower state may exist"
                 )
             }
             Doubt::Above { by, lambda, above } => {
-                let (lambda, above) = (number(*lambda, 4), number(100.0 * above, 1));
+                let (lambda, above) = (number(*lambda, 4), percent(*above));
                 write!(
                     f,
-                    "{by} {lambda} lies {above} % above what no collapse multiplier exceeds"
+                    "{by} {lambda} lies {above} above what no collapse multiplier exceeds"
                 )
             }
             Doubt::Impossible { by, lambda } => {

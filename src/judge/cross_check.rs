@@ -3,10 +3,10 @@
 
 use super::check::{Check, Verdict};
 use super::claims::{Answered, Answers, Claims, Role};
-use super::heard::{LowerState, UNSTATED_ERROR, lower_states};
+use super::heard::{CONVERGED_ERROR, LowerState, UNSTATED_ERROR, lower_states};
 use super::outside::{claims_without_proof, plausible};
 use crate::answer::{Bracket, Claim, Outcome, Status};
-use crate::number::{number, short};
+use crate::number::{number, percent, short};
 use crate::scene::{HeadJoints, Scene};
 
 /// Relations between the methods of one scene.
@@ -118,13 +118,6 @@ fn bounds_meet(claims: &Claims, one: &Answered, other: &Answered) -> (String, Ve
     (text, Verdict::of(!apart))
 }
 
-/// A relative amount in words: two digits, so that rounding elsewhere shows in none of them.
-fn percent(relative: f64) -> String {
-    let percent = 100.0 * relative;
-    let decimals = if percent >= 0.995 { 1 } else { 3 };
-    format!("{} %", number(percent, decimals))
-}
-
 /// λ ≤ λ_A, but for what the iteration states about itself.
 fn converged_below_bound(claims: &Claims, bound: &Answered, state: &Answered) -> (String, Verdict) {
     let (lambda, most) = (state.bracket.upper, bound.bracket.upper);
@@ -191,7 +184,10 @@ fn number_below_bound(claims: &Claims, bound: &Answered, value: &Answered) -> (S
 fn among_found(claims: &Claims, state: &Answered, states: &Answered) -> (String, Verdict) {
     let (s, i) = (state.bracket, states.bracket);
     let error = state.outcome.stated_error.unwrap_or(UNSTATED_ERROR);
-    let below = claims.is_below(s.upper, error, i.lower);
+    let below = match state.role {
+        Role::Number => claims.is_below(s.upper, error, i.lower),
+        _ => claims.is_below(s.lower, CONVERGED_ERROR, i.lower),
+    };
     let inside = !below && !claims.is_above(s.lower, error, i.upper);
     let (word, verdict) = if inside {
         ("lies in", Verdict::Holds)
@@ -260,7 +256,7 @@ fn lower_state(lowest: &Answered, lower: &LowerState) -> (String, Verdict) {
     let text = format!(
         "{what}: {} {} lies {} below the lowest that {} verifies",
         lower.by,
-        number(lower.lambda, 4),
+        number(lower.lambda, lower.decimals),
         percent(lower.below),
         lowest.name
     );

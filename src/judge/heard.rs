@@ -3,7 +3,6 @@
 
 use super::claims::{Answered, Claims, Role};
 use super::outside::is_impossible;
-use crate::scene::HeadJoints;
 
 /// An answer below the lowest state that another verifies.
 #[derive(Clone, Debug, PartialEq)]
@@ -12,6 +11,8 @@ pub struct LowerState {
     pub by: String,
     /// Its multiplier.
     pub lambda: f64,
+    /// Decimals that it holds.
+    pub decimals: usize,
     /// How far below the lowest verified state that is, relative to that one.
     pub below: f64,
     /// Whether it is verified too: then a lower state does exist.
@@ -20,6 +21,10 @@ pub struct LowerState {
 
 /// Error of a number without a proof that states none: what four digits hold.
 pub(super) const UNSTATED_ERROR: f64 = 1e-4;
+
+/// What an iteration that has converged may still be off by, below: λ moved by no more than 1e-4 in
+/// each of its last three steps. What it states beyond that is a bias upwards.
+pub(super) const CONVERGED_ERROR: f64 = 3e-4;
 
 /// Every answer below `lowest` by more than its stated error.
 pub(super) fn lower_states(claims: &Claims, lowest: &Answered) -> Vec<LowerState> {
@@ -33,6 +38,10 @@ pub(super) fn lower_states(claims: &Claims, lowest: &Answered) -> Vec<LowerState
         claims.is_below(lambda, error, least).then(|| LowerState {
             by: other.name.to_owned(),
             lambda,
+            decimals: match other.role {
+                Role::Converged | Role::Number => 4,
+                _ => 5,
+            },
             below: -claims.excess(lambda, least),
             is_verified: other.has_state(),
         })
@@ -48,12 +57,13 @@ fn heard(claims: &Claims, answer: &Answered) -> Option<(f64, f64)> {
         return Some((bracket.lower, claims.proof_slack(bracket.lower)));
     }
     match answer.role {
-        Role::Converged | Role::Number => Some((bracket.upper, stated.unwrap_or(UNSTATED_ERROR))),
+        Role::Converged => Some((bracket.upper, CONVERGED_ERROR)),
+        Role::Number => Some((bracket.upper, stated.unwrap_or(UNSTATED_ERROR))),
         // With head joints in contact it is a range over several pushovers, of which the weakest
         // collapsed at its lower end; else the load that collapsed is the upper end.
-        Role::Observed => Some(match claims.head_joints {
-            HeadJoints::Contact => (bracket.lower, stated?),
-            HeadJoints::Open => (bracket.upper, stated?),
+        Role::Observed => Some(match claims.heads_touch {
+            true => (bracket.lower, stated?),
+            false => (bracket.upper, stated?),
         }),
         Role::ClosedForm | Role::Bounds | Role::Loose | Role::States | Role::Enclosure => None,
     }

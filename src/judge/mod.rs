@@ -12,7 +12,7 @@ mod references;
 
 pub use check::{Check, Verdict};
 pub(crate) use conclusion::conclude;
-pub use conclusion::{Basis, Conclusion, Difference, Doubt};
+pub use conclusion::{Basis, Conclusion, Difference, Doubt, Explanation};
 pub(crate) use cross_check::{cross_check, open_never_raises};
 pub use heard::LowerState;
 pub use proof::judge;

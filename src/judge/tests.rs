@@ -1,4 +1,5 @@
-//! Relations between answers that are made up, on one block: λ = 1 pushes with its weight.
+//! Relations between answers that are made up, on two blocks beside each other:
+//! λ = 1 pushes with their weight.
 
 use super::*;
 use crate::answer::{Bracket, Claim, Outcome, Status};
@@ -10,7 +11,7 @@ fn scene(head_joints: HeadJoints) -> Scene {
         unit_height: 1.0,
         thickness: 1.0,
         unit_weight: 1.0,
-        courses: vec![vec![Piece::Unit]],
+        courses: vec![vec![Piece::Unit, Piece::Unit]],
         friction: 0.5.into(),
         overburden: 0.0,
         push: Push::Right,
@@ -135,7 +136,7 @@ fn who_lies_lower_is_heard() {
         let bracket = at(Status::Bracketed, Claim::Observed, lower, upper);
         stating(bracket, 0.002)
     };
-    let (open, contact) = (HeadJoints::Open, HeadJoints::Contact);
+    let open = HeadJoints::Open;
     assert!(heard(open, "sequential", &stating(number(0.44), 1e-3)));
     assert!(!heard(open, "sequential", &stating(number(0.4499), 1e-3)));
     assert!(heard(open, "mine", &number(0.44)));
@@ -143,7 +144,7 @@ fn who_lies_lower_is_heard() {
     assert!(heard(open, "pushover", &seen(0.4395, 0.44)));
     assert!(!heard(open, "pushover", &seen(0.44, 0.46)));
     // With head joints in contact the lower end of the range is a pushover of its own.
-    assert!(heard(contact, "pushover", &seen(0.44, 0.46)));
+    assert!(heard(HeadJoints::Contact, "pushover", &seen(0.44, 0.46)));
     // A state that is verified lower is the answer.
     let lower = states(0.44, 0.44);
     let answers = [("interval", &found), ("mine", &lower)];

@@ -12,7 +12,7 @@
 //!    close to λ_A and miss a branch far below it.
 //! 5. Where one start more finds nothing, the sequential method, which ends on other branches, and a
 //!    longer search: an answer that vouches for itself has listened first. If the sequential method
-//!    still lies below the lowest state by more than it states, the answer is `undecided`.
+//!    still lies so low that the multiplier would not be unique, the answer is `undecided`.
 //! 6. The whole scene in place of the part, where the part proves nothing.
 //!
 //! The answer is the bracket [lowest verified state, λ_A] with both ends proved; where it is wider
@@ -24,7 +24,7 @@ use super::limit::{self, Associative, Sequential};
 use super::macro_block::MacroBlock;
 use super::settings::LP_TOLERANCE;
 use super::{Method, Settings};
-use crate::answer::{AutoFact, Bracket, Claim, Fact, Outcome, Status, Uniqueness, Work, live_unit};
+use crate::answer::{AutoFact, Bracket, Claim, Fact, Outcome, Status, Uniqueness, Work};
 use crate::scene::Scene;
 
 /// The method that picks among the others.
@@ -64,7 +64,7 @@ impl Method for Auto {
             if let Some(further) = longer.bracket.filter(|further| further.lower < lower) {
                 (lower, found) = (further.lower, longer);
             }
-            heard = ladder.lower_than(lower);
+            heard = ladder.heard_below(stop_below, lower);
         }
         let bracket = Bracket {
             lower,
@@ -116,13 +116,12 @@ impl Ladder<'_> {
         outcome
     }
 
-    /// What the sequential method says, where that is below a state by more than it states.
-    fn lower_than(&mut self, lowest: f64) -> Option<AutoFact> {
+    /// What the sequential method says, where that is so low that the multiplier would not be unique.
+    fn heard_below(&mut self, stop_below: f64, lowest: f64) -> Option<AutoFact> {
         let other = self.run(&Sequential);
         let lambda = other.bracket?.upper;
-        let least = 1e-3 * self.scene.total_weight() / live_unit(self.scene);
-        let below = (lowest - lambda) / lowest.abs().max(least);
-        (below > other.stated_error?).then_some(AutoFact::LowerHeard { lambda, below })
+        let below = (lowest - lambda) / lowest.abs().max(1e-3);
+        (lambda < stop_below.min(lowest)).then_some(AutoFact::LowerHeard { lambda, below })
     }
 
     fn count(&mut self, work: Work) {

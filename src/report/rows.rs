@@ -125,6 +125,7 @@ fn conclusion(of: &Conclusion) -> serde_json::Value {
         "highest_state": digits(of.highest_state),
         "associative": digits(difference.and_then(|difference| difference.associative)),
         "difference": digits(difference.and_then(|difference| difference.relative)),
+        "explanation": difference.map(|difference| difference.explanation.name()),
         "explained": of.is_explained(),
         "doubts": doubts.collect::<Vec<_>>(),
         "line": of.to_string(),

@@ -122,7 +122,7 @@ fn converged(scene: &Scene, program: &Program, last: &Solution, facts: Sequentia
     }
 }
 
-/// What λ may be off by, relative to it: the step that counts as settled, and what c0 and capacities
+/// What λ may be off by, relative to it: as much as it moves in the steps that settle it, and what c0 and capacities
 /// that lag behind their normal forces let joints carry beyond Coulomb's law, measured by how far
 /// that can lift λ above λ_A, whose mechanism is `ceiling`.
 fn stated_error(scene: &Scene, outcome: &Outcome, ceiling: &Mechanism) -> Option<f64> {
@@ -130,7 +130,7 @@ fn stated_error(scene: &Scene, outcome: &Outcome, ceiling: &Mechanism) -> Option
     let lambda = outcome.bracket?.upper;
     let lift = excess_lift(scene, forces, ceiling);
     let least = 1e-3 * scene.total_weight() / live_unit(scene);
-    let error = SETTLED + lift / lambda.abs().max(least);
+    let error = STEPS_SETTLED as f64 * SETTLED + lift / lambda.abs().max(least);
     error.is_finite().then_some(error)
 }
 
