@@ -82,11 +82,14 @@ impl Outcome {
 
     /// Whether the judge found that forces and mechanism do not prove what they are put forward as.
     pub fn is_refuted(&self) -> bool {
-        self.facts.iter().any(|fact| match fact {
-            Fact::Judged(JudgedFact::Refuted(_) | JudgedFact::NothingToProve) => true,
-            Fact::KeptRefutation(_) => true,
-            _ => false,
-        })
+        let refuted = |fact: &Fact| {
+            matches!(
+                fact,
+                Fact::Judged(JudgedFact::Refuted(_) | JudgedFact::NothingToProve)
+                    | Fact::KeptRefutation(_)
+            )
+        };
+        self.facts.iter().any(refuted)
     }
 
     /// How the starts of a search for collapse states ended, where there was one.

@@ -3,12 +3,10 @@
 
 use std::fmt;
 
-use super::claims::{Answered, Answers, Claims, Role};
-use super::heard::{LowerState, UNSTATED_ERROR, lower_states};
-use super::outside::is_impossible;
-use crate::answer::{Bracket, Claim, Outcome, Status};
+use super::heard::LowerState;
+use crate::answer::{Bracket, Status};
 use crate::number::{number, percent};
-use crate::scene::{HeadJoints, Scene};
+use crate::scene::HeadJoints;
 
 /// What the harness answers for one scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -148,188 +146,8 @@ impl Conclusion {
     }
 }
 
-/// The conclusion from the answers about one scene.
-pub(crate) fn conclude(scene: &Scene, answers: &Answers) -> Conclusion {
-    let claims = Claims::of(scene, answers);
-    let best = best(&claims);
-    let status = |wanted: Status| {
-        let named = answers.iter().filter(move |(_, o)| o.status == wanted);
-        named.map(|&(name, outcome)| (name, outcome))
-    };
-    let proves_to_stand = |outcome: &Outcome| outcome.claim != Claim::Associative;
-    let mut conclusion = Conclusion {
-        head_joints: claims.head_joints,
-        basis: Basis::Nothing,
-        methods: Vec::new(),
-        status: Status::Undecided,
-        bracket: None,
-        highest_state: None,
-        difference: None,
-        doubts: Vec::new(),
-    };
-    let falls: Vec<String> = status(Status::Falls)
-        .map(|(name, _)| name.to_owned())
-        .collect();
-    let mut stands = status(Status::Stands).filter(|(_, outcome)| proves_to_stand(outcome));
-    if let Some((basis, answer)) = best {
-        let one = Bracket::point(answer.bracket.lower);
-        conclusion.basis = basis;
-        conclusion.methods = vec![answer.name.to_owned()];
-        conclusion.status = match basis {
-            Basis::LowestState => Status::Verified,
-            _ => answer.outcome.status,
-        };
-        conclusion.bracket = Some(match basis {
-            Basis::LowestState => one,
-            _ => answer.bracket,
-        });
-        if basis == Basis::LowestState {
-            conclusion.highest_state = highest_state(&claims, &answer);
-            conclusion.difference = difference(&claims, &answer);
-            conclusion.doubts = doubts(&claims, &answer);
-            conclusion
-                .doubts
-                .extend(stands.map(|(by, _)| Doubt::Stands { by: by.to_owned() }));
-        }
-        let also_falls = falls.into_iter().map(|by| Doubt::Falls { by });
-        conclusion.doubts.extend(also_falls);
-    } else if !falls.is_empty() {
-        conclusion.basis = Basis::Falls;
-        conclusion.status = Status::Falls;
-        conclusion.methods = falls;
-    } else if let Some((name, _)) = stands.next() {
-        conclusion.basis = Basis::Stands;
-        conclusion.status = Status::Stands;
-        conclusion.methods = vec![name.to_owned()];
-        let others = stands.map(|(name, _)| name.to_owned());
-        conclusion.methods.extend(others);
-    } else {
-        let asked = answers.iter();
-        let asked = asked.filter(|(_, outcome)| outcome.status != Status::NotApplicable);
-        conclusion.methods = asked.map(|(name, _)| (*name).to_owned()).collect();
-    }
-    conclusion
-}
-
-/// The best answer with a multiplier: proofs before what was seen, what was seen before numbers.
-fn best<'a>(claims: &Claims<'a>) -> Option<(Basis, Answered<'a>)> {
-    let answered = || claims.answered.iter();
-    let states = || answered().filter(|answer| answer.has_state());
-    let least = states().map(|answer| answer.bracket.lower);
-    let least = least.fold(f64::INFINITY, f64::min);
-    // Of those that differ by rounding alone, whose business it is: it must not depend on the machine.
-    let as_low = |answer: &&Answered| {
-        claims.excess(answer.bracket.lower, least) <= claims.proof_slack(least)
-    };
-    let lowest_state = states()
-        .filter(as_low)
-        .min_by_key(|answer| match answer.role {
-            Role::States => 0,
-            Role::Enclosure => 1,
-            _ => 2,
-        });
-    let of_role = |role| answered().find(|answer| answer.role == role);
-    let bound = answered()
-        .filter(|answer| answer.role == Role::Bounds)
-        .min_by(|a, b| a.bracket.upper.total_cmp(&b.bracket.upper));
-    let number = [Role::Converged, Role::Number, Role::Loose, Role::ClosedForm];
-    let number = number.into_iter().find_map(of_role);
-    let candidates = [
-        (Basis::LowestState, lowest_state),
-        (Basis::UpperBound, bound),
-        (Basis::Observed, of_role(Role::Observed)),
-        (Basis::Estimate, number),
-    ];
-    let mut found = candidates
-        .into_iter()
-        .filter_map(|(basis, answer)| Some((basis, *answer?)));
-    found.next()
-}
-
-/// The highest verified state, where it is another than the lowest.
-fn highest_state(claims: &Claims, lowest: &Answered) -> Option<f64> {
-    let states = claims.answered.iter().filter(|answer| answer.has_state());
-    let highest = states.map(|answer| match answer.role {
-        Role::Enclosure => answer.bracket.lower,
-        _ => answer.bracket.upper,
-    });
-    let highest = highest.fold(f64::NEG_INFINITY, f64::max);
-    (claims.excess(highest, lowest.bracket.lower) > ALIKE).then_some(highest)
-}
-
-/// What associative friction says beside the lowest state.
-fn difference(claims: &Claims, lowest: &Answered) -> Option<Difference> {
-    let bounds = claims.of_role(Role::Bounds);
-    if let Some(bound) = bounds.first() {
-        let upper = bound.bracket.upper;
-        return Some(Difference {
-            method: bound.name.to_owned(),
-            associative: Some(upper),
-            relative: Some(claims.excess(upper, lowest.bracket.lower)),
-            explanation: match highest_state(claims, lowest) {
-                Some(highest) if claims.excess(upper, highest) <= ALIKE => {
-                    Explanation::SeveralStates
-                }
-                _ => Explanation::Dilatancy,
-            },
-        });
-    }
-    let stands = claims.answers.iter().find(|(_, outcome)| {
-        outcome.status == Status::Stands && outcome.claim == Claim::Associative
-    });
-    stands.map(|(name, _)| Difference {
-        method: (*name).to_owned(),
-        associative: None,
-        relative: None,
-        explanation: Explanation::Dilatancy,
-    })
-}
-
-fn doubts(claims: &Claims, lowest: &Answered) -> Vec<Doubt> {
-    let lower = lower_states(claims, lowest).into_iter().map(Doubt::Lower);
-    let bounds = claims.of_role(Role::Bounds).into_iter().filter(|bound| {
-        let below = -claims.excess(bound.bracket.upper, lowest.bracket.lower);
-        below > claims.proof_slack(lowest.bracket.lower)
-    });
-    let bounds = bounds.map(|bound| Doubt::Bound {
-        by: bound.name.to_owned(),
-        lambda: bound.bracket.upper,
-    });
-    let impossible = claims.answered.iter();
-    let impossible = impossible.filter(|answer| is_impossible(claims, answer));
-    let impossible = impossible.map(|answer| Doubt::Impossible {
-        by: answer.name.to_owned(),
-        lambda: answer.bracket.lower,
-    });
-    let doubts = lower.chain(bounds).chain(above(claims));
-    doubts.chain(impossible).collect()
-}
-
-/// What lies above λ_A by more than its stated error.
-fn above(claims: &Claims) -> Vec<Doubt> {
-    let Some(bound) = claims.of_role(Role::Bounds).first().copied() else {
-        return Vec::new();
-    };
-    let others = claims.answered.iter().filter_map(|answer| {
-        let unstated = match answer.role {
-            Role::Converged | Role::Number => Some(UNSTATED_ERROR),
-            Role::Observed => None,
-            _ => return None,
-        };
-        let error = answer.outcome.stated_error.or(unstated)?;
-        let lambda = answer.bracket.lower;
-        let most = bound.bracket.upper;
-        claims.is_above(lambda, error, most).then(|| Doubt::Above {
-            by: answer.name.to_owned(),
-            lambda,
-            above: claims.excess(lambda, most),
-        })
-    });
-    others.collect()
-}
-
 /// Differences below this are none: λ with the digits that tables show.
-const ALIKE: f64 = 1e-4;
+pub(super) const ALIKE: f64 = 1e-4;
 
 impl fmt::Display for Conclusion {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -413,7 +231,7 @@ impl fmt::Display for Explanation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Explanation::Dilatancy => "explained by its dilatancy",
-            Explanation::SeveralStates => "explained: it meets the highest state",
+            Explanation::SeveralStates => "explained: states are verified up to there",
         })
     }
 }

@@ -3,6 +3,7 @@
 
 mod check;
 mod claims;
+mod conclude;
 mod conclusion;
 mod cross_check;
 mod heard;
@@ -11,7 +12,7 @@ mod proof;
 mod references;
 
 pub use check::{Check, Verdict};
-pub(crate) use conclusion::conclude;
+pub(crate) use conclude::conclude;
 pub use conclusion::{Basis, Conclusion, Difference, Doubt, Explanation};
 pub(crate) use cross_check::{cross_check, open_never_raises};
 pub use heard::LowerState;

@@ -22,8 +22,8 @@ pub(super) fn plausible(claims: &Claims, answer: &Answered) -> Option<(String, V
         );
         return Some((text, Verdict::Violated));
     }
-    // Written so that a NaN is absurd.
-    if !(claims.dimensionless(answer.bracket.upper) <= ABSURD) {
+    let upper = claims.dimensionless(answer.bracket.upper);
+    if upper.is_nan() || upper > ABSURD {
         let text = format!("{name} gives {lambda:.1e}, which no friction can hold");
         return Some((text, Verdict::Violated));
     }

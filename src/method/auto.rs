@@ -83,7 +83,7 @@ impl Method for Auto {
 }
 
 /// Starts of the longer search, as a multiple of those of the first.
-const SEARCH_ON: usize = 4;
+const SEARCH_ON: usize = 2;
 
 /// Proofs need the programs as tight as they are by default.
 fn proving(settings: &Settings) -> Settings {
