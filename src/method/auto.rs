@@ -10,9 +10,9 @@
 //!    tolerance, the multiplier is not unique, and no further state could change that.
 //! 4. States of more starts, each followed down to the lowest it finds. One start alone may end
 //!    close to λ_A and miss a branch far below it.
-//! 5. Where one start more finds nothing, the sequential method, which ends on other branches, and a
-//!    longer search: an answer that vouches for itself has listened first. If the sequential method
-//!    still lies so low that the multiplier would not be unique, the answer is `undecided`.
+//! 5. The sequential method, which ends on other branches: an answer that vouches for itself has
+//!    listened first. Where it lies so low that the multiplier would not be unique, the search goes
+//!    on, and where that finds no state as low, the answer is `undecided`.
 //! 6. The whole scene in place of the part, where the part proves nothing.
 //!
 //! The answer is the bracket [lowest verified state, λ_A] with both ends proved; where it is wider
@@ -39,32 +39,35 @@ impl Method for Auto {
         let mut ladder = Ladder {
             scene,
             settings,
+            listened: false,
             work: Work::default(),
         };
         let closed_form = MacroBlock.solve(scene, settings).bracket;
         let bound = ladder.run(&Associative);
-        let starts = settings.interval.starts.max(2);
         if bound.status == Status::Stands {
-            let found = ladder.states(starts, f64::NEG_INFINITY);
+            let found = ladder.states(settings, f64::NEG_INFINITY);
             return ladder.without_bound(found);
         }
         let Some(Bracket { upper, .. }) = bound.bracket else {
             return ladder.settled(bound);
         };
         let stop_below = upper - settings.auto.tolerance * upper.abs().max(1e-3);
-        let mut found = ladder.states(starts, stop_below);
+        let mut found = ladder.states(settings, stop_below);
         let Some(Bracket { mut lower, .. }) = found.bracket else {
             return ladder.without_state(upper, found);
         };
-        let mut searched = starts;
-        let mut heard = None;
-        if lower >= stop_below {
-            searched = SEARCH_ON * starts;
-            let longer = ladder.states(searched, stop_below);
-            if let Some(further) = longer.bracket.filter(|further| further.lower < lower) {
-                (lower, found) = (further.lower, longer);
+        let starts = |found: &Outcome| found.search().map_or(0, |search| search.starts.len());
+        let mut searched = starts(&found);
+        let mut heard = ladder.heard_below(stop_below, lower);
+        if heard.is_some() {
+            let mut longer = *settings;
+            longer.interval.starts = SEARCH_ON * searched.max(1);
+            let further = ladder.states(&longer, stop_below);
+            searched += starts(&further);
+            if let Some(bracket) = further.bracket.filter(|bracket| bracket.lower < lower) {
+                (lower, found) = (bracket.lower, further);
             }
-            heard = ladder.heard_below(stop_below, lower);
+            heard = heard.filter(|_| lower >= stop_below);
         }
         let bracket = Bracket {
             lower,
@@ -83,7 +86,7 @@ impl Method for Auto {
 }
 
 /// Starts of the longer search, as a multiple of those of the first.
-const SEARCH_ON: usize = 2;
+const SEARCH_ON: usize = 4;
 
 /// Proofs need the programs as tight as they are by default.
 fn proving(settings: &Settings) -> Settings {
@@ -96,6 +99,8 @@ fn proving(settings: &Settings) -> Settings {
 struct Ladder<'a> {
     scene: &'a Scene,
     settings: &'a Settings,
+    /// Whether the sequential method has run.
+    listened: bool,
     work: Work,
 }
 
@@ -108,20 +113,23 @@ impl Ladder<'_> {
     }
 
     /// The interval, stopped at the first state below `stop_below`.
-    fn states(&mut self, starts: usize, stop_below: f64) -> Outcome {
-        let mut settings = proving(self.settings);
-        settings.interval.starts = starts;
-        let outcome = limit::lowest(self.scene, &settings, stop_below);
+    fn states(&mut self, settings: &Settings, stop_below: f64) -> Outcome {
+        let outcome = limit::lowest(self.scene, &proving(settings), stop_below);
         self.count(outcome.work);
         outcome
     }
 
-    /// What the sequential method says, where that is so low that the multiplier would not be unique.
+    /// What the sequential method says, where that is so low that the multiplier would not be unique,
+    /// although the `lowest` state is not.
     fn heard_below(&mut self, stop_below: f64, lowest: f64) -> Option<AutoFact> {
+        if lowest < stop_below {
+            return None;
+        }
+        self.listened = true;
         let other = self.run(&Sequential);
         let lambda = other.bracket?.upper;
         let below = (lowest - lambda) / lowest.abs().max(1e-3);
-        (lambda < stop_below.min(lowest)).then_some(AutoFact::LowerHeard { lambda, below })
+        (lambda < stop_below).then_some(AutoFact::LowerHeard { lambda, below })
     }
 
     fn count(&mut self, work: Work) {
@@ -178,7 +186,7 @@ impl Ladder<'_> {
     ) -> Outcome {
         let is_answer = uniqueness.unique && heard.is_none();
         let facts = heard.into_iter();
-        let facts = facts.chain([AutoFact::Uniqueness(uniqueness), self.saved(uniqueness)]);
+        let facts = facts.chain([AutoFact::Uniqueness(uniqueness), self.saved()]);
         Outcome {
             claim: Claim::Enclosed,
             bracket: Some(bracket),
@@ -197,11 +205,11 @@ impl Ladder<'_> {
     }
 
     /// What was not needed.
-    fn saved(&self, uniqueness: Uniqueness) -> AutoFact {
+    fn saved(&self) -> AutoFact {
         let of_blocks = self.scene.blocks().len();
         let is_part = (1..of_blocks).contains(&self.work.modelled);
         AutoFact::Saved {
-            sequential: uniqueness.ended_early,
+            sequential: !self.listened,
             blocks: if is_part {
                 of_blocks - self.work.modelled
             } else {

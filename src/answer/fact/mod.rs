@@ -19,7 +19,7 @@ pub use judged::{CeilingSlack, JudgedFact, Residuals};
 pub use limit::{LimitFact, SolverEnding};
 pub use program::{ProgramEnding, ProgramFailure};
 pub use pushover::PushoverFact;
-pub use search::{SearchEnding, SearchFacts, SearchFailure, SearchStart, StartEnding};
+pub use search::{Coverage, SearchEnding, SearchFacts, SearchFailure, SearchStart, StartEnding};
 pub use sequential::{SequentialEnding, SequentialFacts};
 pub use side::SideFact;
 

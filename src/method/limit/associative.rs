@@ -39,8 +39,11 @@ impl Method for Associative {
             {
                 answer.mechanism = part.extend(scene, &answer.mechanism);
                 answer.forces = forces;
-                work.modelled = part.scene.blocks().len();
-                return outcome(scene, answer, settings, work);
+                // What completes a part is as little proved by the solver's word as an optimum is.
+                if loose(settings) || proves(scene, &answer) {
+                    work.modelled = part.scene.blocks().len();
+                    return outcome(scene, answer, settings, work);
+                }
             }
         }
         work.modelled = scene.blocks().len();

@@ -188,6 +188,24 @@ impl Program {
         updated.expect("presolve is off, so updates are allowed");
     }
 
+    /// Asks for forces at another λ, of a program for forces at a given one.
+    pub(super) fn set_multiplier(&mut self, scene: &Scene, lambda: f64) {
+        self.goal = Goal::Forces(lambda);
+        let balanced = right_side(scene, &self.scale, lambda);
+        self.right[..self.rows_of_blocks].copy_from_slice(&balanced);
+        let updated = self.solver.update_b(&self.right);
+        updated.expect("presolve is off, so updates are allowed");
+    }
+
+    /// Changes the cost of every force, which is to be smallest: two corner forces and the shear of
+    /// each joint.
+    pub(super) fn set_force_cost(&mut self, cost: &[[f64; 3]]) {
+        let mut cost = cost.concat();
+        cost.resize(self.solver.solution.x.len(), 0.0);
+        let updated = self.solver.update_q(&cost);
+        updated.expect("presolve is off, so updates are allowed");
+    }
+
     /// Changes the cost: `lambda` · λ (or the slack) − Σ price · (n1 + n2) is to be largest, with
     /// one price a joint in `normal`.
     pub(super) fn set_cost(&mut self, lambda: f64, normal: &[f64]) {

@@ -7,6 +7,7 @@
 //! is known.
 
 mod descent;
+mod found;
 mod noise;
 mod outer;
 mod search;
@@ -18,14 +19,15 @@ use super::reduction::{self, ScenePart};
 use super::scale::Scale;
 use crate::answer::{
     Bracket, CollapseResidual, CollapseState, JointForce, LimitFact, Outcome, SearchEnding,
-    SearchFacts, SearchFailure, SearchStart, SolverEnding, StartEnding, StaticResidual, Status,
+    SearchFacts, SearchFailure, SolverEnding, StartEnding, StaticResidual, Status,
     VELOCITY_THRESHOLDS, VERIFIED_RESIDUAL, Work, crack_slope,
 };
 use crate::method::{Method, Settings};
 use crate::scene::Scene;
-use descent::descend;
-use search::{Approach, Search, State, totals};
-use starts::Start;
+use descent::Branch;
+use found::{Budget, Found};
+use search::{Search, State, totals};
+use starts::Starts;
 
 /// `lower` and `upper` are the lowest and the highest verified λ found.
 pub struct Interval;
@@ -80,30 +82,28 @@ fn solve(scene: &Scene, request: &Request) -> Outcome {
     };
     let reduce = request.settings.programs.reduction;
     for part in reduction::parts(scene).into_iter().filter(|_| reduce) {
-        let Ok(ends) = search(scene, Some(&part), request, &mut work) else {
+        let place = Place::part(scene, &part);
+        let Ok(explored) = explore(place, request, &at_rest, &mut work) else {
             continue;
         };
         // On 96 courses the whole wall closed no gap either, in minutes more.
-        let is_open = |end: &End| matches!(end.states, Err(SearchFailure::GapOpen));
-        if ends.iter().all(is_open) {
-            return undecided(&ends, work);
+        let is_open = |start: &StartEnding| {
+            matches!(start.ending, SearchEnding::Failed(SearchFailure::GapOpen))
+        };
+        if explored.facts.starts.iter().all(is_open) {
+            return undecided(explored.facts, work);
         }
-        if let Some(outcome) = report(scene, &ends, &at_rest, &mut work) {
+        if let Some(outcome) = report(scene, &explored, &at_rest, &mut work) {
             return outcome;
         }
     }
-    match search(scene, None, request, &mut work) {
-        Ok(ends) => {
-            report(scene, &ends, &at_rest, &mut work).unwrap_or_else(|| undecided(&ends, work))
-        }
+    match explore(Place::whole(scene), request, &at_rest, &mut work) {
+        Ok(explored) => report(scene, &explored, &at_rest, &mut work)
+            .unwrap_or_else(|| undecided(explored.facts, work)),
         Err(Ending::Unbounded) => without_bound(scene, request, &at_rest, work),
         Err(ending) => without_optimum(scene, &ending, at_rest, &mut work),
     }
 }
-
-/// Starts of a search where λ_A has no limit, at least: it begins under the own weight, far from
-/// where it ends.
-const STARTS_WITHOUT_BOUND: usize = 8;
 
 /// The outcome where nothing collapses by associative friction. That says nothing of friction
 /// without dilatancy, of which either forces without friction prove that the scene stands, or a
@@ -126,23 +126,20 @@ fn without_bound(
             LimitFact::NoOptimum(SolverEnding::Unbounded)
         }
     };
+    let place = Place::whole(scene);
     let mut search = Search::new(scene);
-    let unit = scene.total_weight();
-    let normal: Vec<f64> = (totals(at_rest).iter()).map(|n| n / unit).collect();
-    let count = request.settings.interval.starts.max(STARTS_WITHOUT_BOUND);
-    let starts = starts::starts_at_rest(&mut search, &normal, count);
-    let mut ends = follow(scene, None, request, &mut search, starts, &mut work);
-    ends.iter_mut().for_each(|end| end.keep_proved(scene));
-    match report(scene, &ends, at_rest, &mut work) {
+    let starts = Starts::without_associative(&mut search, place.normal(at_rest));
+    let explored = follow(place, request, search, starts, &mut work);
+    match report(scene, &explored, at_rest, &mut work) {
         Some(outcome) => Outcome {
             facts: vec![
                 said(LimitFact::FoundWithoutBound).into(),
-                facts(&ends).into(),
+                explored.facts.into(),
             ],
             ..outcome
         },
         None => {
-            let mut outcome = undecided(&ends, work);
+            let mut outcome = undecided(explored.facts, work);
             let fact = said(LimitFact::NoneFoundWithoutBound);
             outcome.facts.insert(0, fact.into());
             outcome
@@ -150,157 +147,211 @@ fn without_bound(
     }
 }
 
-fn undecided(ends: &[End], work: Work) -> Outcome {
+fn undecided(facts: SearchFacts, work: Work) -> Outcome {
     Outcome {
         work,
-        ..Outcome::without_number(Status::Undecided, facts(ends))
+        ..Outcome::without_number(Status::Undecided, facts)
     }
 }
 
-/// Where one start ended.
-struct End {
-    start: SearchStart,
-    /// States of the whole scene.
-    states: Result<States, SearchFailure>,
+/// Where a search takes place: a scene, or a part of it.
+#[derive(Clone, Copy)]
+struct Place<'a> {
+    whole: &'a Scene,
+    part: Option<&'a ScenePart>,
 }
 
-impl End {
-    /// Drops what leaves residuals too large for a proof: here λ may be far beyond 1, where the same
-    /// digits of λ are larger residuals.
-    fn keep_proved(&mut self, scene: &Scene) {
-        let Ok(states) = &mut self.states else {
-            return;
+impl<'a> Place<'a> {
+    fn whole(whole: &'a Scene) -> Self {
+        Self { whole, part: None }
+    }
+
+    fn part(whole: &'a Scene, part: &'a ScenePart) -> Self {
+        let part = Some(part);
+        Self { whole, part }
+    }
+
+    /// The scene that is searched.
+    fn searched(&self) -> &'a Scene {
+        self.part.map_or(self.whole, |part| &part.scene)
+    }
+
+    /// N of the joints that are searched, over the weight of the scene that is searched, from forces
+    /// of the whole scene.
+    fn normal(&self, forces: &[JointForce]) -> Vec<f64> {
+        let unit = self.whole.total_weight();
+        let normal = totals(forces).into_iter().map(|n| n / unit);
+        self.normal_of(&normal.collect::<Vec<_>>())
+    }
+
+    /// The same from N over the whole scene's weight.
+    fn normal_of(&self, normal: &[f64]) -> Vec<f64> {
+        let Some(part) = self.part else {
+            return normal.to_vec();
         };
-        let is_proved = |state: &CollapseState| {
-            let statics = StaticResidual::of(scene, &state.forces, state.lambda);
-            let collapse = CollapseResidual::of(scene, &state.forces, &state.mechanism);
-            statics.largest().max(collapse.largest()) <= VERIFIED_RESIDUAL
+        let unit = self.whole.total_weight() / part.scene.total_weight();
+        let joints = part.joints.iter();
+        joints.map(|&joint| normal[joint] * unit).collect()
+    }
+
+    /// A state in the case's units, completed to one of the whole scene; `None` where its residuals
+    /// prove nothing.
+    fn state(&self, scale: Scale, state: &State, work: &mut Work) -> Option<CollapseState> {
+        let lambda = state.lambda;
+        let forces = scale.forces(&state.forces);
+        let mechanism = scale.mechanism(&state.velocity);
+        let (forces, mechanism) = match self.part {
+            None => (forces, mechanism),
+            Some(part) => (
+                part.complete(self.whole, lambda, &forces, work)?,
+                part.extend(self.whole, &mechanism),
+            ),
         };
-        states.same_mechanism = states.same_mechanism.take().filter(is_proved);
-        states.first = states.first.take().filter(is_proved);
-        if !is_proved(&states.lowest) {
-            self.states = Err(SearchFailure::Unproved);
-        }
+        let state = CollapseState {
+            lambda,
+            forces,
+            mechanism,
+        };
+        is_proved(self.whole, &state).then_some(state)
     }
 }
 
-/// What one start found, of the whole scene.
-struct States {
-    /// The lowest state on its way.
-    lowest: CollapseState,
-    /// The highest state of the same mechanism, where that is one of the whole scene.
-    same_mechanism: Option<CollapseState>,
-    /// The first state, where that is one of the whole scene.
-    first: Option<CollapseState>,
+fn is_proved(scene: &Scene, state: &CollapseState) -> bool {
+    let statics = StaticResidual::of(scene, &state.forces, state.lambda);
+    let collapse = CollapseResidual::of(scene, &state.forces, &state.mechanism);
+    statics.largest().max(collapse.largest()) <= VERIFIED_RESIDUAL
 }
 
-/// Follows every start on a part of the scene, or on the whole of it.
-fn search(
-    scene: &Scene,
-    part: Option<&ScenePart>,
+/// What a search has found.
+struct Explored {
+    /// Verified states of the whole scene, the lowest first.
+    states: Vec<CollapseState>,
+    facts: SearchFacts,
+}
+
+/// Searches a part of the scene, or the whole of it.
+fn explore(
+    place: Place,
     request: &Request,
+    at_rest: &[JointForce],
     work: &mut Work,
-) -> Result<Vec<End>, Ending> {
-    let searched = part.map_or(scene, |part| &part.scene);
-    let mut search = Search::new(searched);
-    let starts = starts::starts(searched, &mut search, request.settings.interval.starts)?;
-    Ok(follow(scene, part, request, &mut search, starts, work))
+) -> Result<Explored, Ending> {
+    let mut search = Search::new(place.searched());
+    let associative = search.associative()?;
+    let further = request.further.iter();
+    let further = further.map(|normal| place.normal_of(normal)).collect();
+    let at_rest = place.normal(at_rest);
+    let starts = Starts::of(&mut search, associative, at_rest, further);
+    Ok(follow(place, request, search, starts, work))
 }
 
-/// Follows these starts, and those that the request adds, down to their lowest states.
+/// Follows one start after the other down to its lowest state.
 fn follow(
-    scene: &Scene,
-    part: Option<&ScenePart>,
+    place: Place,
     request: &Request,
-    search: &mut Search,
-    starts: Vec<Start>,
+    mut search: Search,
+    mut starts: Starts,
     work: &mut Work,
-) -> Vec<End> {
-    let mut ends = Vec::new();
-    let further = request
-        .further
-        .iter()
-        .map(|normal| neighbour(scene, part, normal));
-    for start in starts.into_iter().chain(further) {
-        let kind = start.kind;
-        let settings = request.settings;
-        let branch = descend(search, start, settings.interval.starts, request.stop_below);
-        let scale = search.program().scale();
-        let states = branch.and_then(|branch| {
-            let mut whole = |state| collapse_state(scene, part, scale, state, work);
-            Ok(States {
-                lowest: whole(&branch.lowest).ok_or(SearchFailure::PartOnly)?,
-                same_mechanism: whole(&branch.highest),
-                first: whole(&branch.first),
-            })
-        });
-        let reached = |states: &States| states.lowest.lambda <= request.stop_below;
-        let stop = states.as_ref().is_ok_and(reached);
-        ends.push(End {
-            start: kind,
-            states,
-        });
-        if stop {
+) -> Explored {
+    let searched = place.searched();
+    let asked = request.settings.interval.starts;
+    let budget = Budget::of(searched.blocks().len(), searched.joints().len(), asked);
+    let scale = search.program().scale();
+    let mut found = Found::default();
+    let mut endings = Vec::new();
+    while budget.goes_on(endings.len(), search.work.programs, &found) {
+        let (start, branch) = starts.follow_next(&mut search, &found);
+        let branch = branch.and_then(|branch| proved(searched, scale, branch));
+        let ending = match branch {
+            Ok(branch) => {
+                let lowest = branch.lowest.lambda;
+                found.take(branch);
+                SearchEnding::Verified { lowest }
+            }
+            Err(failure) => SearchEnding::Failed(failure),
+        };
+        endings.push(StartEnding { start, ending });
+        let reached = |state: &State| state.lambda <= request.stop_below;
+        if found.lowest().is_some_and(reached) {
             break;
         }
     }
+    let states = whole_states(place, &mut search, &found, work);
     work.programs += search.work.programs;
     work.iterations += search.work.iterations;
-    work.modelled = part.map_or(scene, |part| &part.scene).blocks().len();
-    ends
-}
-
-/// A start from normal forces of the whole scene, over its total weight.
-fn neighbour(scene: &Scene, part: Option<&ScenePart>, normal: &[f64]) -> Start {
-    let normal = match part {
-        None => normal.to_vec(),
-        Some(part) => {
-            let unit = scene.total_weight() / part.scene.total_weight();
-            let joints = part.joints.iter();
-            joints.map(|&joint| normal[joint] * unit).collect()
-        }
-    };
-    Start {
-        kind: SearchStart::Neighbour,
-        normal,
-        approach: Approach::Quick,
+    work.modelled = searched.blocks().len();
+    if states.is_empty() && found.lowest().is_some() {
+        let failed = SearchEnding::Failed(SearchFailure::PartOnly);
+        endings.iter_mut().for_each(|end| end.ending = failed);
     }
+    let facts = SearchFacts { starts: endings };
+    Explored { states, facts }
 }
 
-/// A state in the case's units, completed to one of the whole scene.
-fn collapse_state(
-    scene: &Scene,
-    part: Option<&ScenePart>,
-    scale: Scale,
-    state: &State,
-    work: &mut Work,
-) -> Option<CollapseState> {
-    let lambda = state.lambda;
-    let forces = scale.forces(&state.forces);
-    let mechanism = scale.mechanism(&state.velocity);
-    let (forces, mechanism) = match part {
-        None => (forces, mechanism),
-        Some(part) => (
-            part.complete(scene, lambda, &forces, work)?,
-            part.extend(scene, &mechanism),
-        ),
-    };
-    Some(CollapseState {
-        lambda,
-        forces,
-        mechanism,
+/// The branch, where its states are proved in the scene that is searched: what a program calls
+/// solved need not be.
+fn proved(searched: &Scene, scale: Scale, branch: Branch) -> Result<Branch, SearchFailure> {
+    let place = Place::whole(searched);
+    let mut no_work = Work::default();
+    let is_proved = |state: &State, work: &mut Work| place.state(scale, state, work).is_some();
+    if !is_proved(&branch.lowest, &mut no_work) {
+        return Err(SearchFailure::Unproved);
+    }
+    if is_proved(&branch.first, &mut no_work) {
+        return Ok(branch);
+    }
+    Ok(Branch {
+        first: branch.lowest.clone(),
+        lowest: branch.lowest,
     })
 }
 
-/// The outcome, or `None` where no start found a state.
-fn report(scene: &Scene, ends: &[End], at_rest: &[JointForce], work: &mut Work) -> Option<Outcome> {
-    let mut states: Vec<CollapseState> = Vec::new();
-    for found in ends.iter().filter_map(|end| end.states.as_ref().ok()) {
-        states.push(found.lowest.clone());
-        states.extend(found.same_mechanism.iter().chain(&found.first).cloned());
+/// The states found that are states of the whole scene. Each one of a part costs a program, so that
+/// of those only the lowest and the highest are completed.
+fn whole_states(
+    place: Place,
+    search: &mut Search,
+    found: &Found,
+    work: &mut Work,
+) -> Vec<CollapseState> {
+    let scale = search.program().scale();
+    let mut states = Vec::new();
+    let mut highest = Vec::new();
+    for state in found.states() {
+        let Some(whole) = place.state(scale, state, work) else {
+            continue;
+        };
+        if states.is_empty() {
+            highest.push(search.highest_of(state));
+        }
+        states.push(whole);
+        if place.part.is_some() {
+            break;
+        }
     }
+    if let (false, Some(state)) = (states.is_empty(), found.highest()) {
+        highest.push(search.highest_of(state));
+        highest.push(state.clone());
+    }
+    let lambdas: Vec<f64> = states
+        .iter()
+        .map(|state: &CollapseState| state.lambda)
+        .collect();
+    highest.retain(|state| lambdas.iter().all(|&lambda| lambda < state.lambda));
+    states.extend((highest.iter()).filter_map(|state| place.state(scale, state, work)));
     states.sort_by(|a, b| a.lambda.total_cmp(&b.lambda));
-    let (low, high) = (states.first()?, states.last()?);
+    states
+}
+
+/// The outcome, or `None` where no start found a state.
+fn report(
+    scene: &Scene,
+    explored: &Explored,
+    at_rest: &[JointForce],
+    work: &mut Work,
+) -> Option<Outcome> {
+    let states = explored.states.clone();
+    let (low, high) = (states.first()?.clone(), states.last()?);
     let found = LimitFact::FoundNoBounds {
         frictionless: outer::frictionless(scene, at_rest, work),
     };
@@ -310,28 +361,11 @@ fn report(scene: &Scene, ends: &[End], at_rest: &[JointForce], work: &mut Work) 
             upper: high.lambda,
         }),
         crack: crack_slope(scene, &low.mechanism, VELOCITY_THRESHOLDS),
-        mechanism: Some(low.mechanism.clone()),
-        forces: Some(low.forces.clone()),
+        mechanism: Some(low.mechanism),
+        forces: Some(low.forces),
         states,
         work: *work,
-        facts: vec![found.into(), facts(ends).into()],
+        facts: vec![found.into(), explored.facts.clone().into()],
         ..Outcome::of(Status::Verified)
     })
-}
-
-/// Which start ended where.
-fn facts(ends: &[End]) -> SearchFacts {
-    let starts = ends.iter().map(|end| StartEnding {
-        start: end.start,
-        ending: match &end.states {
-            Ok(states) => SearchEnding::Verified {
-                lowest: states.lowest.lambda,
-                highest: states.same_mechanism.as_ref().map(|high| high.lambda),
-            },
-            Err(failure) => SearchEnding::Failed(*failure),
-        },
-    });
-    SearchFacts {
-        starts: starts.collect(),
-    }
 }
