@@ -213,9 +213,9 @@ fn unknown_word() {
     );
     refused(
         "\"associative\"",
-        "\"guess\"",
+        "\"my guess\"",
         7,
-        "\"guess\"",
+        "\"my guess\"",
         "`macro-block`, `associative`",
     );
     refused(

@@ -10,6 +10,7 @@ mod bracket;
 mod claim;
 mod crack;
 mod fact;
+mod lift;
 mod mechanism;
 mod outcome;
 mod residual;
@@ -30,6 +31,7 @@ pub use fact::{
     SearchFailure, SearchStart, SequentialEnding, SequentialFacts, SideFact, SolverEnding,
     StartEnding, Uniqueness,
 };
+pub use lift::excess_lift;
 pub use mechanism::{JointRate, Mechanism, Motion};
 pub use outcome::Outcome;
 pub use residual::{
