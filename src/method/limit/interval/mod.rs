@@ -17,9 +17,9 @@ use super::own_weight::{own_weight, ray, stands_without_dilatancy, without_optim
 use super::reduction::{self, ScenePart};
 use super::scale::Scale;
 use crate::answer::{
-    BlockResidual, Bracket, CollapseResidual, CollapseState, JointForce, LimitFact, Outcome, SearchEnding,
-    SearchFacts, SearchFailure, SearchStart, SolverEnding, StartEnding, StaticResidual, Status,
-    VELOCITY_THRESHOLDS, VERIFIED_RESIDUAL, Work, crack_slope,
+    BlockResidual, Bracket, CollapseResidual, CollapseState, JointForce, LimitFact, Outcome,
+    SearchEnding, SearchFacts, SearchFailure, SearchStart, SolverEnding, StartEnding,
+    StaticResidual, Status, VELOCITY_THRESHOLDS, VERIFIED_RESIDUAL, Work, crack_slope,
 };
 use crate::method::{Method, Settings};
 use crate::scene::Scene;
