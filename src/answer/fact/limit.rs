@@ -21,7 +21,13 @@ pub enum LimitFact {
     },
     /// The program for λ_A has no optimum, and nothing proves why.
     NoOptimum(SolverEnding),
-    /// A state was found, and one block violates its own conditions in it by too much.
+    /// Forces or mechanism of a scene of very unequal blocks or very rough joints violate their
+    /// conditions by more than a proof may.
+    Unproved {
+        /// Largest residual over the whole scene.
+        residual: f64,
+    },
+    /// The same of one block, by its own forces or velocities.
     Unresolved(BlockResidual),
     /// Force state and mechanism of λ_A do not meet.
     Apart {
@@ -60,6 +66,7 @@ impl fmt::Display for LimitFact {
                 solver.map_or(Ok(()), |solver| write!(f, ": {solver}"))
             }
             LimitFact::NoOptimum(solver) => write!(f, "no proof: {solver}"),
+            LimitFact::Unproved { residual } => write!(f, "not resolved: residual {residual:.1e}"),
             LimitFact::Unresolved(blocks) => write!(f, "not resolved: {blocks}"),
             LimitFact::Apart { relative_width } => {
                 write!(

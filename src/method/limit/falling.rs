@@ -2,6 +2,7 @@
 //! program over the whole scene does not see the light blocks.
 
 use super::ending::Ending;
+use super::equilibration::Evening;
 use super::program::Program;
 use super::reduction::ScenePart;
 use crate::answer::{BlockResidual, Mechanism, Motion, VERIFIED_RESIDUAL, Work, falling_violation};
@@ -16,20 +17,20 @@ const RESTING: f64 = 1e-6;
 
 /// Programs for the own weight, one after the other: the mechanisms of those before may prove
 /// nothing. Where blocks have units of their own in a program, those at rest and those that fall can
-/// pull it apart, so that one unit for all comes after.
+/// pull it apart, so that others come after, and one unit for all at last.
 pub(super) fn programs(scene: &Scene) -> impl Iterator<Item = Program> + '_ {
-    let own = OPENINGS.map(|opening| (opening, false)).into_iter();
-    let common = OPENINGS.map(|opening| (opening, true)).into_iter();
-    own.chain(common).filter_map(|(opening, in_common)| {
-        let mut program = Program::with_slack(scene, 0.0);
-        if in_common {
-            if !program.has_own_units() {
-                return None;
-            }
-            program = Program::with_slack_in_common_units(scene, 0.0);
-        }
+    let first = Program::with_slack(scene, 0.0, Evening::CubeRoot);
+    let evenings: &[Evening] = if first.has_own_units() {
+        &[Evening::CubeRoot, Evening::SquareRoot, Evening::Common]
+    } else {
+        &[Evening::CubeRoot]
+    };
+    let attempts =
+        (evenings.iter()).flat_map(|&evening| OPENINGS.map(|opening| (evening, opening)));
+    attempts.map(move |(evening, opening)| {
+        let mut program = Program::with_slack(scene, 0.0, evening);
         program.set_opening(opening);
-        Some(program)
+        program
     })
 }
 

@@ -18,7 +18,7 @@ use clarabel::solver::{
 
 use super::columns::{Entries, joint_columns, multiplier_column, right_side, slack_column};
 use super::ending::{Ending, Solution};
-use super::equilibration::Equilibration;
+use super::equilibration::{Equilibration, Evening};
 use super::scale::Scale;
 use crate::answer::{JointForce, Work};
 use crate::method::settings::LP_TOLERANCE;
@@ -90,7 +90,18 @@ impl Program {
 
     /// The same to another tolerance than the default.
     pub fn to_tolerance(scene: &Scene, tolerance: f64) -> Self {
-        Self::assemble_to(scene, Scale::of(scene), Goal::Multiplier, tolerance)
+        Self::evened(scene, tolerance, Evening::CubeRoot)
+    }
+
+    /// The same, with units of unequal blocks that are evened out like this.
+    pub(super) fn evened(scene: &Scene, tolerance: f64, evening: Evening) -> Self {
+        Self::assemble_to(
+            scene,
+            Scale::of(scene),
+            Goal::Multiplier,
+            tolerance,
+            evening,
+        )
     }
 
     /// Assembles the program that only asks for forces at a given λ, in given units.
@@ -102,36 +113,21 @@ impl Program {
     /// force and every distance of a shear from its limit is at least m. Negative slack shows how
     /// far the scene is from standing, and its mechanism moves without more push: this program has
     /// an optimum on either side, where the one of [`Program::at_multiplier`] has none.
-    pub(super) fn with_slack(scene: &Scene, lambda: f64) -> Self {
-        Self::assemble(scene, Scale::of(scene), Goal::Slack(lambda))
-    }
-
-    /// The same with one unit of force and length for all blocks, however unequal they are.
-    pub(super) fn with_slack_in_common_units(scene: &Scene, lambda: f64) -> Self {
-        let (scale, goal) = (Scale::of(scene), Goal::Slack(lambda));
-        Self::assemble_in(scene, scale, goal, LP_TOLERANCE, None)
-    }
-
-    /// Whether blocks and joints have units of their own in it.
-    pub(super) fn has_own_units(&self) -> bool {
-        self.equilibration.is_some()
+    pub(super) fn with_slack(scene: &Scene, lambda: f64, evening: Evening) -> Self {
+        let scale = Scale::of(scene);
+        Self::assemble_to(scene, scale, Goal::Slack(lambda), LP_TOLERANCE, evening)
     }
 
     fn assemble(scene: &Scene, scale: Scale, goal: Goal) -> Self {
-        Self::assemble_to(scene, scale, goal, LP_TOLERANCE)
+        Self::assemble_to(scene, scale, goal, LP_TOLERANCE, Evening::CubeRoot)
     }
 
-    fn assemble_to(scene: &Scene, scale: Scale, goal: Goal, tolerance: f64) -> Self {
-        let equilibration = Equilibration::of(scene, &scale);
-        Self::assemble_in(scene, scale, goal, tolerance, equilibration)
-    }
-
-    fn assemble_in(
+    fn assemble_to(
         scene: &Scene,
         scale: Scale,
         goal: Goal,
         tolerance: f64,
-        equilibration: Option<Equilibration>,
+        evening: Evening,
     ) -> Self {
         let rows_of_blocks = 3 * scene.blocks().len();
         let joints = scene.joints().len();
@@ -150,8 +146,14 @@ impl Program {
                 right[rows - 1] = MAX_SLACK / scene.blocks().len() as f64;
             }
         }
+        let equilibration = Equilibration::of(scene, &scale, evening);
         if let Some(units) = &equilibration {
-            equilibrate(units, &mut entries, &mut right[..rows_of_blocks]);
+            equilibrate(
+                units,
+                &mut entries,
+                &mut right[..rows_of_blocks],
+                &friction_at,
+            );
         }
         let matrix = CscMatrix::new(rows, columns, entries.starts, entries.rows, entries.values);
         let mut cost = vec![0.0; columns];
@@ -165,7 +167,7 @@ impl Program {
             &matrix,
             &right,
             &cones,
-            settings(tolerance, equilibration.as_ref()),
+            settings(tolerance, equilibration.is_some()),
         )
         .expect("dimensions agree by construction");
         Self {
@@ -178,6 +180,11 @@ impl Program {
             equilibration,
             goal,
         }
+    }
+
+    /// Whether blocks or joints have units of their own in it.
+    pub(super) fn has_own_units(&self) -> bool {
+        self.equilibration.is_some()
     }
 
     /// Units of this program.
@@ -211,10 +218,10 @@ impl Program {
     pub(super) fn set_friction(&mut self, laws: &[FrictionLaw]) {
         for (j, law) in laws.iter().enumerate() {
             for at in self.friction_at[j] {
-                self.values[at] = -law.slope;
+                self.values[at] = -law.slope / self.shear_unit(j);
             }
             let first = self.rows_of_blocks + 4 * j;
-            let intercept = law.intercept / self.joint_unit(j);
+            let intercept = law.intercept / (self.joint_unit(j) * self.shear_unit(j));
             self.right[first + 2] = intercept;
             self.right[first + 3] = intercept;
         }
@@ -245,15 +252,13 @@ impl Program {
         updated.expect("presolve is off, so updates are allowed");
     }
 
-    /// Changes the cost: `lambda` · λ (or the slack) − Σ price · (n1 + n2) is to be largest, with
+    /// Changes the cost: `lambda` · λ* (or the slack) − Σ price · (n1 + n2) is to be largest, with
     /// one price a joint in `normal`.
     pub(super) fn set_cost(&mut self, lambda: f64, normal: &[f64]) {
-        let units = self.equilibration.as_ref().map(|units| &units.joints);
-        let units = units.cloned();
-        self.change_cost(lambda, |j| match &units {
-            Some(units) => normal[j] * units[j],
-            None => normal[j],
-        });
+        let prices: Vec<f64> = (normal.iter().enumerate())
+            .map(|(j, price)| price * self.joint_unit(j))
+            .collect();
+        self.change_cost(lambda, |j| prices[j]);
     }
 
     /// As [`Program::set_cost`], with prices in the program's own units.
@@ -309,12 +314,19 @@ impl Program {
         Some(units.joints[joint])
     }
 
+    /// Unit of a joint's shear, in that of the joint.
+    fn shear_unit(&self, joint: usize) -> f64 {
+        self.equilibration
+            .as_ref()
+            .map_or(1.0, |units| units.shears[joint])
+    }
+
     fn velocity(&self) -> Vec<f64> {
         let rates = self.solver.solution.z[..self.rows_of_blocks].iter();
         match &self.equilibration {
             None => rates.copied().collect(),
             Some(units) => (rates.enumerate())
-                .map(|(row, rate)| rate * units.of_block_row(row))
+                .map(|(row, rate)| rate * units.of_row(row))
                 .collect(),
         }
     }
@@ -326,7 +338,7 @@ impl Program {
             let unit = self.joint_unit(j);
             JointForce {
                 normal: [q[0] * unit, q[1] * unit],
-                shear: q[2] * unit,
+                shear: q[2] * unit * self.shear_unit(j),
             }
         });
         Solution {
@@ -343,20 +355,30 @@ impl Program {
 
 /// Scales the equilibrium rows by the blocks' units and the joints' columns by theirs. A joint's
 /// inequalities have its unit on both sides.
-fn equilibrate(units: &Equilibration, entries: &mut Entries, right: &mut [f64]) {
+fn equilibrate(
+    units: &Equilibration,
+    entries: &mut Entries,
+    right: &mut [f64],
+    friction_at: &[[usize; 4]],
+) {
+    for (at, shear) in friction_at.iter().zip(&units.shears) {
+        at.iter().for_each(|&at| entries.values[at] /= shear);
+    }
     for column in 0..entries.starts.len() - 1 {
-        let unit = units.joints.get(column / 3).copied().unwrap_or(1.0);
+        let of_joint = units.joints.get(column / 3).copied().unwrap_or(1.0);
+        let of_shear = units.shears.get(column / 3).filter(|_| column % 3 == 2);
+        let unit = of_joint * of_shear.copied().unwrap_or(1.0);
         for at in entries.starts[column]..entries.starts[column + 1] {
             let row = entries.rows[at];
             if row < right.len() {
-                entries.values[at] *= unit * units.of_block_row(row);
+                entries.values[at] *= unit * units.of_row(row);
             }
         }
     }
     units.scale_rows(right);
 }
 
-fn settings(tolerance: f64, units: Option<&Equilibration>) -> DefaultSettings<f64> {
+fn settings(tolerance: f64, tight: bool) -> DefaultSettings<f64> {
     let settings = DefaultSettings {
         verbose: false,
         max_threads: 1,
@@ -368,7 +390,7 @@ fn settings(tolerance: f64, units: Option<&Equilibration>) -> DefaultSettings<f6
         tol_feas: tolerance,
         ..DefaultSettings::default()
     };
-    if units.is_none() {
+    if !tight {
         return settings;
     }
     // What is left of a light block's velocities comes back divided by its force unit, so that

@@ -135,7 +135,8 @@ impl<'a> Search<'a> {
     /// unit where blocks are unequal.
     pub(super) fn unit(&self, joint: usize) -> f64 {
         let mean_weight = 1.0 / self.scene.blocks().len() as f64;
-        self.program.own_unit(joint).unwrap_or(mean_weight)
+        let own = self.program.own_unit(joint);
+        own.map_or(mean_weight, |own| own.min(mean_weight))
     }
 
     /// Normal forces of the associative state; the ending where there is none.
