@@ -64,24 +64,35 @@ impl Found {
     }
 }
 
+/// Starts are dear where fewer than so many fit into the budget.
+const DEAR: usize = 10;
+
 /// How long a search goes on.
 pub(super) struct Budget {
     /// Starts that a user asks for; none where the programs decide.
     pub(super) starts: Option<usize>,
     /// Programs after which it ends where the lowest state was met more than once.
     pub(super) programs: usize,
+    /// Whether starts are dear: fewer than [`DEAR`] fit into the budget.
+    pub(super) dear: bool,
 }
 
 impl Budget {
     /// The budget of a scene. A program's time grows with the blocks by a power of about 1.5, so that
-    /// a scene of 25 blocks takes 0.8 s, one of 150 blocks 2 s, one of 650 blocks 20 s; a scene of few joints has few states
-    /// to look for.
+    /// a scene of 25 blocks takes 0.9 s, one of 150 blocks 4 s, one of 650 blocks 30 s; a scene of
+    /// few joints has few states to look for.
     pub(super) fn of(blocks: usize, joints: usize, starts: usize) -> Self {
-        let programs = 5500.0 / (blocks as f64).powf(0.6);
+        let programs = 7000.0 / (blocks as f64).powf(0.6);
         Self {
             starts: (starts > 0).then_some(starts),
             programs: (programs as usize).min(20 * joints),
+            dear: false,
         }
+    }
+
+    /// Learns from the first start, which took so many programs, whether starts are dear.
+    pub(super) fn learn(&mut self, programs: usize) {
+        self.dear = programs * DEAR > self.programs;
     }
 
     /// Whether a search of so many starts and programs goes on. Where the lowest state was met once
@@ -89,7 +100,10 @@ impl Budget {
     pub(super) fn goes_on(&self, starts: usize, programs: usize, found: &Found) -> bool {
         match self.starts {
             Some(asked) => starts < asked,
-            None if found.is_lowest_met_again() => programs < self.programs,
+            // Where starts are dear, two that end alike are worth more than many elsewhere.
+            None if found.is_lowest_met_again() => {
+                programs < self.programs / if self.dear { 2 } else { 1 }
+            }
             None => 2 * programs < 3 * self.programs,
         }
     }

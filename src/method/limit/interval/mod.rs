@@ -293,14 +293,19 @@ fn follow(
 ) -> Explored {
     let searched = place.searched();
     let asked = request.settings.interval.starts;
-    let budget = Budget::of(searched.blocks().len(), searched.joints().len(), asked);
+    let mut budget = Budget::of(searched.blocks().len(), searched.joints().len(), asked);
     let scale = search.program().scale();
     let mut found = Found::default();
     let mut endings = Vec::new();
     let mut unresolved = None;
     while budget.goes_on(endings.len(), search.work.programs, &found) {
         let lowest = found.lowest().map_or(f64::INFINITY, |state| state.lambda);
+        let before = search.work.programs;
         let (start, branch) = starts.follow_next(&mut search, &found);
+        if endings.is_empty() {
+            budget.learn(search.work.programs - before);
+            starts.dear = budget.dear;
+        }
         let branch = branch.and_then(|mut branch| {
             let proof = place.prove(scale, &mut branch, lowest, work);
             if proof == Err(SearchFailure::Unproved) {

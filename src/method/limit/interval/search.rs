@@ -114,9 +114,11 @@ impl<'a> Search<'a> {
             slope: joint.friction,
             intercept: 0.0,
         });
+        let mut program = Program::new(scene);
+        program.refine_less();
         Self {
             scene,
-            program: Program::new(scene),
+            program,
             statics: None,
             unlimited: false,
             coulomb: coulomb.collect(),

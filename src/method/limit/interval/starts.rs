@@ -23,6 +23,7 @@ pub(super) struct Start {
 
 /// Kinds of starts that a search takes in turn once those chosen on purpose are used up.
 const IN_TURN: [SearchStart; 13] = [
+    // These first ones only where starts are dear.
     SearchStart::LowestRaised,
     SearchStart::LowestRaised,
     SearchStart::LowestRaised,
@@ -46,6 +47,9 @@ pub(super) struct Starts {
     at_rest: Vec<f64>,
     /// N of the lowest state with open head joints, or under the own weight where there is none.
     open: Vec<f64>,
+    /// Whether one start takes so large a part of the budget that small steps from the lowest state
+    /// known come first: on walls of hundreds of blocks.
+    pub(super) dear: bool,
     /// Place in [`IN_TURN`].
     turn: usize,
     /// Number of the random sequence.
@@ -90,6 +94,7 @@ impl Starts {
             chosen,
             open: open.unwrap_or_else(|| at_rest.clone()),
             at_rest,
+            dear: false,
             turn: 0,
             sequence: 0,
         }
@@ -107,6 +112,7 @@ impl Starts {
             }],
             open: at_rest.clone(),
             at_rest,
+            dear: false,
             turn: 0,
             sequence: 0,
         }
@@ -150,7 +156,12 @@ impl Starts {
         found: &Found,
     ) -> (Result<Start, (SearchStart, SearchFailure)>, Noise) {
         loop {
-            let kind = IN_TURN[self.turn % IN_TURN.len()];
+            let kinds = if self.dear {
+                &IN_TURN[..]
+            } else {
+                &IN_TURN[3..]
+            };
+            let kind = kinds[self.turn % kinds.len()];
             self.sequence += 1;
             let mut noise = Noise::new(self.sequence);
             let normal = self.normal(kind, search, found.lowest(), &mut noise);
