@@ -99,7 +99,7 @@ fn intervals_of_arches_are_verified() {
         let (outcome, lambda) = (judged(&Interval, &scene), multiplier(&scene));
         assert_eq!(outcome.status, Status::Verified, "{}", outcome.reason());
         let bracket = outcome.bracket.expect("verified with a bracket");
-        assert!(bracket.error(lambda) < 1e-6, "{bracket:?} {lambda}");
+        assert!(bracket.error(lambda, 1.0) < 1e-6, "{bracket:?} {lambda}");
     }
     for friction in [0.36, 0.4, 0.5] {
         let scene = arch(0.17, 180.0, 27, friction);

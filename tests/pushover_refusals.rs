@@ -49,7 +49,7 @@ fn pushed(scene: &Scene) -> Outcome {
 fn assert_honest(what: &str, outcome: &Outcome, exact: f64, tolerance: f64) {
     match outcome.bracket {
         Some(bracket) => assert!(
-            bracket.error(exact) <= tolerance,
+            bracket.error(exact, 1.0) <= tolerance,
             "{what}: {bracket:?} for {exact}: {:?}",
             outcome.checks
         ),

@@ -3,6 +3,17 @@
 /// Relative width up to which two proved ends count as one number.
 const VERIFIED_WIDTH: f64 = 1e-6;
 
+/// Share of its unit below which a multiplier is small: its digits are worth no more than those of
+/// one as large.
+const SMALL: f64 = 1e-3;
+
+/// What differences from a multiplier are relative to: its size, or a thousandth of the scene's
+/// `unit` of λ ([`Scene::multiplier_unit`](crate::scene::Scene::multiplier_unit)) where it is
+/// smaller.
+pub fn magnitude(lambda: f64, unit: f64) -> f64 {
+    lambda.abs().max(SMALL * unit)
+}
+
 /// Lower and upper value of a collapse multiplier; what each means is the method's to say.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bracket {
@@ -21,20 +32,21 @@ impl Bracket {
         }
     }
 
-    /// Width relative to max(|λ|, 1e-3).
-    pub fn relative_width(&self) -> f64 {
-        (self.upper - self.lower) / self.upper.abs().max(1e-3)
+    /// Width relative to the [`magnitude`] of λ, in a scene with this unit of λ.
+    pub fn relative_width(&self, unit: f64) -> f64 {
+        (self.upper - self.lower) / magnitude(self.upper, unit)
     }
 
     /// Whether both ends are one number, for an answer with both ends proved: NaN is none, nor are
     /// ends that cross by more than rounding.
-    pub fn is_one_number(&self) -> bool {
-        (-1e-9..=VERIFIED_WIDTH).contains(&self.relative_width())
+    pub fn is_one_number(&self, unit: f64) -> bool {
+        (-1e-9..=VERIFIED_WIDTH).contains(&self.relative_width(unit))
     }
 
-    /// Largest distance of either end from a reference, relative to max(|reference|, 1e-3).
-    pub fn error(&self, reference: f64) -> f64 {
+    /// Largest distance of either end from a reference, relative to the [`magnitude`] of that, in a
+    /// scene with this unit of λ.
+    pub fn error(&self, reference: f64, unit: f64) -> f64 {
         let distance = |end: f64| (end - reference).abs();
-        distance(self.lower).max(distance(self.upper)) / reference.abs().max(1e-3)
+        distance(self.lower).max(distance(self.upper)) / magnitude(reference, unit)
     }
 }

@@ -5,6 +5,7 @@
 //! to go on, but what counts is the judge's own evaluation, from forces and mechanism alone, on the
 //! whole scene and in the units of the case. No matrix, scaling or tolerance of a method enters it.
 
+mod block_residual;
 mod bracket;
 mod claim;
 mod crack;
@@ -18,7 +19,9 @@ mod state;
 mod status;
 mod work;
 
-pub use bracket::Bracket;
+pub use block_residual::BlockResidual;
+pub(crate) use block_residual::reach;
+pub use bracket::{Bracket, magnitude};
 pub use claim::Claim;
 pub use crack::Crack;
 pub(crate) use crack::{VELOCITY_THRESHOLDS, crack_slope, crack_slope_by_gap};

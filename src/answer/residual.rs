@@ -1,4 +1,5 @@
-//! Residuals of force states and mechanisms, scaled: total weight, height and live power are 1.
+//! Residuals of force states and mechanisms, scaled: total weight, height, and the live power for
+//! λ* = 1 are 1.
 
 use std::fmt;
 
@@ -72,7 +73,7 @@ impl fmt::Display for StaticResidual {
 }
 
 /// Unbalanced wrench of every block, from those of its loads.
-fn balances(scene: &Scene, forces: &[JointForce], loads: Vec<Wrench>) -> Vec<Wrench> {
+pub fn balances(scene: &Scene, forces: &[JointForce], loads: Vec<Wrench>) -> Vec<Wrench> {
     let mut sums = loads;
     for (joint, force) in scene.joints().iter().zip(forces) {
         let tangential = joint.tangent() * force.shear;
@@ -134,12 +135,12 @@ pub fn dead_power(scene: &Scene, mechanism: &Mechanism) -> f64 {
     powers(scene, mechanism).1
 }
 
-/// Factor on rates that makes the live power equal the total weight; NaN, so that every residual
+/// Factor on rates that makes the live power equal the total live load; NaN, so that every residual
 /// fails, where the live load does no positive work.
 fn rate_unit(scene: &Scene, mechanism: &Mechanism) -> f64 {
     let live = powers(scene, mechanism).0;
     if live > 0.0 {
-        scene.total_weight() / live
+        live_unit(scene) / live
     } else {
         f64::NAN
     }
@@ -189,7 +190,7 @@ pub struct CollapseResidual {
     pub open_contact: f64,
     /// Largest μN|slip| − (power that the joint's shear takes out).
     pub idle_friction: f64,
-    /// Sum of the last two over all joints: the complementarity gap, in units of λ. Many joints
+    /// Sum of the last two over all joints: the complementarity gap, in units of λ*. Many joints
     /// that each violate little do not pass.
     pub gap: f64,
 }

@@ -1,13 +1,16 @@
 //! What an answer's own forces and mechanism prove of its claim.
 
 use crate::answer::{
-    Bracket, CeilingSlack, Claim, CollapseResidual, JudgedFact, Mechanism, Outcome, Residuals,
-    StaticResidual, Status, VERIFIED_RESIDUAL, associative_violation, falling_violation,
-    kinematic_multiplier,
+    BlockResidual, Bracket, CeilingSlack, Claim, CollapseResidual, JudgedFact, Mechanism, Outcome,
+    Residuals, StaticResidual, Status, VERIFIED_RESIDUAL, associative_violation, falling_violation,
+    kinematic_multiplier, magnitude,
 };
 use crate::scene::Scene;
 
 /// Recomputes the residual of an outcome and sets its status to what that proves of its claim.
+///
+/// A claim that is refuted over the whole scene has `failed`; one that only the own forces or
+/// velocities of a block are too far from is `undecided`: double precision may not resolve more.
 ///
 /// Returns the residual where forces or a mechanism were given; `None` means that there is nothing
 /// to vouch for.
@@ -32,23 +35,53 @@ pub fn judge(scene: &Scene, outcome: &mut Outcome) -> Option<f64> {
         return Some(judge_states(scene, outcome));
     }
     let statics = StaticResidual::of(scene, forces, bracket.lower);
+    let of_forces = BlockResidual::of_forces(scene, forces, bracket.lower);
     let collapse = || CollapseResidual::of(scene, forces, mechanism);
+    let of_collapse = || BlockResidual::of_collapse(scene, forces, mechanism);
     Some(match outcome.claim {
         Claim::Associative => {
-            let ceiling = ceiling(scene, mechanism);
-            conclude_bounds(outcome, bracket, statics, None, Some(ceiling))
+            let ceiling = Some(ceiling(scene, mechanism));
+            let blocks = of_forces.worse(BlockResidual::of_flow(scene, mechanism));
+            let bounds = Bounds {
+                statics,
+                collapse: None,
+                ceiling,
+                blocks,
+            };
+            conclude_bounds(outcome, bracket, bounds, scene.multiplier_unit())
         }
         Claim::Enclosed => {
-            let collapse = collapse();
+            let collapse = Some(collapse());
             let above = outcome.ceiling.as_ref();
+            let flow = above.map(|mechanism| BlockResidual::of_flow(scene, mechanism));
             let ceiling = above.map(|mechanism| ceiling(scene, mechanism));
-            conclude_bounds(outcome, bracket, statics, Some(collapse), ceiling)
+            let blocks = of_forces
+                .worse(of_collapse())
+                .worse(flow.unwrap_or_default());
+            let bounds = Bounds {
+                statics,
+                collapse,
+                ceiling,
+                blocks,
+            };
+            conclude_bounds(outcome, bracket, bounds, scene.multiplier_unit())
         }
         Claim::CollapseState | Claim::Observed => {
             let collapse = collapse();
-            conclude_state(outcome, statics, collapse)
+            let blocks = of_forces.worse(of_collapse());
+            conclude_state(outcome, statics, collapse, blocks)
         }
     })
+}
+
+/// What was computed of bounds.
+struct Bounds {
+    statics: StaticResidual,
+    /// Where the lower bound is a collapse state.
+    collapse: Option<CollapseResidual>,
+    ceiling: Option<CeilingSlack>,
+    /// Of all of these, the largest violation of one block's own conditions.
+    blocks: BlockResidual,
 }
 
 fn ceiling(scene: &Scene, mechanism: &Mechanism) -> CeilingSlack {
@@ -61,10 +94,10 @@ fn ceiling(scene: &Scene, mechanism: &Mechanism) -> CeilingSlack {
 /// How far a mechanism is from proving that no λ above `bracket.upper` is admissible by associative
 /// friction: its violation of the flow rule, infinite where its own multiplier is above that or
 /// below `bracket.lower`.
-fn slack(ceiling: &CeilingSlack, bracket: Bracket) -> f64 {
+fn slack(ceiling: &CeilingSlack, bracket: Bracket, unit: f64) -> f64 {
     let own = ceiling.multiplier;
     // Written so that a NaN refutes.
-    let bounds = bracket.upper >= own && bracket.lower <= own + 1e-9 * own.abs().max(1e-3);
+    let bounds = bracket.upper >= own && bracket.lower <= own + 1e-9 * magnitude(own, unit);
     if bounds {
         ceiling.flow_rule
     } else {
@@ -74,25 +107,28 @@ fn slack(ceiling: &CeilingSlack, bracket: Bracket) -> f64 {
 
 /// Both ends proved: `verified` where they are one number, else `bracketed`, or `undecided` where
 /// the method says that its bracket is no answer. An estimate is never downgraded.
-fn conclude_bounds(
-    outcome: &mut Outcome,
-    bracket: Bracket,
-    statics: StaticResidual,
-    collapse: Option<CollapseResidual>,
-    ceiling: Option<CeilingSlack>,
-) -> f64 {
+fn conclude_bounds(outcome: &mut Outcome, bracket: Bracket, bounds: Bounds, unit: f64) -> f64 {
+    let Bounds {
+        statics,
+        collapse,
+        ceiling,
+        blocks,
+    } = bounds;
     let of_forces = statics.largest();
     let below = collapse.map_or(of_forces, |collapse| of_forces.max(collapse.largest()));
-    let residual = below.max(ceiling.map_or(f64::INFINITY, |ceiling| slack(&ceiling, bracket)));
+    let above = ceiling.map_or(f64::INFINITY, |ceiling| slack(&ceiling, bracket, unit));
+    let residual = below.max(above);
     let residuals = Residuals::Bounds {
         statics,
         collapse,
         ceiling,
     };
-    if residual <= VERIFIED_RESIDUAL {
+    if residual <= VERIFIED_RESIDUAL && !blocks.is_small() {
+        unresolved(outcome, blocks);
+    } else if residual <= VERIFIED_RESIDUAL {
         outcome.status = match outcome.status {
             Status::Undecided => Status::Undecided,
-            _ if bracket.is_one_number() => Status::Verified,
+            _ if bracket.is_one_number(unit) => Status::Verified,
             _ => Status::Bracketed,
         };
     } else if outcome.status == Status::Estimate {
@@ -107,13 +143,16 @@ fn conclude_state(
     outcome: &mut Outcome,
     statics: StaticResidual,
     collapse: CollapseResidual,
+    blocks: BlockResidual,
 ) -> f64 {
     let residual = statics.largest().max(collapse.largest());
     let residuals = Residuals::State { statics, collapse };
     let at_one = outcome
         .bracket
         .is_some_and(|bracket| bracket.lower == bracket.upper);
-    if residual <= VERIFIED_RESIDUAL && at_one {
+    if residual <= VERIFIED_RESIDUAL && at_one && !blocks.is_small() {
+        unresolved(outcome, blocks);
+    } else if residual <= VERIFIED_RESIDUAL && at_one {
         outcome.status = Status::Verified;
         outcome.facts.push(JudgedFact::CollapseState.into());
     } else if outcome.status == Status::Verified {
@@ -127,24 +166,30 @@ fn conclude_state(
 /// The residual of what proves `falls` (a mechanism) or `stands` (forces at λ = 0 and a ray, without
 /// friction where the claim is not one of associative friction): refutes the status where that fails, lowers it to `undecided` where nothing is given.
 fn judge_certificate(scene: &Scene, outcome: &mut Outcome) -> Option<f64> {
-    let residual = match (
+    let (residual, blocks) = match (
         outcome.status,
         &outcome.mechanism,
         &outcome.forces,
         &outcome.ray,
     ) {
-        (Status::Falls, Some(mechanism), _, _) => falling_violation(scene, mechanism),
+        (Status::Falls, Some(mechanism), _, _) => (
+            falling_violation(scene, mechanism),
+            BlockResidual::of_flow(scene, mechanism),
+        ),
         (Status::Stands, _, Some(forces), Some(ray)) => {
             let at_rest = StaticResidual::of(scene, forces, 0.0).largest();
             // Without dilatancy a joint may slip where the ray needs its friction, so that only a
             // ray without friction proves that nothing collapses.
-            let ray = if outcome.claim == Claim::Associative {
-                StaticResidual::of_ray(scene, ray)
+            let smooth = scene.clone().with_friction(|_, _| 0.0);
+            let pushed = if outcome.claim == Claim::Associative {
+                scene
             } else {
-                let smooth = scene.clone().with_friction(|_, _| 0.0);
-                StaticResidual::of_ray(&smooth, ray)
+                &smooth
             };
-            at_rest.max(ray.largest())
+            let of_ray = StaticResidual::of_ray(pushed, ray).largest();
+            let blocks = BlockResidual::of_forces(scene, forces, 0.0);
+            let blocks = blocks.worse(BlockResidual::of_ray(pushed, ray));
+            (at_rest.max(of_ray), blocks)
         }
         (Status::Falls, None, _, _) if outcome.claim == Claim::Observed => return None,
         (status, _, _, _) => {
@@ -157,6 +202,8 @@ fn judge_certificate(scene: &Scene, outcome: &mut Outcome) -> Option<f64> {
     let holds = residual <= VERIFIED_RESIDUAL;
     if !holds {
         refute(outcome, JudgedFact::Refuted(Residuals::Largest(residual)));
+    } else if !blocks.is_small() {
+        unresolved(outcome, blocks);
     }
     Some(residual)
 }
@@ -165,8 +212,10 @@ fn judge_certificate(scene: &Scene, outcome: &mut Outcome) -> Option<f64> {
 /// where the ends of the bracket are not among them.
 fn judge_states(scene: &Scene, outcome: &mut Outcome) -> f64 {
     let mut largest: f64 = 0.0;
+    let mut blocks = BlockResidual::default();
     let mut lambdas = Vec::new();
     for state in &outcome.states {
+        blocks = blocks.worse(BlockResidual::of_state(scene, state));
         let statics = StaticResidual::of(scene, &state.forces, state.lambda);
         let collapse = CollapseResidual::of(scene, &state.forces, &state.mechanism);
         largest = largest.max(statics.largest()).max(collapse.largest());
@@ -177,8 +226,25 @@ fn judge_states(scene: &Scene, outcome: &mut Outcome) -> f64 {
         .is_some_and(|b| lambdas.contains(&b.lower) && lambdas.contains(&b.upper));
     if !(proved && largest <= VERIFIED_RESIDUAL) {
         refute(outcome, JudgedFact::Refuted(Residuals::Largest(largest)));
+    } else if !blocks.is_small() {
+        unresolved(outcome, blocks);
     }
     largest
+}
+
+/// Takes the answer away where the residuals hold over the whole scene and not at one of its blocks.
+/// An estimate stays one.
+fn unresolved(outcome: &mut Outcome, blocks: BlockResidual) {
+    if outcome.status == Status::Estimate {
+        let residuals = Residuals::Block(blocks);
+        outcome.facts.push(JudgedFact::NoProof(residuals).into());
+        return;
+    }
+    outcome.status = Status::Undecided;
+    outcome.bracket = None;
+    outcome.crack = None;
+    let blocks_fact = JudgedFact::Unresolved(blocks);
+    outcome.facts.push(blocks_fact.into());
 }
 
 fn refute(outcome: &mut Outcome, why: JudgedFact) {

@@ -34,32 +34,39 @@ pub struct Comparison<'a> {
     pub reference: &'a Reference,
     /// The computed value, as a bracket; `None` where the method gave none.
     pub computed: Option<Bracket>,
-    /// The farther end's distance from the reference, relative to max(|reference|, 1e-3).
+    /// The farther end's distance from the reference, relative to that, or to a thousandth of the
+    /// scene's unit of λ where it is smaller.
     pub error: Option<f64>,
     /// What that says.
     pub verdict: Verdict,
 }
 
-/// Every reference of the case about one method's answer for one head-joint setting.
+/// Every reference of the case about one method's answer for one head-joint setting, in a scene with
+/// this unit of λ.
 pub fn comparisons<'a>(
     case: &'a Case,
     head_joints: HeadJoints,
     method: &str,
     outcome: &Outcome,
+    unit: f64,
 ) -> Vec<Comparison<'a>> {
     let about = |reference: &&Reference| {
         reference.method == method && reference.head_joints.is_none_or(|only| only == head_joints)
     };
     let references = case.references.iter().filter(about);
-    references.map(|r| compare(r, outcome)).collect()
+    references.map(|r| compare(r, outcome, unit)).collect()
 }
 
-fn compare<'a>(reference: &'a Reference, outcome: &Outcome) -> Comparison<'a> {
+fn compare<'a>(reference: &'a Reference, outcome: &Outcome, unit: f64) -> Comparison<'a> {
+    let unit = match reference.quantity {
+        Quantity::Lambda | Quantity::Lower | Quantity::Upper => unit,
+        Quantity::TanBeta | Quantity::C | Quantity::E | Quantity::AtRest => 1.0,
+    };
     let computed = computed(outcome, reference.quantity);
     Comparison {
         reference,
         computed,
-        error: computed.map(|value| value.error(reference.value)),
+        error: computed.map(|value| value.error(reference.value, unit)),
         verdict: match computed {
             Some(value) => verdict(reference, value),
             // A method that declines or cannot decide contradicts nothing; one that broke does.
@@ -86,7 +93,12 @@ fn verdict(reference: &Reference, value: Bracket) -> Verdict {
 }
 
 /// Every reference of the case that speaks of this scene and of a method that ran.
-pub fn reference_checks(case: &Case, head_joints: HeadJoints, answers: &Answers) -> Vec<Check> {
+pub fn reference_checks(
+    case: &Case,
+    head_joints: HeadJoints,
+    answers: &Answers,
+    unit: f64,
+) -> Vec<Check> {
     let mut checks = Vec::new();
     for reference in &case.references {
         if reference
@@ -106,7 +118,7 @@ pub fn reference_checks(case: &Case, head_joints: HeadJoints, answers: &Answers)
             }
             continue;
         };
-        let comparison = compare(reference, outcome);
+        let comparison = compare(reference, outcome, unit);
         checks.push(Check {
             head_joints,
             method: reference.method.clone(),

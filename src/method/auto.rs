@@ -24,7 +24,7 @@ use super::limit::{self, Associative, Sequential};
 use super::macro_block::MacroBlock;
 use super::settings::LP_TOLERANCE;
 use super::{Method, Settings};
-use crate::answer::{AutoFact, Bracket, Claim, Fact, Outcome, Status, Uniqueness, Work};
+use crate::answer::{AutoFact, Bracket, Claim, Fact, Outcome, Status, Uniqueness, Work, magnitude};
 use crate::scene::Scene;
 
 /// The method that picks among the others.
@@ -51,7 +51,8 @@ impl Method for Auto {
         let Some(Bracket { upper, .. }) = bound.bracket else {
             return ladder.settled(bound);
         };
-        let stop_below = upper - settings.auto.tolerance * upper.abs().max(1e-3);
+        let unit = scene.multiplier_unit();
+        let stop_below = upper - settings.auto.tolerance * magnitude(upper, unit);
         let mut found = ladder.states(settings, stop_below);
         let Some(Bracket { mut lower, .. }) = found.bracket else {
             return ladder.without_state(upper, found);
@@ -73,7 +74,7 @@ impl Method for Auto {
             lower,
             upper: upper.max(lower),
         };
-        let width = bracket.relative_width();
+        let width = bracket.relative_width(unit);
         let uniqueness = Uniqueness {
             unique: width <= settings.auto.tolerance,
             relative_width: width,
@@ -128,7 +129,7 @@ impl Ladder<'_> {
         self.listened = true;
         let other = self.run(&Sequential);
         let lambda = other.bracket?.upper;
-        let below = (lowest - lambda) / lowest.abs().max(1e-3);
+        let below = (lowest - lambda) / magnitude(lowest, self.scene.multiplier_unit());
         (lambda < stop_below).then_some(AutoFact::LowerHeard { lambda, below })
     }
 

@@ -7,7 +7,7 @@ use std::fmt::Write;
 
 use indexmap::IndexMap;
 
-use crate::answer::{Bracket, Status};
+use crate::answer::{Bracket, Status, magnitude};
 use crate::judge::{Verdict, comparisons};
 use crate::number::{number, short};
 use crate::record::fixed_width;
@@ -37,9 +37,16 @@ pub fn library_heading() -> String {
 pub fn library_case(result: &CaseResult) -> String {
     let mut text = String::new();
     for row in &result.rows {
-        let compared = comparisons(&result.case, row.head_joints, &row.method, &row.outcome);
+        let unit = row.multiplier_unit;
+        let compared = comparisons(
+            &result.case,
+            row.head_joints,
+            &row.method,
+            &row.outcome,
+            unit,
+        );
         if compared.is_empty() {
-            let lambda = ends(row.bracket());
+            let lambda = ends(row.bracket(), row.multiplier_unit);
             let none = ["lambda", "-", "-", "-"].map(str::to_owned);
             let worst = row.verdict.map_or("-", Verdict::name);
             text.push_str(&reference_line(row, lambda, none, worst));
@@ -52,7 +59,7 @@ pub fn library_case(result: &CaseResult) -> String {
                 reference.kind.name().to_owned(),
                 comparison.error.map_or("-".to_owned(), percent),
             ];
-            let computed = ends(comparison.computed);
+            let computed = ends(comparison.computed, unit);
             let verdict = comparison.verdict.name();
             text.push_str(&reference_line(row, computed, against, verdict));
         }
@@ -111,11 +118,11 @@ fn rows(results: &[CaseResult]) -> impl Iterator<Item = (&CaseResult, &Row)> {
 }
 
 /// A value with the decimals that every method's table has.
-fn ends(bracket: Option<Bracket>) -> String {
+fn ends(bracket: Option<Bracket>, unit: f64) -> String {
     let Some(Bracket { lower, upper }) = bracket else {
         return "-".to_owned();
     };
-    if upper - lower <= 2e-6 * upper.abs().max(1e-3) {
+    if upper - lower <= 2e-6 * magnitude(upper, unit) {
         number(lower, 5)
     } else {
         format!("{} - {}", number(lower, 5), number(upper, 5))

@@ -2,7 +2,7 @@
 //! it; a new one is one entry.
 
 use super::row::Row;
-use crate::answer::{Bracket, Status};
+use crate::answer::{Bracket, Status, magnitude};
 use crate::case::{Quantity, Reference, SourceKind};
 use crate::method::Kind;
 use crate::number::{nine_digits, number, short};
@@ -206,7 +206,7 @@ fn multiplier(row: &Row) -> Value {
     let exact = row.status() != Status::Estimate || row.kind() == Kind::ClosedForm;
     let decimals = if exact { 5 } else { 4 };
     let [lower_end, upper_end] = [lower, upper].map(|end| number(end, decimals));
-    let one = upper - lower <= 2e-6 * upper.abs().max(1e-3);
+    let one = upper - lower <= 2e-6 * magnitude(upper, row.multiplier_unit);
     Value::Text(if one {
         lower_end
     } else {

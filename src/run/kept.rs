@@ -20,6 +20,7 @@ struct KeptRow {
     friction: Option<[f64; 2]>,
     blocks: usize,
     joints: usize,
+    multiplier_unit: f64,
     status: String,
     claim: String,
     lower: Option<f64>,
@@ -79,6 +80,7 @@ impl From<Row> for KeptRow {
             friction: row.friction,
             blocks: row.blocks,
             joints: row.joints,
+            multiplier_unit: row.multiplier_unit,
         }
     }
 }
@@ -152,6 +154,7 @@ impl TryFrom<KeptRow> for Row {
             friction: kept.friction,
             blocks: kept.blocks,
             joints: kept.joints,
+            multiplier_unit: kept.multiplier_unit,
             residual: kept.residual,
             seconds: kept.seconds,
             stronger: None,

@@ -170,11 +170,9 @@ fn checks(case: &Case, scenes: &[(HeadJoints, Vec<Scene>)], rows: &[Row]) -> Vec
                 .collect();
             checks.extend(cross_check(scene, &of_side));
         }
-        checks.extend(reference_checks(
-            case,
-            *head_joints,
-            &answers(rows, *head_joints),
-        ));
+        let unit = sides.first().map_or(1.0, Scene::multiplier_unit);
+        let answers = answers(rows, *head_joints);
+        checks.extend(reference_checks(case, *head_joints, &answers, unit));
     }
     let scene = |wanted| {
         let found = scenes

@@ -29,6 +29,9 @@ pub struct Row {
     pub blocks: usize,
     /// Joints of the scene.
     pub joints: usize,
+    /// The scene's unit of λ ([`Scene::multiplier_unit`](crate::scene::Scene::multiplier_unit)),
+    /// which tells what a small λ is.
+    pub multiplier_unit: f64,
     /// The answer, its status set by the judge.
     pub outcome: Outcome,
     /// The answer for the other direction of a wall that is pushed both ways.
@@ -116,7 +119,7 @@ impl Row {
     pub fn error(&self) -> Option<f64> {
         let errors = self.multiplier_references().into_iter().filter_map(|r| {
             let value = computed(&self.outcome, r.quantity)?;
-            Some(value.error(r.value))
+            Some(value.error(r.value, self.multiplier_unit))
         });
         errors.reduce(f64::max)
     }

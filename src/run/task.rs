@@ -143,6 +143,7 @@ impl<'a> Task<'a> {
             friction: friction(scene),
             blocks: scene.blocks().len(),
             joints: scene.joints().len(),
+            multiplier_unit: scene.multiplier_unit(),
             outcome: answer.outcome,
             stronger: answer.stronger.map(|stronger| StrongerSide {
                 push: stronger.scene.push(),

@@ -1,6 +1,6 @@
 //! Of a wall that is pushed both ways, the side that gives way first.
 
-use crate::answer::{Outcome, SideFact, Status};
+use crate::answer::{Outcome, SideFact, Status, magnitude};
 use crate::scene::Scene;
 
 /// The judged answer of a method for one side of the push.
@@ -60,7 +60,7 @@ pub(super) fn weaker(mut answers: Vec<Answer>) -> Answer {
 /// Whether a side gives way before another. Of sides that differ by rounding alone neither does: it
 /// must not depend on the machine.
 fn is_weaker(a: &Answer, b: &Answer) -> bool {
-    let margin = |lambda: f64| ALIKE * lambda.abs().max(1e-3);
+    let margin = |lambda: f64| ALIKE * magnitude(lambda, b.scene.multiplier_unit());
     let ((a, x), (b, y)) = (rank(a), rank(b));
     a < b || a == b && x < y - margin(y)
 }

@@ -89,6 +89,20 @@ impl Scene {
         loads.map(|load| load.live.norm()).sum()
     }
 
+    /// Multiplier at which the live loads add up to the dead ones: λ over this is λ*, the multiplier
+    /// without dimension that smallness is measured by. Exactly 1 where every live force is as large
+    /// as the dead one, also where there is no live load.
+    pub fn multiplier_unit(&self) -> f64 {
+        let (dead, live) = (self.total_weight(), self.total_live());
+        let unit = dead / live;
+        // Inclined loads may differ from the weight by rounding.
+        if dead == 0.0 || live == 0.0 || (unit - 1.0).abs() <= 1e-12 {
+            1.0
+        } else {
+            unit
+        }
+    }
+
     /// Lower-left and upper-right corner of all blocks.
     pub fn bounds(&self) -> (Point, Point) {
         let mut boxes = self.blocks.iter().map(|block| block.shape.bounds());

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use super::super::block_residual::{BlockResidual, VERIFIED_BLOCK};
 use super::super::residual::{CollapseResidual, StaticResidual};
 use super::super::status::Status;
 
@@ -14,6 +15,9 @@ pub enum JudgedFact {
     NoProof(Residuals),
     /// What the method claims to prove, forces and mechanism do not.
     Refuted(Residuals),
+    /// Over the whole scene the proof holds, and at one block it does not: its own forces or
+    /// velocities are too small beside the others' to be resolved.
+    Unresolved(BlockResidual),
     /// The method claims a proof and hands over no forces or no mechanism.
     NothingToProve,
     /// The method claims `falls` or `stands` and hands over nothing that proves it.
@@ -39,6 +43,8 @@ pub enum Residuals {
         /// The upper bound; `None` where there is no mechanism for it.
         ceiling: Option<CeilingSlack>,
     },
+    /// Of one block, over its own forces or velocities.
+    Block(BlockResidual),
     /// The largest of several states, or of a certificate.
     Largest(f64),
 }
@@ -81,6 +87,7 @@ impl fmt::Display for JudgedFact {
             }
             JudgedFact::NoProof(residuals) => write!(f, "no proof: {residuals}"),
             JudgedFact::Refuted(residuals) => write!(f, "refuted by the judge: {residuals}"),
+            JudgedFact::Unresolved(residual) => write!(f, "not resolved: {residual}"),
             JudgedFact::NothingToProve => {
                 write!(f, "claims a proof without forces and mechanism")
             }
@@ -109,8 +116,21 @@ impl fmt::Display for Residuals {
                     None => write!(f, "no bound"),
                 }
             }
+            Residuals::Block(residual) => residual.fmt(f),
             Residuals::Largest(residual) => write!(f, "residual {residual:.1e}"),
         }
+    }
+}
+
+impl fmt::Display for BlockResidual {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "block {} alone violates its conditions by {:.1e} of its own forces or velocities, at \
+             most {VERIFIED_BLOCK:.0e}",
+            self.block + 1,
+            self.value
+        )
     }
 }
 

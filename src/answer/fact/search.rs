@@ -2,11 +2,15 @@
 
 use std::fmt;
 
+use crate::answer::bracket::magnitude;
+
 /// How every start of a search for collapse states ended, in the order in which they ran.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SearchFacts {
     /// One ending a start; a search that may stop early has fewer than it was allowed.
     pub starts: Vec<StartEnding>,
+    /// Unit of λ of the scene, which tells small differences of λ.
+    pub multiplier_unit: f64,
 }
 
 /// Where one start began and how it ended.
@@ -47,6 +51,8 @@ pub enum SearchStart {
     StaticsBelow,
     /// Those of the force state with the largest λ less random prices of the normal forces.
     Priced,
+    /// Those of the lowest state known, each raised a little at random.
+    LowestRaised,
     /// Those of the lowest state known, each scaled at random.
     LowestScaled,
     /// Those of the force state nearest to the lowest state's mechanism with its slips changed at
@@ -108,7 +114,8 @@ impl fmt::Display for SearchFailure {
     }
 }
 
-/// Largest difference of λ between states that count as one, relative to max(|λ|, 1e-3).
+/// Largest difference of λ between states that count as one, relative to the [`magnitude`]
+/// of λ.
 const SAME_LAMBDA: f64 = 1e-6;
 
 /// How far the starts of a search cover the states that there are.
@@ -153,7 +160,7 @@ impl SearchFacts {
     /// How far the starts cover the states.
     pub fn coverage(&self) -> Coverage {
         let lambdas = self.lambdas();
-        let same = |a: &f64, b: &f64| b - a <= SAME_LAMBDA * a.abs().max(1e-3);
+        let same = |a: &f64, b: &f64| b - a <= SAME_LAMBDA * magnitude(*a, self.multiplier_unit);
         let met: Vec<usize> = lambdas.chunk_by(same).map(<[f64]>::len).collect();
         let once = met.iter().filter(|&&times| times == 1).count();
         Coverage {
@@ -216,6 +223,7 @@ mod tests {
         });
         let facts = SearchFacts {
             starts: starts.to_vec(),
+            multiplier_unit: 1.0,
         };
         let expected = Coverage {
             starts: 5,
@@ -232,6 +240,7 @@ mod tests {
         );
         let none = SearchFacts {
             starts: starts[3..4].to_vec(),
+            multiplier_unit: 1.0,
         };
         assert_eq!(none.coverage().unseen, 0.0);
         assert_eq!(

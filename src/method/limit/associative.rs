@@ -2,13 +2,14 @@
 //! law admit. It bounds every non-associative collapse multiplier from above (Radenkovic 1961).
 
 use super::ending::Ending;
+use super::equilibration::{Evening, needs_own_units};
 use super::own_weight::{own_weight, without_optimum};
 use super::program::{Margins, Program};
 use super::reduction;
 use crate::answer::{
-    Bracket, Claim, JointForce, LimitFact, Mechanism, Outcome, StaticResidual, Status,
-    VELOCITY_THRESHOLDS, VERIFIED_RESIDUAL, Work, associative_violation, crack_slope,
-    kinematic_multiplier,
+    BlockResidual, Bracket, Claim, JointForce, LimitFact, Mechanism, Outcome, StaticResidual,
+    Status, VELOCITY_THRESHOLDS, VERIFIED_RESIDUAL, Work, associative_violation, crack_slope,
+    kinematic_multiplier, magnitude,
 };
 use crate::method::settings::LP_TOLERANCE;
 use crate::method::{Method, Settings};
@@ -61,15 +62,45 @@ struct Optimum {
     bracket: Bracket,
 }
 
+/// The optimum with units of unequal blocks evened out the one way, and the other where that proves
+/// nothing.
+fn optimum(scene: &Scene, user: &Settings, work: &mut Work) -> Result<Optimum, Ending> {
+    let found = evened(scene, Evening::CubeRoot, user, work);
+    let done = match &found {
+        Ok(found) => is_exact(scene, found, user),
+        Err(ending) => matches!(ending, Ending::Unbounded),
+    };
+    if done || !needs_own_units(scene) {
+        return found;
+    }
+    let other = evened(scene, Evening::SquareRoot, user, work);
+    match (found, other) {
+        (_, Ok(other)) if is_exact(scene, &other, user) => Ok(other),
+        (Ok(found), Ok(other)) if !proves(scene, &found) && proves(scene, &other) => Ok(other),
+        (Err(_), Ok(other)) => Ok(other),
+        (found, _) => found,
+    }
+}
+
+fn is_exact(scene: &Scene, found: &Optimum, user: &Settings) -> bool {
+    let one = found.bracket.is_one_number(scene.multiplier_unit());
+    one && (loose(user) || proves(scene, found))
+}
+
 /// Solves the program with margins; with finer ones, or none, where those are too wide for a small λ
 /// or prove nothing; without any where it has no optimum with them: a scene that can lock, or one
 /// without slack anywhere, may still have one.
-fn optimum(scene: &Scene, user: &Settings, work: &mut Work) -> Result<Optimum, Ending> {
-    let Ok(found) = solved(scene, Some(WIDE_MARGINS), user, work) else {
-        return solved(scene, None, user, work);
+fn evened(
+    scene: &Scene,
+    evening: Evening,
+    user: &Settings,
+    work: &mut Work,
+) -> Result<Optimum, Ending> {
+    let mut solved = |margins| solved(scene, margins, evening, user, work);
+    let Ok(found) = solved(Some(WIDE_MARGINS)) else {
+        return solved(None);
     };
-    let is_exact =
-        |found: &Optimum| found.bracket.is_one_number() && (loose(user) || proves(scene, found));
+    let is_exact = |found: &Optimum| is_exact(scene, found, user);
     if is_exact(&found) {
         return Ok(found);
     }
@@ -77,17 +108,18 @@ fn optimum(scene: &Scene, user: &Settings, work: &mut Work) -> Result<Optimum, E
     // margins ends with can be a little out of balance.
     let others = [Some(NARROW_MARGINS), None].into_iter();
     let others = others.take(if loose(user) { 1 } else { 2 });
-    let mut others = others.filter_map(|margins| solved(scene, margins, user, work).ok());
+    let mut others = others.filter_map(|margins| solved(margins).ok());
     Ok(others.find(is_exact).unwrap_or(found))
 }
 
 fn solved(
     scene: &Scene,
     margins: Option<Margins>,
+    evening: Evening,
     user: &Settings,
     work: &mut Work,
 ) -> Result<Optimum, Ending> {
-    let mut program = Program::to_tolerance(scene, user.programs.lp_tolerance);
+    let mut program = Program::evened(scene, user.programs.lp_tolerance, evening);
     if let Some(margins) = margins {
         program.set_margins(margins);
     }
@@ -95,10 +127,11 @@ fn solved(
         Ending::Solved(solution) => {
             let mechanism = program.scale().mechanism(&solution.velocity);
             let upper = kinematic_multiplier(scene, &mechanism);
+            let lambda = solution.lambda * program.scale().multiplier;
             let lower = match margins {
-                Some(_) => solution.lambda,
+                Some(_) => lambda,
                 // Without margins the ends may cross by what the solver leaves.
-                None => solution.lambda.min(upper),
+                None => lambda.min(upper),
             };
             Ok(Optimum {
                 forces: program.scale().forces(&solution.forces),
@@ -125,6 +158,14 @@ const NARROW_MARGINS: Margins = Margins {
 /// The outcome of both sides of λ_A.
 fn outcome(scene: &Scene, optimum: Optimum, user: &Settings, work: Work) -> Outcome {
     let mut bracket = optimum.bracket;
+    let unit = scene.multiplier_unit();
+    if !loose(user) && needs_own_units(scene) && !proves(scene, &optimum) {
+        // Elsewhere ends that prove nothing are a defect, for the judge to refute.
+        return Outcome {
+            work,
+            ..Outcome::without_number(Status::Undecided, unproved(scene, &optimum))
+        };
+    }
     let (status, fact) = if loose(user) && !proves(scene, &optimum) {
         if !(bracket.lower.is_finite() && bracket.upper.is_finite()) {
             return Outcome {
@@ -136,10 +177,10 @@ fn outcome(scene: &Scene, optimum: Optimum, user: &Settings, work: Work) -> Outc
             (bracket.lower, bracket.upper) = (bracket.upper, bracket.lower);
         }
         (Status::Estimate, Some(LimitFact::Loose))
-    } else if bracket.is_one_number() {
+    } else if bracket.is_one_number(unit) {
         (Status::Verified, None)
     } else {
-        let relative_width = bracket.relative_width();
+        let relative_width = bracket.relative_width(unit);
         (Status::Bracketed, Some(LimitFact::Apart { relative_width }))
     };
     Outcome {
@@ -162,8 +203,41 @@ fn loose(user: &Settings) -> bool {
 
 fn proves(scene: &Scene, optimum: &Optimum) -> bool {
     let Bracket { lower, upper } = optimum.bracket;
-    let statics = StaticResidual::of(scene, &optimum.forces, lower).largest();
-    let residual = statics.max(associative_violation(scene, &optimum.mechanism));
-    let crossed = lower > upper + 1e-9 * upper.abs().max(1e-3);
-    residual <= VERIFIED_RESIDUAL && upper.is_finite() && !crossed
+    let residual = residual(scene, optimum);
+    let blocks = of_blocks(scene, optimum);
+    let crossed = lower > upper + 1e-9 * magnitude(upper, scene.multiplier_unit());
+    residual <= VERIFIED_RESIDUAL && blocks.is_small() && upper.is_finite() && !crossed
+}
+
+/// Largest violation of the forces and of the mechanism, over the whole scene.
+fn residual(scene: &Scene, optimum: &Optimum) -> f64 {
+    let Optimum {
+        forces,
+        mechanism,
+        bracket,
+    } = optimum;
+    let statics = StaticResidual::of(scene, forces, bracket.lower).largest();
+    statics.max(associative_violation(scene, mechanism))
+}
+
+/// The same over what acts on single blocks.
+fn of_blocks(scene: &Scene, optimum: &Optimum) -> BlockResidual {
+    let Optimum {
+        forces,
+        mechanism,
+        bracket,
+    } = optimum;
+    let of_forces = BlockResidual::of_forces(scene, forces, bracket.lower);
+    of_forces.worse(BlockResidual::of_flow(scene, mechanism))
+}
+
+/// Why both ends prove nothing.
+fn unproved(scene: &Scene, optimum: &Optimum) -> LimitFact {
+    let blocks = of_blocks(scene, optimum);
+    if blocks.is_small() {
+        let residual = residual(scene, optimum);
+        LimitFact::Unproved { residual }
+    } else {
+        LimitFact::Unresolved(blocks)
+    }
 }

@@ -28,13 +28,13 @@ pub(super) fn joint_columns(scene: &Scene, scale: &Scale, out: &mut Entries) -> 
     columns.collect()
 }
 
-/// The column of λ: the live loads.
+/// The column of λ*: the live loads.
 pub(super) fn multiplier_column(scene: &Scene, scale: &Scale, out: &mut Entries) {
     let units = wrench_units(scale);
     for (i, block) in scene.blocks().iter().enumerate() {
         for (k, live) in block.live().into_iter().enumerate() {
             if live != 0.0 {
-                out.push(3 * i + k, live / units[k]);
+                out.push(3 * i + k, live * scale.multiplier / units[k]);
             }
         }
     }
@@ -49,8 +49,8 @@ pub(super) fn slack_column(inequalities: Range<usize>, out: &mut Entries) {
     out.close_column();
 }
 
-/// What the joints have to balance in the equilibrium rows: dead loads and `lambda` times the live
-/// ones, turned round.
+/// What the joints have to balance in the equilibrium rows: dead loads and `lambda` (in the case's
+/// unit) times the live ones, turned round.
 pub(super) fn right_side(scene: &Scene, scale: &Scale, lambda: f64) -> Vec<f64> {
     let units = wrench_units(scale);
     let balanced = scene.blocks().iter().flat_map(|block| {

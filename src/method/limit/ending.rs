@@ -28,11 +28,11 @@ impl Ending {
     }
 }
 
-/// A force state and the mechanism dual to it, in dimensionless form: total weight 1, wall height
-/// 1, and a mechanism on which the live load for λ = 1 does unit work.
+/// A force state and the mechanism dual to it, in dimensionless form: total weight 1, total live
+/// load for λ* = 1 as large, wall height 1, and a mechanism on which that live load does unit work.
 #[derive(Clone, Debug)]
 pub struct Solution {
-    /// Multiplier of the force state.
+    /// Multiplier λ* of the force state.
     pub lambda: f64,
     /// Corner forces and shear of every joint.
     pub forces: Vec<JointForce>,

@@ -3,6 +3,8 @@
 mod associative;
 mod columns;
 mod ending;
+mod equilibration;
+mod falling;
 mod interval;
 mod own_weight;
 mod program;

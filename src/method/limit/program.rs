@@ -1,7 +1,7 @@
 //! The one linear program of the limit analysis, assembled once and solved by Clarabel.
 //!
-//! Variables: two corner forces n1, n2 and one shear t a joint, then λ. Rows: three equilibrium
-//! equations a block, A q + λ f_L = −f_D, then four inequalities a joint,
+//! Variables: two corner forces n1, n2 and one shear t a joint, then λ*. Rows: three equilibrium
+//! equations a block, A q + λ* f_L = −f_D, then four inequalities a joint,
 //!
 //! ```text
 //! n1 ≥ 0,  n2 ≥ 0,  ±t ≤ slope · (n1 + n2) + intercept
@@ -18,6 +18,7 @@ use clarabel::solver::{
 
 use super::columns::{Entries, joint_columns, multiplier_column, right_side, slack_column};
 use super::ending::{Ending, Solution};
+use super::equilibration::{Equilibration, Evening};
 use super::scale::Scale;
 use crate::answer::{JointForce, Work};
 use crate::method::settings::LP_TOLERANCE;
@@ -52,6 +53,8 @@ pub struct Program {
     friction_at: Vec<[usize; 4]>,
     rows_of_blocks: usize,
     scale: Scale,
+    /// Units of blocks and joints inside the program, where it needs them.
+    equilibration: Option<Equilibration>,
     goal: Goal,
 }
 
@@ -87,7 +90,18 @@ impl Program {
 
     /// The same to another tolerance than the default.
     pub fn to_tolerance(scene: &Scene, tolerance: f64) -> Self {
-        Self::assemble_to(scene, Scale::of(scene), Goal::Multiplier, tolerance)
+        Self::evened(scene, tolerance, Evening::CubeRoot)
+    }
+
+    /// The same, with units of unequal blocks that are evened out like this.
+    pub(super) fn evened(scene: &Scene, tolerance: f64, evening: Evening) -> Self {
+        Self::assemble_to(
+            scene,
+            Scale::of(scene),
+            Goal::Multiplier,
+            tolerance,
+            evening,
+        )
     }
 
     /// Assembles the program that only asks for forces at a given λ, in given units.
@@ -99,15 +113,22 @@ impl Program {
     /// force and every distance of a shear from its limit is at least m. Negative slack shows how
     /// far the scene is from standing, and its mechanism moves without more push: this program has
     /// an optimum on either side, where the one of [`Program::at_multiplier`] has none.
-    pub(super) fn with_slack(scene: &Scene, lambda: f64) -> Self {
-        Self::assemble(scene, Scale::of(scene), Goal::Slack(lambda))
+    pub(super) fn with_slack(scene: &Scene, lambda: f64, evening: Evening) -> Self {
+        let scale = Scale::of(scene);
+        Self::assemble_to(scene, scale, Goal::Slack(lambda), LP_TOLERANCE, evening)
     }
 
     fn assemble(scene: &Scene, scale: Scale, goal: Goal) -> Self {
-        Self::assemble_to(scene, scale, goal, LP_TOLERANCE)
+        Self::assemble_to(scene, scale, goal, LP_TOLERANCE, Evening::CubeRoot)
     }
 
-    fn assemble_to(scene: &Scene, scale: Scale, goal: Goal, tolerance: f64) -> Self {
+    fn assemble_to(
+        scene: &Scene,
+        scale: Scale,
+        goal: Goal,
+        tolerance: f64,
+        evening: Evening,
+    ) -> Self {
         let rows_of_blocks = 3 * scene.blocks().len();
         let joints = scene.joints().len();
         let inequalities = 4 * joints + usize::from(matches!(goal, Goal::Slack(_)));
@@ -125,6 +146,15 @@ impl Program {
                 right[rows - 1] = MAX_SLACK / scene.blocks().len() as f64;
             }
         }
+        let equilibration = Equilibration::of(scene, &scale, evening);
+        if let Some(units) = &equilibration {
+            equilibrate(
+                units,
+                &mut entries,
+                &mut right[..rows_of_blocks],
+                &friction_at,
+            );
+        }
         let matrix = CscMatrix::new(rows, columns, entries.starts, entries.rows, entries.values);
         let mut cost = vec![0.0; columns];
         if let Some(last) = cost.get_mut(3 * joints) {
@@ -137,7 +167,7 @@ impl Program {
             &matrix,
             &right,
             &cones,
-            settings(tolerance),
+            settings(tolerance, equilibration.is_some()),
         )
         .expect("dimensions agree by construction");
         Self {
@@ -147,8 +177,14 @@ impl Program {
             friction_at,
             rows_of_blocks,
             scale,
+            equilibration,
             goal,
         }
+    }
+
+    /// Whether blocks or joints have units of their own in it.
+    pub(super) fn has_own_units(&self) -> bool {
+        self.equilibration.is_some()
     }
 
     /// Units of this program.
@@ -169,18 +205,25 @@ impl Program {
         }
         let updated = self.solver.update_b(&self.right);
         updated.expect("presolve is off, so updates are allowed");
-        self.set_cost(1.0, &vec![-margins.opening; self.friction_at.len()]);
+        self.set_opening(margins.opening);
+    }
+
+    /// Asks for every corner to open by this much beyond what the flow rule needs, in the program's
+    /// own units.
+    pub(super) fn set_opening(&mut self, opening: f64) {
+        self.change_cost(1.0, |_| -opening);
     }
 
     /// Changes the friction law of every joint; one law a joint, in the scene's order.
     pub(super) fn set_friction(&mut self, laws: &[FrictionLaw]) {
         for (j, law) in laws.iter().enumerate() {
             for at in self.friction_at[j] {
-                self.values[at] = -law.slope;
+                self.values[at] = -law.slope / self.shear_unit(j);
             }
             let first = self.rows_of_blocks + 4 * j;
-            self.right[first + 2] = law.intercept;
-            self.right[first + 3] = law.intercept;
+            let intercept = law.intercept / (self.joint_unit(j) * self.shear_unit(j));
+            self.right[first + 2] = intercept;
+            self.right[first + 3] = intercept;
         }
         let updated = self.solver.update_A(&self.values);
         updated.expect("presolve is off, so updates are allowed");
@@ -188,17 +231,20 @@ impl Program {
         updated.expect("presolve is off, so updates are allowed");
     }
 
-    /// Asks for forces at another λ, of a program for forces at a given one.
+    /// Asks for forces at another λ (in the case's unit), of a program for forces at a given one.
     pub(super) fn set_multiplier(&mut self, scene: &Scene, lambda: f64) {
         self.goal = Goal::Forces(lambda);
-        let balanced = right_side(scene, &self.scale, lambda);
+        let mut balanced = right_side(scene, &self.scale, lambda);
+        if let Some(units) = &self.equilibration {
+            units.scale_rows(&mut balanced);
+        }
         self.right[..self.rows_of_blocks].copy_from_slice(&balanced);
         let updated = self.solver.update_b(&self.right);
         updated.expect("presolve is off, so updates are allowed");
     }
 
     /// Changes the cost of every force, which is to be smallest: two corner forces and the shear of
-    /// each joint.
+    /// each joint, in the program's own units.
     pub(super) fn set_force_cost(&mut self, cost: &[[f64; 3]]) {
         let mut cost = cost.concat();
         cost.resize(self.solver.solution.x.len(), 0.0);
@@ -206,15 +252,24 @@ impl Program {
         updated.expect("presolve is off, so updates are allowed");
     }
 
-    /// Changes the cost: `lambda` · λ (or the slack) − Σ price · (n1 + n2) is to be largest, with
+    /// Changes the cost: `lambda` · λ* (or the slack) − Σ price · (n1 + n2) is to be largest, with
     /// one price a joint in `normal`.
     pub(super) fn set_cost(&mut self, lambda: f64, normal: &[f64]) {
+        let prices: Vec<f64> = (normal.iter().enumerate())
+            .map(|(j, price)| price * self.joint_unit(j))
+            .collect();
+        self.change_cost(lambda, |j| prices[j]);
+    }
+
+    /// As [`Program::set_cost`], with prices in the program's own units.
+    fn change_cost(&mut self, lambda: f64, price: impl Fn(usize) -> f64) {
+        let joints = self.friction_at.len();
         let mut cost = vec![0.0; self.solver.solution.x.len()];
-        for (j, price) in normal.iter().enumerate() {
-            cost[3 * j] = *price;
-            cost[3 * j + 1] = *price;
+        for j in 0..joints {
+            cost[3 * j] = price(j);
+            cost[3 * j + 1] = price(j);
         }
-        if let Some(last) = cost.get_mut(3 * normal.len()) {
+        if let Some(last) = cost.get_mut(3 * joints) {
             *last = -lambda;
         }
         let updated = self.solver.update_q(&cost);
@@ -236,7 +291,7 @@ impl Program {
         match solution.status {
             SolverStatus::Solved | SolverStatus::AlmostSolved => Ending::Solved(self.read()),
             SolverStatus::PrimalInfeasible | SolverStatus::AlmostPrimalInfeasible => {
-                Ending::Infeasible(solution.z[..self.rows_of_blocks].to_vec())
+                Ending::Infeasible(self.velocity())
             }
             SolverStatus::DualInfeasible | SolverStatus::AlmostDualInfeasible => Ending::Unbounded,
             status @ (SolverStatus::Unsolved
@@ -248,24 +303,83 @@ impl Program {
         }
     }
 
+    /// Force unit of a joint in the program, in that of the scale.
+    fn joint_unit(&self, joint: usize) -> f64 {
+        self.own_unit(joint).unwrap_or(1.0)
+    }
+
+    /// The same, where joints have units of their own.
+    pub(super) fn own_unit(&self, joint: usize) -> Option<f64> {
+        let units = self.equilibration.as_ref()?;
+        Some(units.joints[joint])
+    }
+
+    /// Unit of a joint's shear, in that of the joint.
+    fn shear_unit(&self, joint: usize) -> f64 {
+        self.equilibration
+            .as_ref()
+            .map_or(1.0, |units| units.shears[joint])
+    }
+
+    fn velocity(&self) -> Vec<f64> {
+        let rates = self.solver.solution.z[..self.rows_of_blocks].iter();
+        match &self.equilibration {
+            None => rates.copied().collect(),
+            Some(units) => (rates.enumerate())
+                .map(|(row, rate)| rate * units.of_row(row))
+                .collect(),
+        }
+    }
+
     fn read(&self) -> Solution {
         let solution = &self.solver.solution;
         let (corners, lambda) = solution.x.split_at(3 * self.friction_at.len());
-        let forces = corners.chunks_exact(3).map(|q| JointForce {
-            normal: [q[0], q[1]],
-            shear: q[2],
+        let forces = corners.chunks_exact(3).enumerate().map(|(j, q)| {
+            let unit = self.joint_unit(j);
+            JointForce {
+                normal: [q[0] * unit, q[1] * unit],
+                shear: q[2] * unit * self.shear_unit(j),
+            }
         });
         Solution {
-            lambda: self.goal.fixed().unwrap_or_else(|| lambda[0]),
+            lambda: match self.goal.fixed() {
+                None => lambda[0],
+                Some(lambda) => lambda / self.scale.multiplier,
+            },
             forces: forces.collect(),
-            velocity: solution.z[..self.rows_of_blocks].to_vec(),
+            velocity: self.velocity(),
             iterations: solution.iterations as usize,
         }
     }
 }
 
-fn settings(tolerance: f64) -> DefaultSettings<f64> {
-    DefaultSettings {
+/// Scales the equilibrium rows by the blocks' units and the joints' columns by theirs. A joint's
+/// inequalities have its unit on both sides.
+fn equilibrate(
+    units: &Equilibration,
+    entries: &mut Entries,
+    right: &mut [f64],
+    friction_at: &[[usize; 4]],
+) {
+    for (at, shear) in friction_at.iter().zip(&units.shears) {
+        at.iter().for_each(|&at| entries.values[at] /= shear);
+    }
+    for column in 0..entries.starts.len() - 1 {
+        let of_joint = units.joints.get(column / 3).copied().unwrap_or(1.0);
+        let of_shear = units.shears.get(column / 3).filter(|_| column % 3 == 2);
+        let unit = of_joint * of_shear.copied().unwrap_or(1.0);
+        for at in entries.starts[column]..entries.starts[column + 1] {
+            let row = entries.rows[at];
+            if row < right.len() {
+                entries.values[at] *= unit * units.of_row(row);
+            }
+        }
+    }
+    units.scale_rows(right);
+}
+
+fn settings(tolerance: f64, tight: bool) -> DefaultSettings<f64> {
+    let settings = DefaultSettings {
         verbose: false,
         max_threads: 1,
         direct_solve_method: "qdldl".to_owned(),
@@ -275,5 +389,19 @@ fn settings(tolerance: f64) -> DefaultSettings<f64> {
         tol_gap_rel: tolerance,
         tol_feas: tolerance,
         ..DefaultSettings::default()
+    };
+    if !tight {
+        return settings;
+    }
+    // What is left of a light block's velocities comes back divided by its force unit, so that
+    // these programs are solved to the last digit.
+    DefaultSettings {
+        tol_feas: LAST_DIGIT,
+        iterative_refinement_abstol: 0.0,
+        iterative_refinement_reltol: 0.0,
+        ..settings
     }
 }
+
+/// Infeasibility that the solver is to reach where blocks have units of their own.
+const LAST_DIGIT: f64 = 1e-15;

@@ -12,6 +12,9 @@ pub(super) struct Scale {
     pub(super) force: f64,
     /// Length unit: the height of the blocks.
     pub(super) length: f64,
+    /// Unit of λ: the one at which the live loads add up to the dead ones, so that live loads of any
+    /// size make the same program.
+    pub(super) multiplier: f64,
 }
 
 impl Scale {
@@ -20,6 +23,7 @@ impl Scale {
         Self {
             force: scene.total_weight(),
             length: scene.height(),
+            multiplier: scene.multiplier_unit(),
         }
     }
 

@@ -114,7 +114,7 @@ fn converged(scene: &Scene, program: &Program, last: &Solution, facts: Sequentia
     let scale = program.scale();
     let mechanism = scale.mechanism(&last.velocity);
     Outcome {
-        bracket: Some(Bracket::point(last.lambda)),
+        bracket: Some(Bracket::point(last.lambda * scale.multiplier)),
         crack: crack_slope(scene, &mechanism, VELOCITY_THRESHOLDS),
         mechanism: Some(mechanism),
         forces: Some(scale.forces(&last.forces)),

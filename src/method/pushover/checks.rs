@@ -1,7 +1,7 @@
 //! Self-checks that can fail: pure functions of figures, run on every bracket.
 
 use super::engine::Contact;
-use crate::answer::{Bracket, Checked, Repetition, SelfCheck};
+use crate::answer::{Bracket, Checked, Repetition, SelfCheck, magnitude};
 use crate::scene::{Joint, Scene, Side};
 
 /// Which state at rest a check is about.
@@ -76,11 +76,12 @@ pub fn small_drift(drift: f64, limit: f64) -> SelfCheck {
 }
 
 /// A repetition that must agree, such as one with half the substep: the distance between both
-/// brackets, relative to λ. One without a bracket, which says why in words, does not.
+/// brackets, relative to λ, in a scene with this unit of it. One without a bracket, which says why in words, does not.
 pub fn repetition_agrees(
     first: Bracket,
     with: Repetition,
     answer: Result<Bracket, String>,
+    unit: f64,
     tolerance: f64,
 ) -> SelfCheck {
     let apart = answer.as_ref().map_or(f64::INFINITY, |other| {
@@ -88,7 +89,7 @@ pub fn repetition_agrees(
             .max(other.lower - first.upper)
             .max(0.0)
     });
-    let relative = apart / first.upper.abs().max(1e-3);
+    let relative = apart / magnitude(first.upper, unit);
     check(Checked::Repetition { with, answer }, relative, tolerance)
 }
 
@@ -146,8 +147,9 @@ mod tests {
         assert!(small_drift(0.05, 0.1).passed() && !small_drift(0.2, 0.1).passed());
         assert!(open_stays_open(0.0, 1.0).passed() && !open_stays_open(0.01, 1.0).passed());
         let at = |lower, upper| Bracket { lower, upper };
-        let agrees =
-            |answer| repetition_agrees(at(0.5, 0.501), Repetition::Mirrored, answer, 2e-3).passed();
+        let agrees = |answer| {
+            repetition_agrees(at(0.5, 0.501), Repetition::Mirrored, answer, 1.0, 2e-3).passed()
+        };
         assert!(agrees(Ok(at(0.5015, 0.502))) && !agrees(Ok(at(0.503, 0.504))));
         assert!(!agrees(Err("it fell".into())));
     }

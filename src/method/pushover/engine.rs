@@ -68,7 +68,7 @@ pub struct Engine<'a> {
     pipeline: PhysicsPipeline,
     world: World,
     blocks: Vec<RigidBodyHandle>,
-    /// The multiplier λ.
+    /// The multiplier λ*.
     pub multiplier: f64,
     /// Time steps made so far, abandoned ones included.
     pub steps: usize,

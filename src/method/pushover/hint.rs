@@ -1,7 +1,7 @@
 //! Where to look next: steps that double, then an extrapolation of how fast too large loads ran
 //! away. Nothing here decides anything; it only spares holds.
 
-/// What is known about where the limit may be, in grid units of λ.
+/// What is known about where the limit may be, in grid units of λ*.
 #[derive(Clone, Debug)]
 pub struct Hint {
     increment: u64,

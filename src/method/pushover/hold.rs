@@ -46,7 +46,7 @@ impl<'a> Hold<'a> {
         self.hold(engine, [0.0; 2], parameters.settled_speed, parameters.fall)
     }
 
-    /// From rest at one load to another, in grid units. `last`: a collapse counts.
+    /// From rest at one λ* to another, in grid units. `last`: a collapse counts.
     pub fn step(&mut self, engine: &mut Engine, loads: [u64; 2], finest: u64, last: bool) -> Held {
         let parameters = self.parameters;
         let limit = if last {

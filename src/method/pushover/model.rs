@@ -1,4 +1,5 @@
-//! The scene without dimensions: lengths in course heights, forces in mean block weights, g = 1.
+//! The scene without dimensions: lengths in course heights, forces in mean block weights, g = 1, and
+//! live loads that for a multiplier λ* of 1 add up to the dead ones.
 //!
 //! Engines carry lengths of their own (prediction distances, slops), so a scene in millimetres
 //! or far from the origin would fail by construction; here every scene looks alike.
@@ -13,7 +14,7 @@ pub struct BodyForce {
     pub arm: [f64; 2],
     /// Constant part.
     pub dead: [f64; 2],
-    /// Part for a multiplier of 1.
+    /// Part for a multiplier λ* of 1.
     pub live: [f64; 2],
 }
 
@@ -62,8 +63,10 @@ pub struct Model {
     pub courses: f64,
     /// Sum of the dead forces of the blocks that may move.
     pub dead: [f64; 2],
-    /// Sum of their live forces for a multiplier of 1.
+    /// Sum of their live forces for a multiplier λ* of 1.
     pub live: [f64; 2],
+    /// λ for a multiplier λ* of 1.
+    pub multiplier: f64,
 }
 
 /// Range of a block's mass, in mean masses.
@@ -103,6 +106,7 @@ impl Model {
             supports,
             blocks,
             length: units.length,
+            multiplier: units.multiplier,
             courses: ((high.y - low.y) / units.length).max(1.0),
         })
     }
@@ -117,6 +121,8 @@ struct Units {
     force: f64,
     /// Mean block area.
     area: f64,
+    /// λ at which the live loads add up to the dead ones.
+    multiplier: f64,
 }
 
 impl Units {
@@ -135,6 +141,7 @@ impl Units {
             length: course_height(scene),
             force,
             area: areas / count,
+            multiplier: scene.multiplier_unit(),
         })
     }
 
@@ -162,7 +169,7 @@ impl Units {
         let loads = block.loads.iter().map(|load| BodyForce {
             arm: ((load.point - centroid) / self.length).into(),
             dead: self.vector(load.dead),
-            live: self.vector(load.live),
+            live: self.vector(load.live * self.multiplier),
         });
         let corners = shape.corners().iter();
         let reach = corners.map(|c| (c - centroid).norm()).fold(0.0, f64::max);

@@ -4,7 +4,8 @@
 use super::model::Model;
 use crate::method::{Accuracy, Collapse, PushoverSettings};
 
-/// λ is a whole number of these; brackets then print exactly with five decimals.
+/// λ* is a whole number of these, and λ where every block's live load is its weight; such brackets
+/// then print exactly with five decimals.
 pub const GRID: f64 = 1e5;
 
 /// Courses from which on a wall sways: it leans further before it falls, settles more slowly and
@@ -173,9 +174,9 @@ parameters! { of:
     fall: f64 = 1.0, "fall", LENGTH;
     /// Displacement up to the last load at rest beyond which that is no longer the scene as laid.
     drift: f64 = 0.02 * of.courses.max(5.0), "drift limit", LENGTH;
-    /// First increment of λ, in `GRID` units.
+    /// First increment of λ*, in `GRID` units.
     first_increment: u64 = if of.sways { 20_000 } else { 5_000 }, "first increment", LAMBDA;
-    /// Largest λ that is tried, in `GRID` units.
+    /// Largest λ* that is tried, in `GRID` units.
     largest: u64 = 10_000_000, "largest", LAMBDA;
     /// Width of the bracket relative to λ.
     tolerance: f64 = if of.courses > LESS_ACCURATE { 0.5 } else { 0.4 } * of.stated_error,

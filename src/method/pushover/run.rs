@@ -109,8 +109,8 @@ fn judged(
     let mechanism = mechanism(scene, model, &seen.rest.states, &seen.collapsed);
     Outcome {
         bracket: Some(Bracket {
-            lower: seen.lower as f64 / GRID,
-            upper: seen.upper as f64 / GRID,
+            lower: seen.lower as f64 / GRID * model.multiplier,
+            upper: seen.upper as f64 / GRID * model.multiplier,
         }),
         stated_error: Some(parameters.stated_error),
         crack: crack_slope_by_gap(scene, &mechanism),

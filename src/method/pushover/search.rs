@@ -9,9 +9,9 @@ use crate::answer::PushoverFact;
 
 /// A bracket as it was observed, and what the self-checks need to know about it.
 pub struct Observation {
-    /// Last λ at rest, in grid units.
+    /// Last λ* at rest, in grid units.
     pub lower: u64,
-    /// First λ that collapsed, from rest at `lower`, in grid units.
+    /// First λ* that collapsed, from rest at `lower`, in grid units.
     pub upper: u64,
     /// Blocks settled under their weight.
     pub settled: RestState,
@@ -90,11 +90,11 @@ pub fn search(
         };
         let last = unclear || target - lower <= finest;
         if engine.steps > parameters.budget {
-            let lambda = lower as f64 / GRID;
+            let lambda = lower as f64 / GRID * model.multiplier;
             return SearchEnd::Undecided(PushoverFact::OutOfSteps { lambda });
         }
         if target > parameters.largest {
-            let lambda = lower as f64 / GRID;
+            let lambda = lower as f64 / GRID * model.multiplier;
             return SearchEnd::Undecided(PushoverFact::StillStands { lambda });
         }
         let held = match hold.step(engine, [lower, target], finest, last) {
@@ -126,7 +126,7 @@ pub fn search(
                 engine.restore(&rest);
             }
             Held::Unclear if unclear => {
-                let lambda = engine.multiplier;
+                let lambda = engine.multiplier * model.multiplier;
                 return SearchEnd::Undecided(PushoverFact::Unclear { lambda });
             }
             Held::Unclear => {

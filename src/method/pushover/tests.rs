@@ -58,7 +58,7 @@ fn a_block_slides_or_rocks() {
                 ..wall(unit, friction, &["1"])
             };
             let outcome = pushed(&block);
-            assert!(bracket(&outcome).error(exact) < 1e-3, "{outcome:?}");
+            assert!(bracket(&outcome).error(exact, 1.0) < 1e-3, "{outcome:?}");
         }
     }
 }
@@ -68,7 +68,7 @@ fn a_block_slides_or_rocks() {
 fn a_stack_slides_or_rocks() {
     for (friction, exact) in [(0.3, 0.3), (0.65, 0.4)] {
         let stack = wall([1.0, 0.5], friction, &["1"; 5]);
-        assert!(bracket(&pushed(&stack)).error(exact) < 1e-3);
+        assert!(bracket(&pushed(&stack)).error(exact, 1.0) < 1e-3);
     }
 }
 
@@ -79,7 +79,7 @@ fn the_first_wall_of_the_paper() {
     let outcome = pushed(&paper_1());
     assert_eq!(outcome.status, Status::Bracketed, "{}", outcome.reason());
     let bracket = bracket(&outcome);
-    assert!(bracket.error(0.639969) < 1e-3 && bracket.relative_width() < 1e-3);
+    assert!(bracket.error(0.639969, 1.0) < 1e-3 && bracket.relative_width(1.0) < 1e-3);
     let crack = outcome.crack.unwrap();
     assert_eq!((crack.c, crack.e), (Some(8.0), Some(12.0)));
     assert_eq!(outcome.checks.len(), 7);
@@ -101,7 +101,7 @@ fn scale_origin_and_direction_do_not_matter() {
     let scene = scene.moved(|_, point| point + away).unwrap();
     let outcome = pushover(&scene);
     assert!(
-        bracket(&outcome).error(0.639969) < 1e-3,
+        bracket(&outcome).error(0.639969, 1.0) < 1e-3,
         "{}",
         outcome.reason()
     );
@@ -152,7 +152,7 @@ fn every_joint_has_its_own_friction() {
     for (fourth, lambda) in [(0.1, 0.1), (0.8, 0.4)] {
         let coefficients = [0.9, 0.5, 0.6, fourth, 0.7];
         let scene = scene.clone().with_friction(|joint, _| coefficients[joint]);
-        assert!(bracket(&pushover(&scene)).error(lambda) < 1e-3);
+        assert!(bracket(&pushover(&scene)).error(lambda, 1.0) < 1e-3);
     }
 }
 

@@ -47,7 +47,7 @@ pub fn verify(scene: &Scene, settings: &PushoverSettings, outcome: &Outcome) -> 
             },
         };
         let answer = run.bracket.ok_or_else(|| run.reason());
-        repetition_agrees(bracket, with, answer, error)
+        repetition_agrees(bracket, with, answer, scene.multiplier_unit(), error)
     };
     use Repetition::{HalfSubstep, Mirrored, Undamped};
     [HalfSubstep, Mirrored, Undamped].map(repeated).to_vec()

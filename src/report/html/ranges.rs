@@ -56,7 +56,7 @@ fn one(result: &CaseResult, closed: &Row, largest: f64) -> String {
             },
             ends: [bracket.lower, bracket.upper],
             colour: method_look(&row.method, 0).colour,
-            marked: bracket.relative_width() <= 0.1,
+            marked: bracket.relative_width(row.multiplier_unit) <= 0.1,
         });
     }
     let shaded = closed.outcome.bracket.unwrap_or(Bracket::point(0.0));

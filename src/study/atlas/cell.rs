@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use super::grid::{Grid, GridPoint};
 use super::grids::grids;
-use crate::answer::{Bracket, Status};
+use crate::answer::{Bracket, Status, magnitude};
 use crate::method::{Method, kind};
 use crate::run::{Progress, Row, Subject, Task};
 use crate::scene::HeadJoints;
@@ -68,12 +68,13 @@ impl Cell {
     fn new(grid: &Grid, place: &GridPoint, row: Row) -> Self {
         let stated = row.outcome.stated_error.unwrap_or(0.0);
         let (status, bracket) = (row.status(), row.bracket());
+        let known = [place.reference, place.accuracy];
         Self {
             grid: grid.name,
             x: place.x.clone(),
             y: place.y.clone(),
             reference: place.reference,
-            verdict: verdict(status, bracket, stated, place.reference, place.accuracy),
+            verdict: verdict(status, bracket, stated, known, row.multiplier_unit),
             row,
         }
     }
@@ -85,19 +86,20 @@ impl Cell {
             self.row
                 .bracket()
                 .filter(|_| answered)?
-                .error(self.reference),
+                .error(self.reference, self.row.multiplier_unit),
         )
     }
 }
 
-/// What an answer is worth against a reference that is itself known to `accuracy`. A claim is held
+/// What an answer is worth against a reference that is itself known to `accuracy`, in a scene with
+/// this `unit` of λ. A claim is held
 /// to what it states, also where that is less than 1 %.
 fn verdict(
     status: Status,
     bracket: Option<Bracket>,
     stated: f64,
-    reference: f64,
-    accuracy: f64,
+    [reference, accuracy]: [f64; 2],
+    unit: f64,
 ) -> CellVerdict {
     let claims = match status {
         Status::Undecided | Status::NotApplicable | Status::Failed => return CellVerdict::Refused,
@@ -108,9 +110,9 @@ fn verdict(
     let Some(bracket) = bracket else {
         return CellVerdict::Refused;
     };
-    let slack = (stated + accuracy) * reference.max(1e-3);
+    let slack = (stated + accuracy) * magnitude(reference, unit);
     let holds = bracket.lower - slack <= reference && reference <= bracket.upper + slack;
-    match (claims && !holds, bracket.error(reference) <= RIGHT) {
+    match (claims && !holds, bracket.error(reference, unit) <= RIGHT) {
         (true, _) => CellVerdict::Wrong,
         (false, true) => CellVerdict::Right,
         (false, false) => CellVerdict::Inaccurate,
@@ -165,7 +167,7 @@ mod tests {
     #[test]
     fn claims_are_held_to_what_they_state_and_estimates_to_one_percent() {
         let at = |lower, upper| Some(Bracket { lower, upper });
-        let of = |status, bracket, stated| verdict(status, bracket, stated, 0.5, 1e-6);
+        let of = |status, bracket, stated| verdict(status, bracket, stated, [0.5, 1e-6], 1.0);
         use CellVerdict::*;
         assert_eq!(of(Status::Verified, at(0.5, 0.5), 0.0), Right);
         assert_eq!(of(Status::Verified, at(0.501, 0.501), 0.0), Wrong);

@@ -5,7 +5,7 @@ use std::io;
 
 use super::ladder::{Step, ladder};
 use super::reference;
-use crate::answer::Status;
+use crate::answer::{Status, magnitude};
 use crate::case::{Case, Reference};
 use crate::method::Method;
 use crate::run::{self, Progress, Row, Subject, Task, Value, values};
@@ -32,14 +32,14 @@ impl Measurement {
             Status::Verified | Status::Bracketed | Status::Estimate
         );
         let bracket = self.row.bracket().filter(|_| answered)?;
-        Some(bracket.error(self.reference.as_ref()?.value))
+        Some(bracket.error(self.reference.as_ref()?.value, self.row.multiplier_unit))
     }
 
     /// Distance of the nearer end, relative to the reference; 0 where it lies in the bracket.
     pub fn nearest(&self) -> Option<f64> {
         let (bracket, known) = (self.row.bracket()?, self.reference.as_ref()?.value);
         let outside = (bracket.lower - known).max(known - bracket.upper).max(0.0);
-        Some(outside / known.abs().max(1e-3))
+        Some(outside / magnitude(known, self.row.multiplier_unit))
     }
 
     /// What is not as by default.
@@ -185,7 +185,10 @@ pub fn csv(entries: &[Measurement]) -> Result<String, csv::Error> {
 
 fn line(entry: &Measurement) -> Vec<Value> {
     let known = entry.reference.as_ref();
-    let width = entry.row.bracket().map(|bracket| bracket.relative_width());
+    let width = entry
+        .row
+        .bracket()
+        .map(|bracket| bracket.relative_width(entry.row.multiplier_unit));
     let of_reference: [Value; 4] = [
         known.map(|r| r.value).into(),
         known.map(|r| r.kind.name().to_owned()).into(),

@@ -4,6 +4,7 @@ use super::noise::Noise;
 use super::search::{CLOSED, COST_CHANGES, Prices, Search, State, totals};
 use crate::answer::SearchFailure;
 use crate::method::limit::ending::Solution;
+use crate::scene::JointClass;
 
 /// How a search goes on from capacities that leave a gap.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -13,6 +14,8 @@ pub(super) enum Approach {
     Quick,
     /// Half the way to the forces of the frozen program, always: more programs, and lower states.
     Blending,
+    /// Nowhere: it ends at a mechanism without states. For normal forces of a state, raised a little.
+    Nearby,
 }
 
 /// The states that one start leads to, of the scene that is searched.
@@ -65,7 +68,7 @@ impl Descent<'_, '_> {
         let mut infeasible = 0;
         let mut failure = SearchFailure::GapOpen;
         for _ in 0..MAX_STEPS {
-            let above = match self.frozen(&normal) {
+            let above = match self.frozen(&normal, branch.is_some()) {
                 // Inclined joints may need more shear than these capacities give.
                 Err(SearchFailure::Infeasible) if infeasible < MAX_INFEASIBLE => {
                     infeasible += 1;
@@ -109,6 +112,9 @@ impl Descent<'_, '_> {
                     }
                 },
             };
+            if self.approach == Approach::Nearby {
+                break;
+            }
             self.search.coulomb_normal = Some(coulomb.clone());
             normal = if self.approach == Approach::Quick && gap < 0.5 * last_gap {
                 coulomb.clone()
@@ -125,14 +131,26 @@ impl Descent<'_, '_> {
         branch.ok_or(failure)
     }
 
-    /// Program (a), with capacities raised at random by so little that the state hardly changes.
-    fn frozen(&mut self, normal: &[f64]) -> Result<Solution, SearchFailure> {
-        if self.approach == Approach::Quick {
-            return self.search.frozen(normal);
+    /// Program (a), with capacities raised by so little that the state hardly changes: at random, or
+    /// in the head joints once the quick way has reached a state.
+    fn frozen(&mut self, normal: &[f64], has_state: bool) -> Result<Solution, SearchFailure> {
+        let mut raised = normal.to_vec();
+        for (j, (joint, n)) in self
+            .search
+            .scene
+            .joints()
+            .iter()
+            .zip(&mut raised)
+            .enumerate()
+        {
+            let share = match self.approach {
+                Approach::Blending => self.noise.uniform(),
+                Approach::Quick if has_state && joint.class == JointClass::Head => 1.0,
+                Approach::Quick | Approach::Nearby => continue,
+            };
+            *n += RAISE * share * self.search.unit(j);
         }
-        let unit = RAISE * self.search.mean_weight();
-        let raised = normal.iter().map(|n| n + unit * self.noise.uniform());
-        self.search.frozen(&raised.collect::<Vec<_>>())
+        self.search.frozen(&raised)
     }
 
     /// The lowest state of a mechanism, or how far it is from having one.
@@ -140,17 +158,22 @@ impl Descent<'_, '_> {
     /// Mostly one program tells: with λ's cost lowered by c, gap + c λ is at most c λ_A where the
     /// mechanism has a state.
     fn states_of(&mut self, above: &Solution, prices: &Prices) -> Result<Tested, SearchFailure> {
-        let change = COST_CHANGES[0];
-        let tilted = self.search.nearest(prices, 1.0 - change)?;
-        let gap = prices.gap(&tilted);
         let state = |solution| State::new(solution, above.velocity.clone(), prices.clone());
-        if gap.abs() <= CLOSED {
-            return Ok(Tested::Lowest(state(tilted)));
-        }
-        let highest = self.search.associative.unwrap_or(f64::INFINITY);
-        if gap + change * tilted.lambda > change * highest + CLOSED {
-            let normal = totals(&tilted.forces);
-            return Ok(Tested::None { gap, normal });
+        let mut changes = &COST_CHANGES[..];
+        // The quick way goes to N of the nearest Coulomb state itself.
+        if self.approach != Approach::Quick {
+            let change = changes[0];
+            changes = &changes[1..];
+            let tilted = self.search.nearest(prices, 1.0 - change)?;
+            let gap = prices.gap(&tilted);
+            if gap.abs() <= CLOSED {
+                return Ok(Tested::Lowest(state(tilted)));
+            }
+            let highest = self.search.associative.unwrap_or(f64::INFINITY);
+            if gap + change * tilted.lambda > change * highest + CLOSED {
+                let normal = totals(&tilted.forces);
+                return Ok(Tested::None { gap, normal });
+            }
         }
         let below = self.search.nearest(prices, 1.0)?;
         let gap = prices.gap(&below);
@@ -158,7 +181,6 @@ impl Descent<'_, '_> {
             let normal = totals(&below.forces);
             return Ok(Tested::None { gap, normal });
         }
-        let changes = &COST_CHANGES[1..];
         let lowest = (self.search).extreme(&above.velocity, prices, -1.0, changes);
         Ok(Tested::Lowest(lowest.unwrap_or_else(|| state(below))))
     }

@@ -9,21 +9,25 @@ pub(super) struct Met {
     times: usize,
 }
 
-/// Distinct states in ascending order of λ, and the highest one on the way to them.
+/// Distinct states in ascending order of λ, and the highest ones on the way to them.
 #[derive(Default)]
 pub(super) struct Found {
     distinct: Vec<Met>,
-    highest: Option<State>,
+    /// The highest of the first states of the starts, in descending order of λ.
+    firsts: Vec<State>,
 }
+
+/// First states kept: on a part of a wall the highest ones need not be states of the whole wall.
+const KEPT_FIRSTS: usize = 4;
 
 impl Found {
     /// Takes what one start led to.
     pub(super) fn take(&mut self, branch: Branch) {
         let lambda = branch.lowest.lambda;
-        let highest = self.highest.as_ref();
-        if highest.is_none_or(|highest| branch.first.lambda > highest.lambda) {
-            self.highest = Some(branch.first);
-        }
+        let first = branch.first.lambda;
+        let at = self.firsts.partition_point(|state| state.lambda > first);
+        self.firsts.insert(at, branch.first);
+        self.firsts.truncate(KEPT_FIRSTS);
         let known = |met: &&mut Met| is_same(lambda, met.state.lambda);
         if let Some(met) = self.distinct.iter_mut().find(known) {
             met.times += 1;
@@ -40,9 +44,9 @@ impl Found {
         self.distinct.first().map(|met| &met.state)
     }
 
-    /// The highest state met, which need not be the end of any start.
-    pub(super) fn highest(&self) -> Option<&State> {
-        self.highest.as_ref()
+    /// The highest of the first states of the starts, in descending order of λ.
+    pub(super) fn highest(&self) -> impl Iterator<Item = &State> {
+        self.firsts.iter()
     }
 
     /// Distinct states in ascending order of λ.
@@ -70,10 +74,10 @@ pub(super) struct Budget {
 
 impl Budget {
     /// The budget of a scene. A program's time grows with the blocks by a power of about 1.5, so that
-    /// a scene of 25 blocks takes 0.8 s, one of 150 blocks 3 s; a scene of few joints has few states
+    /// a scene of 25 blocks takes 0.8 s, one of 150 blocks 2 s, one of 650 blocks 20 s; a scene of few joints has few states
     /// to look for.
     pub(super) fn of(blocks: usize, joints: usize, starts: usize) -> Self {
-        let programs = 4000.0 / (blocks as f64).sqrt();
+        let programs = 5500.0 / (blocks as f64).powf(0.6);
         Self {
             starts: (starts > 0).then_some(starts),
             programs: (programs as usize).min(20 * joints),
@@ -81,12 +85,12 @@ impl Budget {
     }
 
     /// Whether a search of so many starts and programs goes on. Where the lowest state was met once
-    /// only, others may be missed, and it gets twice the programs.
+    /// only, others may be missed, and it gets half as many programs again.
     pub(super) fn goes_on(&self, starts: usize, programs: usize, found: &Found) -> bool {
         match self.starts {
             Some(asked) => starts < asked,
             None if found.is_lowest_met_again() => programs < self.programs,
-            None => programs < 2 * self.programs,
+            None => 2 * programs < 3 * self.programs,
         }
     }
 }

@@ -18,8 +18,8 @@ use super::own_weight::{own_weight, ray, stands_without_dilatancy, without_optim
 use super::reduction::{self, ScenePart};
 use super::scale::Scale;
 use crate::answer::{
-    Bracket, CollapseResidual, CollapseState, JointForce, LimitFact, Outcome, SearchEnding,
-    SearchFacts, SearchFailure, SolverEnding, StartEnding, StaticResidual, Status,
+    BlockResidual, Bracket, CollapseResidual, CollapseState, JointForce, LimitFact, Outcome,
+    SearchEnding, SearchFacts, SearchFailure, SolverEnding, StartEnding, StaticResidual, Status,
     VELOCITY_THRESHOLDS, VERIFIED_RESIDUAL, Work, crack_slope,
 };
 use crate::method::{Method, Settings};
@@ -91,7 +91,7 @@ fn solve(scene: &Scene, request: &Request) -> Outcome {
             matches!(start.ending, SearchEnding::Failed(SearchFailure::GapOpen))
         };
         if explored.facts.starts.iter().all(is_open) {
-            return undecided(explored.facts, work);
+            return undecided(explored, work);
         }
         if let Some(outcome) = report(scene, &explored, &at_rest, &mut work) {
             return outcome;
@@ -99,7 +99,7 @@ fn solve(scene: &Scene, request: &Request) -> Outcome {
     }
     match explore(Place::whole(scene), request, &at_rest, &mut work) {
         Ok(explored) => report(scene, &explored, &at_rest, &mut work)
-            .unwrap_or_else(|| undecided(explored.facts, work)),
+            .unwrap_or_else(|| undecided(explored, work)),
         Err(Ending::Unbounded) => without_bound(scene, request, &at_rest, work),
         Err(ending) => without_optimum(scene, &ending, at_rest, &mut work),
     }
@@ -139,7 +139,7 @@ fn without_bound(
             ..outcome
         },
         None => {
-            let mut outcome = undecided(explored.facts, work);
+            let mut outcome = undecided(explored, work);
             let fact = said(LimitFact::NoneFoundWithoutBound);
             outcome.facts.insert(0, fact.into());
             outcome
@@ -147,10 +147,13 @@ fn without_bound(
     }
 }
 
-fn undecided(facts: SearchFacts, work: Work) -> Outcome {
+fn undecided(explored: Explored, work: Work) -> Outcome {
+    let unresolved = explored.unresolved.map(LimitFact::Unresolved);
+    let facts = unresolved.map(LimitFact::into).into_iter();
     Outcome {
         work,
-        ..Outcome::without_number(Status::Undecided, facts)
+        facts: facts.chain([explored.facts.into()]).collect(),
+        ..Outcome::of(Status::Undecided)
     }
 }
 
@@ -197,29 +200,62 @@ impl<'a> Place<'a> {
     /// A state in the case's units, completed to one of the whole scene; `None` where its residuals
     /// prove nothing.
     fn state(&self, scale: Scale, state: &State, work: &mut Work) -> Option<CollapseState> {
-        let lambda = state.lambda;
-        let forces = scale.forces(&state.forces);
-        let mechanism = scale.mechanism(&state.velocity);
-        let (forces, mechanism) = match self.part {
-            None => (forces, mechanism),
-            Some(part) => (
-                part.complete(self.whole, lambda, &forces, work)?,
-                part.extend(self.whole, &mechanism),
-            ),
-        };
-        let state = CollapseState {
-            lambda,
-            forces,
-            mechanism,
-        };
+        let mut state = in_units(scale, state);
+        if let Some(part) = self.part {
+            state.forces = part.complete(self.whole, state.lambda, &state.forces, work)?;
+            state.mechanism = part.extend(self.whole, &state.mechanism);
+        }
         is_proved(self.whole, &state).then_some(state)
+    }
+
+    /// The block that keeps a state of the scene that is searched from being proved.
+    fn unresolved(&self, scale: Scale, state: &State) -> Option<BlockResidual> {
+        let blocks = BlockResidual::of_state(self.searched(), &in_units(scale, state));
+        (!blocks.is_small()).then_some(blocks)
+    }
+
+    /// Whether the branch's states are proved in the scene that is searched: what a program calls
+    /// solved need not be. A state of a part that is lower than all others must be one of the whole
+    /// scene too, as the search goes on from it.
+    fn prove(
+        &self,
+        scale: Scale,
+        branch: &mut Branch,
+        lowest: f64,
+        work: &mut Work,
+    ) -> Result<(), SearchFailure> {
+        let searched = Place::whole(self.searched());
+        let is_proved = |place: &Place, state: &State, work: &mut Work| {
+            place.state(scale, state, work).is_some()
+        };
+        if !is_proved(&searched, &branch.lowest, work) {
+            return Err(SearchFailure::Unproved);
+        }
+        let is_lower = self.part.is_some() && branch.lowest.lambda < lowest;
+        if is_lower && !is_proved(self, &branch.lowest, work) {
+            return Err(SearchFailure::PartOnly);
+        }
+        if !is_proved(&searched, &branch.first, work) {
+            branch.first = branch.lowest.clone();
+        }
+        Ok(())
+    }
+}
+
+/// A state in the case's units.
+fn in_units(scale: Scale, state: &State) -> CollapseState {
+    CollapseState {
+        lambda: state.lambda * scale.multiplier,
+        forces: scale.forces(&state.forces),
+        mechanism: scale.mechanism(&state.velocity),
     }
 }
 
 fn is_proved(scene: &Scene, state: &CollapseState) -> bool {
     let statics = StaticResidual::of(scene, &state.forces, state.lambda);
     let collapse = CollapseResidual::of(scene, &state.forces, &state.mechanism);
-    statics.largest().max(collapse.largest()) <= VERIFIED_RESIDUAL
+    let of_scene = statics.largest().max(collapse.largest());
+    of_scene <= VERIFIED_RESIDUAL && BlockResidual::of_state(scene, state).is_small()
 }
 
 /// What a search has found.
@@ -227,6 +263,8 @@ struct Explored {
     /// Verified states of the whole scene, the lowest first.
     states: Vec<CollapseState>,
     facts: SearchFacts,
+    /// Where a state was none because of one block: its residual.
+    unresolved: Option<BlockResidual>,
 }
 
 /// Searches a part of the scene, or the whole of it.
@@ -259,20 +297,30 @@ fn follow(
     let scale = search.program().scale();
     let mut found = Found::default();
     let mut endings = Vec::new();
+    let mut unresolved = None;
     while budget.goes_on(endings.len(), search.work.programs, &found) {
+        let lowest = found.lowest().map_or(f64::INFINITY, |state| state.lambda);
         let (start, branch) = starts.follow_next(&mut search, &found);
-        let branch = branch.and_then(|branch| proved(searched, scale, branch));
-        let ending = match branch {
-            Ok(branch) => {
-                let lowest = branch.lowest.lambda;
-                found.take(branch);
-                SearchEnding::Verified { lowest }
+        let branch = branch.and_then(|mut branch| {
+            let proof = place.prove(scale, &mut branch, lowest, work);
+            if proof == Err(SearchFailure::Unproved) {
+                let blocks = place.unresolved(scale, &branch.lowest);
+                unresolved = unresolved.or(blocks);
             }
-            Err(failure) => SearchEnding::Failed(failure),
+            proof.map(|()| branch)
+        });
+        let (ending, lambda) = match branch {
+            Ok(branch) => {
+                let lambda = branch.lowest.lambda;
+                found.take(branch);
+                let lowest = lambda * scale.multiplier;
+                (SearchEnding::Verified { lowest }, lambda)
+            }
+            Err(failure) => (SearchEnding::Failed(failure), f64::INFINITY),
         };
         endings.push(StartEnding { start, ending });
-        let reached = |state: &State| state.lambda <= request.stop_below;
-        if found.lowest().is_some_and(reached) {
+        starts.go_on(lambda < lowest);
+        if lambda * scale.multiplier <= request.stop_below {
             break;
         }
     }
@@ -280,30 +328,15 @@ fn follow(
     work.programs += search.work.programs;
     work.iterations += search.work.iterations;
     work.modelled = searched.blocks().len();
-    if states.is_empty() && found.lowest().is_some() {
-        let failed = SearchEnding::Failed(SearchFailure::PartOnly);
-        endings.iter_mut().for_each(|end| end.ending = failed);
+    let facts = SearchFacts {
+        starts: endings,
+        multiplier_unit: scale.multiplier,
+    };
+    Explored {
+        states,
+        facts,
+        unresolved,
     }
-    let facts = SearchFacts { starts: endings };
-    Explored { states, facts }
-}
-
-/// The branch, where its states are proved in the scene that is searched: what a program calls
-/// solved need not be.
-fn proved(searched: &Scene, scale: Scale, branch: Branch) -> Result<Branch, SearchFailure> {
-    let place = Place::whole(searched);
-    let mut no_work = Work::default();
-    let is_proved = |state: &State, work: &mut Work| place.state(scale, state, work).is_some();
-    if !is_proved(&branch.lowest, &mut no_work) {
-        return Err(SearchFailure::Unproved);
-    }
-    if is_proved(&branch.first, &mut no_work) {
-        return Ok(branch);
-    }
-    Ok(Branch {
-        first: branch.lowest.clone(),
-        lowest: branch.lowest,
-    })
 }
 
 /// The states found that are states of the whole scene. Each one of a part costs a program, so that
@@ -315,31 +348,30 @@ fn whole_states(
     work: &mut Work,
 ) -> Vec<CollapseState> {
     let scale = search.program().scale();
-    let mut states = Vec::new();
-    let mut highest = Vec::new();
-    for state in found.states() {
-        let Some(whole) = place.state(scale, state, work) else {
-            continue;
-        };
-        if states.is_empty() {
-            highest.push(search.highest_of(state));
-        }
-        states.push(whole);
-        if place.part.is_some() {
-            break;
-        }
+    let mut whole = |state: &State| place.state(scale, state, work);
+    let mut lowest = found
+        .states()
+        .filter_map(|state| Some((state, whole(state)?)));
+    let Some((of_part, first)) = lowest.next() else {
+        return Vec::new();
+    };
+    let mut states = vec![first];
+    if place.part.is_none() {
+        states.extend(lowest.map(|(_, state)| state));
     }
-    if let (false, Some(state)) = (states.is_empty(), found.highest()) {
-        highest.push(search.highest_of(state));
-        highest.push(state.clone());
-    }
-    let lambdas: Vec<f64> = states
+    let mut higher: Vec<State> = vec![search.highest_of(of_part)];
+    higher.extend(found.highest().next().map(|state| search.highest_of(state)));
+    higher.extend(found.highest().cloned());
+    higher.sort_by(|a, b| b.lambda.total_cmp(&a.lambda));
+    let known = states[states.len() - 1].lambda;
+    let higher = higher
         .iter()
-        .map(|state: &CollapseState| state.lambda)
-        .collect();
-    highest.retain(|state| lambdas.iter().all(|&lambda| lambda < state.lambda));
-    states.extend((highest.iter()).filter_map(|state| place.state(scale, state, work)));
-    states.sort_by(|a, b| a.lambda.total_cmp(&b.lambda));
+        .filter(|state| state.lambda * scale.multiplier > known);
+    states.extend(
+        higher
+            .filter_map(|state| place.state(scale, state, work))
+            .next(),
+    );
     states
 }
 

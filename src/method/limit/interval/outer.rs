@@ -22,8 +22,9 @@ pub(super) fn frictionless(scene: &Scene, at_rest: &[JointForce], work: &mut Wor
     };
     // Forces without friction prove their own λ and nothing above it; what the solver reports does not.
     let forces = program.scale().forces(&solution.forces);
-    let residual = StaticResidual::of(&smooth, &forces, solution.lambda);
-    (residual.largest() <= VERIFIED_RESIDUAL).then_some(solution.lambda)
+    let lambda = solution.lambda * program.scale().multiplier;
+    let residual = StaticResidual::of(&smooth, &forces, lambda);
+    (residual.largest() <= VERIFIED_RESIDUAL).then_some(lambda)
 }
 
 /// Whether all blocks can move sideways together, with the push and against nothing but friction.

@@ -131,9 +131,12 @@ impl<'a> Search<'a> {
         &self.program
     }
 
-    /// Weight of a block in the mean, the force unit of small changes.
-    pub(super) fn mean_weight(&self) -> f64 {
-        1.0 / self.scene.blocks().len() as f64
+    /// Force unit of small changes of a joint: the weight of a block in the mean, or the joint's own
+    /// unit where blocks are unequal.
+    pub(super) fn unit(&self, joint: usize) -> f64 {
+        let mean_weight = 1.0 / self.scene.blocks().len() as f64;
+        let own = self.program.own_unit(joint);
+        own.map_or(mean_weight, |own| own.min(mean_weight))
     }
 
     /// Normal forces of the associative state; the ending where there is none.
@@ -217,7 +220,7 @@ impl<'a> Search<'a> {
         higher.unwrap_or_else(|| state.clone())
     }
 
-    /// Normal forces of a Coulomb state at a given λ, at random: those that a random cost of every
+    /// Normal forces of a Coulomb state at a given λ*, at random: those that a random cost of every
     /// force picks, a corner of all such states. Where forces have no limit, costs of one sign.
     pub(super) fn random_statics(
         &mut self,
@@ -226,6 +229,7 @@ impl<'a> Search<'a> {
     ) -> Result<Vec<f64>, SearchFailure> {
         let scale = self.program.scale();
         let scene = self.scene;
+        let lambda = lambda * scale.multiplier;
         let program = self
             .statics
             .get_or_insert_with(|| Program::at_multiplier(scene, lambda, scale));

@@ -22,7 +22,10 @@ pub(super) struct Start {
 }
 
 /// Kinds of starts that a search takes in turn once those chosen on purpose are used up.
-const IN_TURN: [SearchStart; 10] = [
+const IN_TURN: [SearchStart; 13] = [
+    SearchStart::LowestRaised,
+    SearchStart::LowestRaised,
+    SearchStart::LowestRaised,
     SearchStart::OpenScaled,
     SearchStart::OwnWeightReduced,
     SearchStart::Even,
@@ -43,8 +46,10 @@ pub(super) struct Starts {
     at_rest: Vec<f64>,
     /// N of the lowest state with open head joints, or under the own weight where there is none.
     open: Vec<f64>,
-    /// Place in [`IN_TURN`], and number of the random sequence.
+    /// Place in [`IN_TURN`].
     turn: usize,
+    /// Number of the random sequence.
+    sequence: usize,
 }
 
 impl Starts {
@@ -86,6 +91,7 @@ impl Starts {
             open: open.unwrap_or_else(|| at_rest.clone()),
             at_rest,
             turn: 0,
+            sequence: 0,
         }
     }
 
@@ -102,6 +108,14 @@ impl Starts {
             open: at_rest.clone(),
             at_rest,
             turn: 0,
+            sequence: 0,
+        }
+    }
+
+    /// Goes on to the next kind, unless the last start lowered λ: then its kind is taken again.
+    pub(super) fn go_on(&mut self, lowered: bool) {
+        if self.sequence > 0 && !lowered {
+            self.turn += 1;
         }
     }
 
@@ -137,13 +151,21 @@ impl Starts {
     ) -> (Result<Start, (SearchStart, SearchFailure)>, Noise) {
         loop {
             let kind = IN_TURN[self.turn % IN_TURN.len()];
-            self.turn += 1;
-            let mut noise = Noise::new(self.turn);
-            if let Some(normal) = self.normal(kind, search, found.lowest(), &mut noise) {
+            self.sequence += 1;
+            let mut noise = Noise::new(self.sequence);
+            let normal = self.normal(kind, search, found.lowest(), &mut noise);
+            if normal.is_none() {
+                self.turn += 1;
+            }
+            if let Some(normal) = normal {
+                let approach = match kind {
+                    SearchStart::LowestRaised => Approach::Nearby,
+                    _ => Approach::Blending,
+                };
                 let start = normal.map_err(|why| (kind, why)).map(|normal| Start {
                     kind,
                     normal,
-                    approach: Approach::Blending,
+                    approach,
                 });
                 return (start, noise);
             }
@@ -173,9 +195,8 @@ impl Starts {
                 self.at_rest.iter().map(thinned).collect()
             }
             SearchStart::Even => {
-                let unit = search.mean_weight();
-                let joints = self.at_rest.iter();
-                let even = joints.map(|_| unit * 10f64.powf(noise.between(-2.0, 1.0)));
+                let joints = 0..self.at_rest.len();
+                let even = joints.map(|j| search.unit(j) * 10f64.powf(noise.between(-2.0, 1.0)));
                 even.collect()
             }
             SearchStart::Statics => {
@@ -197,6 +218,17 @@ impl Starts {
                 let prices = Prices::without_mechanism(friction.collect());
                 let nearest = search.nearest(&prices, 1.0);
                 return Some(nearest.map(|solution| totals(&solution.forces)));
+            }
+            SearchStart::LowestRaised => {
+                let raise = 10f64.powf(noise.between(-3.0, 0.0));
+                let heads_alone = noise.uniform() < 0.3;
+                let joints = search.scene.joints().iter().enumerate();
+                let normal = joints.zip(totals(&lowest?.forces)).map(|((j, joint), n)| {
+                    let is_raised = !heads_alone || joint.class == JointClass::Head;
+                    let share = if is_raised { noise.uniform() } else { 0.0 };
+                    n + raise * share * search.unit(j)
+                });
+                normal.collect()
             }
             SearchStart::LowestScaled => scaled(&totals(&lowest?.forces), noise),
             SearchStart::LowestRepriced => {
