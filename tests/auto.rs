@@ -3,7 +3,8 @@
 mod scenes;
 
 use trilith::answer::{AutoFact, Fact, Outcome, Status, Uniqueness};
-use trilith::case::library;
+use trilith::case::{find, library};
+use trilith::method::limit::Interval;
 use trilith::method::{Auto, Settings};
 use trilith::run::answer;
 use trilith::scene::{HeadJoints, Scene};
@@ -107,4 +108,35 @@ fn a_scene_that_falls_or_locks_is_settled_by_the_first_program() {
     let locked = scenes::scene(vec![block], walls, 0.7);
     let outcome = auto(&[locked], Settings::default());
     assert_eq!(outcome.status, Status::Stands, "{}", outcome.reason());
+}
+
+/// One start ends at 0.4246, within a tenth of λ_A; the sequential method lies lower, so that the
+/// search goes on and finds that the multiplier is not unique.
+#[test]
+fn auto_listens_before_it_vouches() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/walls/lintels.toml");
+    let case = find(path)
+        .unwrap_or_else(|complaint| panic!("{complaint}"))
+        .remove(0);
+    let scene = [case.scene(HeadJoints::Contact)];
+    let mut settings = Settings::default();
+    settings.interval.starts = 1;
+    settings.auto.tolerance = 0.1;
+    let alone = answer(&scene, &Interval, settings).outcome;
+    let outcome = auto(&scene, settings);
+    let bracket = outcome.bracket.expect("both ends are proved");
+    let stop_below = 0.9 * bracket.upper;
+    assert!(alone.bracket.is_some_and(|alone| alone.lower > stop_below));
+    assert_eq!(outcome.status, Status::Undecided, "{}", outcome.reason());
+    assert!(bracket.lower < 0.41, "{bracket:?}");
+    let listened = outcome.facts.iter().any(|fact| {
+        matches!(
+            fact,
+            Fact::Auto(AutoFact::Saved {
+                sequential: false,
+                ..
+            })
+        )
+    });
+    assert!(listened, "{}", outcome.reason());
 }

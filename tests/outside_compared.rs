@@ -36,6 +36,8 @@ fn planted(folder: &Path) -> Vec<String> {
         "--states",
         "--format",
         "json",
+        "--starts",
+        "2",
     ];
     let rows = rows(&trilith(folder, &arguments));
     let right = rows[0]["sides"][0]["answers"][0].clone();
@@ -75,6 +77,8 @@ fn planted_programs_are_found_out_by_run_and_check() {
         "associative,sequential,interval",
         "--head-joints",
         "contact",
+        "--starts",
+        "2",
     ];
     let arguments = [&["run", CASE, "--format", "json"], &own[..], &programs].concat();
     let output = trilith(folder, &arguments);
@@ -106,6 +110,7 @@ const SWEEP: &str = r#"
 case = "paper-1"
 head_joints = "contact"
 methods = ["associative", "interval"]
+settings = { starts = 2 }
 [[vary]]
 overburden = [0.0, 0.0001]
 "#;
@@ -245,7 +250,12 @@ fn what_a_method_states_about_itself_is_no_violation() {
         vec!["run", "rough.toml", "--set", "c0=1e-3"],
         vec!["run", "rough.toml", "--set", "c0=1e-2"],
     ] {
-        let own = ["--method", "associative,sequential,interval"];
+        let own = [
+            "--method",
+            "associative,sequential,interval",
+            "--starts",
+            "2",
+        ];
         let output = trilith(folder, &[&arguments, &own[..]].concat());
         let text = String::from_utf8_lossy(&output.stdout);
         assert_eq!(output.status.code(), Some(0), "{arguments:?}: {text}");

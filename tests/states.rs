@@ -27,9 +27,11 @@ fn rows(names: &[&str]) -> Vec<Value> {
     let cases: Vec<_> = (names.iter())
         .flat_map(|name| case::find(name).unwrap())
         .collect();
+    let mut settings = Settings::default();
+    settings.interval.starts = 2;
     let plan = Plan {
         methods: methods(),
-        settings: Settings::default(),
+        settings,
         head_joints: None,
     };
     let text = json_with_states(&run(&cases, &plan, &())).unwrap();

@@ -60,6 +60,9 @@ pub fn cross_check(scene: &Scene, answers: &Answers) -> Vec<Check> {
             add(seen.name, check);
         }
     }
+    // One that is undecided claims no lowest state.
+    let vouches = |answer: &Answered| answer.outcome.status != Status::Undecided;
+    let enclosed: Vec<Answered> = enclosed.into_iter().filter(vouches).collect();
     for lowest in [searched, enclosed].concat() {
         for lower in lower_states(&claims, &lowest) {
             add(lowest.name, lower_state(&lowest, &lower));
