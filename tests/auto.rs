@@ -41,7 +41,10 @@ fn holds_on_the_library(blocks: std::ops::Range<usize>) {
             };
             if outcome.status == Status::Undecided {
                 // Not unique: the ends are proved and apart.
-                assert!(bracket.relative_width(1.0) > settings.auto.tolerance, "{what}");
+                assert!(
+                    bracket.relative_width(1.0) > settings.auto.tolerance,
+                    "{what}"
+                );
                 let slack = 2.0 * settings.auto.tolerance * known.value;
                 assert!(known.value <= bracket.upper + slack, "{what}");
             } else {

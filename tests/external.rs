@@ -93,7 +93,10 @@ fn highs_earns_verified_on_the_small_walls() {
             );
             let bracket = theirs.outcome.bracket.unwrap();
             assert!(bracket.error(ours.lower, 1.0) < 1e-6, "{name}: {bracket:?}");
-            assert!(bracket.relative_width(1.0).abs() < 1e-6, "{name}: {bracket:?}");
+            assert!(
+                bracket.relative_width(1.0).abs() < 1e-6,
+                "{name}: {bracket:?}"
+            );
             assert!(theirs.residual.unwrap() <= 1e-8);
             assert!(theirs.seconds > 0.01, "an interpreter takes time");
         }

@@ -3,7 +3,7 @@
 //! tested here by the residuals that the judge computes.
 
 use super::ending::Ending;
-use super::equilibration::Evening;
+use super::equilibration::{EVENINGS, needs_own_units};
 use super::program::{Margins, Program};
 use super::scale::Scale;
 use super::vertical;
@@ -26,13 +26,17 @@ pub(super) fn own_weight(scene: &Scene, work: &mut Work) -> Result<Vec<JointForc
     if let Some(forces) = vertical::forces(scene).filter(|forces| stands(forces)) {
         return Ok(forces);
     }
-    let (mut solver, mut own_units) = (None, false);
-    for (opening, evening) in ATTEMPTS {
-        if evening == Evening::SquareRoot && !own_units {
-            break;
-        }
+    let mut solver = None;
+    let ways = if needs_own_units(scene) {
+        EVENINGS.len()
+    } else {
+        1
+    };
+    let attempts = EVENINGS[..ways]
+        .iter()
+        .flat_map(|way| OPENINGS.map(|opening| (*way, opening)));
+    for (evening, opening) in attempts {
         let mut program = Program::with_slack(scene, 0.0, evening);
-        own_units = program.has_own_units();
         program.set_opening(opening);
         let velocity = match program.solve_counted(work) {
             Ending::Solved(solution) => {
@@ -61,14 +65,8 @@ pub(super) fn own_weight(scene: &Scene, work: &mut Work) -> Result<Vec<JointForc
 }
 
 /// Openings beyond the flow rule, the mechanism's total opening and slip being 1: first enough to
-/// cover what the solver leaves, then none, for scenes that do not fall by much. Where blocks have
-/// units of their own, with either kind of them.
-const ATTEMPTS: [(f64, Evening); 4] = [
-    (1e-10, Evening::CubeRoot),
-    (0.0, Evening::CubeRoot),
-    (1e-10, Evening::SquareRoot),
-    (0.0, Evening::SquareRoot),
-];
+/// cover what the solver leaves, then none, for scenes that do not fall by much.
+const OPENINGS: [f64; 2] = [1e-10, 0.0];
 
 /// The outcome `falls`, where the mechanism proves it.
 fn falls(scene: &Scene, mechanism: Mechanism, work: Work) -> Option<Outcome> {

@@ -182,11 +182,6 @@ impl Program {
         }
     }
 
-    /// Whether blocks or joints have units of their own in it.
-    pub(super) fn has_own_units(&self) -> bool {
-        self.equilibration.is_some()
-    }
-
     /// Units of this program.
     pub(super) fn scale(&self) -> Scale {
         self.scale
