@@ -36,6 +36,13 @@ pub fn nine_digits(value: f64) -> String {
     }
 }
 
+/// A relative amount as a percentage: one decimal, and two below 0.1 %.
+pub fn percent(relative: f64) -> String {
+    let percent = 100.0 * relative;
+    let decimals = if percent.abs() < 0.095 { 2 } else { 1 };
+    format!("{} %", number(percent, decimals))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -20,7 +20,7 @@ fn verified_starts(scene: &Scene, starts: usize) -> usize {
     let search = outcome.search().expect("starts are reported");
     for start in &search.starts {
         if let SearchEnding::Verified { lowest, .. } = start.ending {
-            assert!((0.0..1.0).contains(&lowest), "{start}");
+            assert!((0.0..1.0).contains(&lowest), "{start:?}");
         }
     }
     let failed = SearchFailure::ALL.map(|failure| search.failed(failure));

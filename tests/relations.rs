@@ -186,3 +186,37 @@ fn overburden_lowers_the_multiplier() {
         assert!((proved(&wall, HeadJoints::Open) - open).abs() < tolerance);
     }
 }
+
+proptest! {
+    #![proptest_config(ProptestConfig {
+        cases: 200,
+        rng_seed: RngSeed::Fixed(12),
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    })]
+
+    /// Whatever c0 is, and without any friction too, the sequential method lies above λ_A by no more
+    /// than it states about itself.
+    #[test]
+    fn sequential_states_its_own_bias(
+        wall in walls(),
+        cohesion in -5i32..-1,
+        smooth in proptest::bool::weighted(0.1),
+        open in any::<bool>(),
+    ) {
+        prop_assume!(stands(&wall));
+        let friction = if smooth { 0.0.into() } else { wall.friction };
+        let head_joints = if open { HeadJoints::Open } else { HeadJoints::Contact };
+        let scene = Wall { friction, ..wall }.scene(head_joints).expect("the wall can be laid");
+        let mut settings = Settings::default();
+        settings.set("c0", &format!("1e{cohesion}")).expect("in its range");
+        let bound = Associative.solve(&scene, &Settings::default()).bracket;
+        let outcome = Sequential.solve(&scene, &settings);
+        if let (Some(bound), Some(bracket)) = (bound, outcome.bracket) {
+            let stated = outcome.stated_error.expect("what converged states its error");
+            let lambda = bracket.upper;
+            let allowed = (stated + 1e-6) * lambda.abs().max(1e-3);
+            prop_assert!(lambda <= bound.upper + allowed, "{lambda} {} {stated}", bound.upper);
+        }
+    }
+}

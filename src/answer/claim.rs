@@ -14,3 +14,23 @@ pub enum Claim {
     /// Something seen, not proved, as in an experiment.
     Observed,
 }
+
+impl Claim {
+    /// Every claim.
+    pub const ALL: [Claim; 4] = [
+        Claim::CollapseState,
+        Claim::Associative,
+        Claim::Enclosed,
+        Claim::Observed,
+    ];
+
+    /// The word in journals.
+    pub fn name(self) -> &'static str {
+        match self {
+            Claim::CollapseState => "collapse-state",
+            Claim::Associative => "associative",
+            Claim::Enclosed => "enclosed",
+            Claim::Observed => "observed",
+        }
+    }
+}

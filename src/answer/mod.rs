@@ -10,6 +10,7 @@ mod bracket;
 mod claim;
 mod crack;
 mod fact;
+mod lift;
 mod mechanism;
 mod outcome;
 mod residual;
@@ -25,10 +26,12 @@ pub use claim::Claim;
 pub use crack::Crack;
 pub(crate) use crack::{VELOCITY_THRESHOLDS, crack_slope, crack_slope_by_gap};
 pub use fact::{
-    AutoFact, CeilingSlack, Fact, InapplicableForm, Invalid, JudgedFact, LimitFact, ProgramEnding,
-    ProgramFailure, PushoverFact, Residuals, SearchEnding, SearchFacts, SearchFailure, SearchStart,
-    SequentialEnding, SequentialFacts, SideFact, SolverEnding, StartEnding, Uniqueness,
+    AutoFact, CeilingSlack, Coverage, Fact, InapplicableForm, Invalid, JudgedFact, LimitFact,
+    ProgramEnding, ProgramFailure, PushoverFact, Residuals, SearchEnding, SearchFacts,
+    SearchFailure, SearchStart, SequentialEnding, SequentialFacts, SideFact, SolverEnding,
+    StartEnding, Uniqueness,
 };
+pub use lift::excess_lift;
 pub use mechanism::{JointRate, Mechanism, Motion};
 pub use outcome::Outcome;
 pub use residual::{

@@ -3,7 +3,7 @@
 use super::bracket::Bracket;
 use super::claim::Claim;
 use super::crack::Crack;
-use super::fact::{self, Fact, SearchFacts};
+use super::fact::{self, Fact, JudgedFact, SearchFacts};
 use super::mechanism::Mechanism;
 use super::self_check::SelfCheck;
 use super::state::{CollapseState, JointForce};
@@ -78,6 +78,18 @@ impl Outcome {
     /// The facts as one text; empty where there is nothing to say.
     pub fn reason(&self) -> String {
         fact::sentence(&self.facts)
+    }
+
+    /// Whether the judge found that forces and mechanism do not prove what they are put forward as.
+    pub fn is_refuted(&self) -> bool {
+        let refuted = |fact: &Fact| {
+            matches!(
+                fact,
+                Fact::Judged(JudgedFact::Refuted(_) | JudgedFact::NothingToProve)
+                    | Fact::KeptRefutation(_)
+            )
+        };
+        self.facts.iter().any(refuted)
     }
 
     /// How the starts of a search for collapse states ended, where there was one.

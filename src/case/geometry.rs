@@ -41,4 +41,14 @@ impl Geometry {
             }
         }
     }
+
+    /// What the blocks are called, in the order of the scene's blocks: by the case, or by their
+    /// place.
+    pub fn block_names(&self) -> Vec<String> {
+        match self {
+            Geometry::Wall(wall) => wall.block_names(),
+            Geometry::Blocks(assembly) => assembly.block_names(),
+            Geometry::Arch(arch) => (1..=arch.voussoirs).map(|k| k.to_string()).collect(),
+        }
+    }
 }

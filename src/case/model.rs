@@ -2,7 +2,7 @@
 
 use super::geometry::Geometry;
 use super::reference::Reference;
-use crate::scene::{HeadJoints, Push, Scene};
+use crate::scene::{HeadJoints, Labels, Push, Scene};
 
 /// A wall, how it runs, and what its results are compared with.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,7 +29,7 @@ impl Case {
     /// # Panics
     /// As [`Geometry::scene`].
     pub fn sides(&self, head_joints: HeadJoints) -> Vec<Scene> {
-        let scene = |&push| self.geometry.scene(head_joints, push);
+        let scene = |&push| self.pushed(head_joints, push);
         self.pushes.iter().map(scene).collect()
     }
 
@@ -38,6 +38,18 @@ impl Case {
     /// # Panics
     /// As [`Geometry::scene`], and where `pushes` is empty.
     pub fn scene(&self, head_joints: HeadJoints) -> Scene {
-        self.geometry.scene(head_joints, self.pushes[0])
+        self.pushed(head_joints, self.pushes[0])
+    }
+
+    /// The scene for one setting and one direction, with the names of the case.
+    ///
+    /// # Panics
+    /// As [`Geometry::scene`].
+    pub fn pushed(&self, head_joints: HeadJoints, push: Push) -> Scene {
+        let labels = Labels {
+            case: self.name.clone(),
+            blocks: self.geometry.block_names(),
+        };
+        self.geometry.scene(head_joints, push).with_labels(labels)
     }
 }

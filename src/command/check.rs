@@ -22,6 +22,10 @@ pub(super) struct CheckArguments {
     /// Also write results.csv, results.json and one record a case into this folder.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
+    /// Also put the scene, forces, velocities, rays and ceilings of every answer into results.json,
+    /// in the formats of outside programs.
+    #[arg(long, requires = "out")]
+    states: bool,
 }
 
 pub(super) fn check(arguments: &CheckArguments) -> Result<u8, Stop> {
@@ -38,7 +42,7 @@ pub(super) fn check(arguments: &CheckArguments) -> Result<u8, Stop> {
 
 fn hand_out(arguments: &CheckArguments, results: &[CaseResult]) -> Result<(), Stop> {
     if let Some(folder) = &arguments.out {
-        write(folder, results)?;
+        write(folder, results, arguments.states)?;
     }
     print(&report::library_closing(results))
 }

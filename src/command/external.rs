@@ -3,7 +3,7 @@
 use clap::ValueEnum;
 use trilith::case;
 use trilith::external;
-use trilith::scene::HeadJoints;
+use trilith::scene::{HeadJoints, Push};
 
 use super::stop::{Stop, print};
 
@@ -15,7 +15,26 @@ pub(super) enum SchemaOf {
     Result,
 }
 
-pub(super) fn export(argument: &str, head_joints: Option<HeadJoints>) -> Result<u8, Stop> {
+#[derive(Clone, Copy, ValueEnum)]
+pub(super) enum PushArgument {
+    Right,
+    Left,
+}
+
+impl From<PushArgument> for Push {
+    fn from(argument: PushArgument) -> Self {
+        match argument {
+            PushArgument::Right => Push::Right,
+            PushArgument::Left => Push::Left,
+        }
+    }
+}
+
+pub(super) fn export(
+    argument: &str,
+    head_joints: Option<HeadJoints>,
+    push: Option<Push>,
+) -> Result<u8, Stop> {
     let cases = case::find(argument).map_err(|complaint| Stop::bad_input(complaint.to_string()))?;
     let [case] = cases.as_slice() else {
         let names: Vec<&str> = cases.iter().map(|case| case.name.as_str()).collect();
@@ -26,14 +45,15 @@ pub(super) fn export(argument: &str, head_joints: Option<HeadJoints>) -> Result<
         return Err(Stop::bad_input(text));
     };
     let head_joints = head_joints.unwrap_or(case.head_joints[0]);
-    if let [first, _] = case.pushes.as_slice() {
+    if let ([first, _], None) = (case.pushes.as_slice(), push) {
         let way = first.name();
         eprintln!(
             "{} is pushed both ways; this is its push to the {way}",
             case.name
         );
     }
-    let text = external::export(&case.scene(head_joints));
+    let push = push.unwrap_or(case.pushes[0]);
+    let text = external::export(&case.pushed(head_joints, push));
     let text = text.map_err(|e| Stop::bad_input(format!("error: cannot write JSON: {e}")))?;
     print(&format!("{text}\n"))?;
     Ok(0)

@@ -65,6 +65,9 @@ enum Command {
         /// Head joints instead of the first that the case runs with.
         #[arg(long)]
         head_joints: Option<plan::HeadJointsArgument>,
+        /// Direction of the push instead of the first that the case is pushed in.
+        #[arg(long)]
+        push: Option<external::PushArgument>,
     },
     /// Print the JSON schema of what external methods read or write.
     Schema {
@@ -94,9 +97,11 @@ pub fn main() -> ExitCode {
         Command::Report(arguments) => report::report(&arguments),
         Command::List => cases::list(),
         Command::Show { case, pushover } => cases::show(&case, pushover),
-        Command::Export { case, head_joints } => {
-            external::export(&case, head_joints.map(Into::into))
-        }
+        Command::Export {
+            case,
+            head_joints,
+            push,
+        } => external::export(&case, head_joints.map(Into::into), push.map(Into::into)),
         Command::Schema { of } => external::schema(of),
         Command::New { name, kind } => cases::new(&name, kind.into()),
     };

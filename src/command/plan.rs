@@ -2,7 +2,7 @@
 
 use clap::{Args, ValueEnum};
 use trilith::case::{self, Case};
-use trilith::external;
+use trilith::external::{self, External};
 use trilith::method::{self, Collapse, Kind, Method, kind};
 use trilith::run::Plan;
 use trilith::scene::HeadJoints;
@@ -79,12 +79,18 @@ impl PlanArguments {
 
 /// The external methods that the arguments name.
 pub(super) fn externals(arguments: &[String]) -> Result<Vec<&'static dyn Method>, Stop> {
-    let mut all: Vec<&'static dyn Method> = Vec::new();
+    let programs = programs(arguments)?.into_iter();
+    Ok(programs.map(|program| program as &dyn Method).collect())
+}
+
+/// The programs that the arguments name.
+pub(super) fn programs(arguments: &[String]) -> Result<Vec<&'static External>, Stop> {
+    let mut all: Vec<&'static External> = Vec::new();
     for argument in arguments {
         let read =
             external::read(argument).map_err(|complaint| Stop::bad_input(complaint.to_string()))?;
         for method in read {
-            if all.iter().any(|other| other.name() == method.name) {
+            if all.iter().any(|other| other.name == method.name) {
                 let name = &method.name;
                 let text = format!(
                     "error: two external methods are named `{name}`\nhelp: give each a name of its own"

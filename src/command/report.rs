@@ -69,7 +69,7 @@ fn hand_out(
         settings,
         sweeps,
     });
-    write(folder, results)?;
+    write(folder, results, false)?;
     let path = folder.join("report.html");
     let shown = path.display().to_string();
     write_whole(&path, &text)

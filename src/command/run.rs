@@ -30,6 +30,10 @@ pub(super) struct RunArguments {
     /// How results are printed.
     #[arg(long, default_value = "table")]
     format: Format,
+    /// Also put the scene, forces, velocities, rays and ceilings of every answer into the JSON, in the
+    /// formats of outside programs.
+    #[arg(long)]
+    states: bool,
     /// Compare records with the .snap files in this folder; write .snap.new and exit 1 on change.
     #[arg(long, value_name = "DIR")]
     record: Option<PathBuf>,
@@ -43,6 +47,11 @@ pub(super) enum Format {
 }
 
 pub(super) fn run(arguments: &RunArguments) -> Result<u8, Stop> {
+    if arguments.states && arguments.out.is_none() && !matches!(arguments.format, Format::Json) {
+        let text = "error: --states goes into JSON, and none is written\nhelp: add `--format json`, \
+                    or `--out DIR`";
+        return Err(Stop::bad_input(text));
+    }
     let (cases, plan) = arguments.plan.read(&arguments.cases, case::paper)?;
     let format = arguments.format;
     print(&format.heading()?)?;
@@ -86,11 +95,11 @@ impl Format {
     }
 
     /// What comes behind the last case.
-    fn closing(self, results: &[CaseResult]) -> Result<String, Stop> {
+    fn closing(self, results: &[CaseResult], states: bool) -> Result<String, Stop> {
         match self {
             Format::Table => Ok(report::legend()),
             Format::Csv => Ok(String::new()),
-            Format::Json => json(results),
+            Format::Json => json(results, states),
         }
     }
 }
@@ -98,9 +107,9 @@ impl Format {
 /// Writes the files that were asked for, and prints what is left to print.
 fn hand_out(arguments: &RunArguments, results: &[CaseResult]) -> Result<(), Stop> {
     if let Some(folder) = &arguments.out {
-        write(folder, results)?;
+        write(folder, results, arguments.states)?;
     }
-    print(&arguments.format.closing(results)?)
+    print(&arguments.format.closing(results, arguments.states)?)
 }
 
 /// What became of finished results, in words.
@@ -115,14 +124,20 @@ fn csv(results: &[CaseResult]) -> Result<String, Stop> {
     report::csv(results).map_err(|e| Stop::bad_input(format!("error: cannot write CSV: {e}")))
 }
 
-fn json(results: &[CaseResult]) -> Result<String, Stop> {
-    report::json(results).map_err(|e| Stop::bad_input(format!("error: cannot write JSON: {e}")))
+fn json(results: &[CaseResult], states: bool) -> Result<String, Stop> {
+    let text = if states {
+        report::json_with_states(results)
+    } else {
+        report::json(results)
+    };
+    text.map_err(|e| Stop::bad_input(format!("error: cannot write JSON: {e}")))
 }
 
-pub(super) fn write(folder: &Path, results: &[CaseResult]) -> Result<(), Stop> {
+/// Writes results.csv, results.json, with the states where those are wanted, and the records.
+pub(super) fn write(folder: &Path, results: &[CaseResult], states: bool) -> Result<(), Stop> {
     let mut files = vec![
         ("results.csv".to_owned(), csv(results)?),
-        ("results.json".to_owned(), json(results)?),
+        ("results.json".to_owned(), json(results, states)?),
     ];
     files.extend(
         results

@@ -189,8 +189,8 @@ mod tests {
 
     #[test]
     fn both_refuse_in_the_same_words() {
-        let range = "`starts` is `0`; write a whole number from 1 to 10000";
-        for arguments in [["--starts", "0"], ["--set", "starts=0"]] {
+        let range = "`starts` is `10001`; write a whole number from 0 to 10000";
+        for arguments in [["--starts", "10001"], ["--set", "starts=10001"]] {
             let text = read(&arguments).unwrap_err();
             assert_eq!(text, format!("error: {}: {range}", arguments.join(" ")));
         }

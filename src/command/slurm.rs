@@ -5,7 +5,13 @@ use std::path::{Path, absolute};
 use super::stop::Stop;
 
 /// A script that submits a job array of the shards and a merge that waits for all of them.
-pub(super) fn script(file: &str, name: &str, folder: &Path, shards: u64) -> Result<String, Stop> {
+pub(super) fn script(
+    file: &str,
+    name: &str,
+    folder: &Path,
+    external: &[String],
+    shards: u64,
+) -> Result<String, Stop> {
     let failed = |e: std::io::Error| Stop::bad_input(format!("error: no path for the script: {e}"));
     let program = std::env::current_exe().map_err(failed)?;
     // A job begins in the folder that it was submitted from, which may be another one.
@@ -17,12 +23,17 @@ pub(super) fn script(file: &str, name: &str, folder: &Path, shards: u64) -> Resu
     let folder = absolute(folder).map_err(failed)?.display().to_string();
     let program = program.display().to_string();
     let [program, file, folder] = [program, file, folder].map(|text| quoted(&text));
+    let external = external
+        .iter()
+        .map(|argument| format!(" --external {}", quoted(argument)));
+    let external: String = external.collect();
     Ok(SCRIPT
         .replace("@NAME", name)
         .replace("@SHARDS", &shards.to_string())
         .replace("@PROGRAM", &program)
         .replace("@FILE", &file)
-        .replace("@FOLDER", &folder))
+        .replace("@FOLDER", &folder)
+        .replace("@EXTERNAL", &external))
 }
 
 /// As one word of the shell.
@@ -41,13 +52,13 @@ mkdir -p "$folder"
 shards=$(sbatch --parsable --job-name=@NAME --array=1-@SHARDS --output="$folder/slurm-%A-%a.log" <<'JOB'
 #!/bin/sh
 export RAYON_NUM_THREADS="${SLURM_CPUS_PER_TASK:-1}"
-@PROGRAM sweep @FILE --out @FOLDER --shard "$SLURM_ARRAY_TASK_ID/@SHARDS" || [ $? -eq 1 ]
+@PROGRAM sweep @FILE --out @FOLDER --shard "$SLURM_ARRAY_TASK_ID/@SHARDS"@EXTERNAL || [ $? -eq 1 ]
 JOB
 )
 merge=$(sbatch --parsable --job-name=@NAME-merge --dependency="afterok:${shards%%;*}" \
   --kill-on-invalid-dep=yes --output="$folder/slurm-%j.log" <<'JOB'
 #!/bin/sh
-@PROGRAM merge @FILE --out @FOLDER
+@PROGRAM merge @FILE --out @FOLDER@EXTERNAL
 JOB
 )
 echo "shards: job ${shards%%;*}, merge: job ${merge%%;*}, results: $folder/sweep.csv"
@@ -61,10 +72,15 @@ mod tests {
     fn words_of_the_shell_stay_one_word() {
         assert_eq!(quoted("a b"), "'a b'");
         assert_eq!(quoted("it's"), r"'it'\''s'");
-        let script = script("fig-7", "fig-7", Path::new("a b"), 4);
+        let script = script("fig-7", "fig-7", Path::new("a b"), &["a=b c".to_owned()], 4);
         let script = script.unwrap_or_else(|stop| panic!("{}", stop.text));
         assert!(
             script.contains("--array=1-4") && script.contains("/a b'\n"),
+            "{script}"
+        );
+        assert_eq!(
+            script.matches(" --external 'a=b c'\n").count(),
+            1,
             "{script}"
         );
         assert!(!script.contains('@'), "{script}");

@@ -9,10 +9,12 @@ use indexmap::IndexSet;
 use trilith::answer::Status;
 use trilith::case::Complaint;
 use trilith::files::write_whole;
+use trilith::judge::Verdict;
 use trilith::number::number;
 use trilith::run::{Progress, Row, Task};
-use trilith::study::sweep::{self, Journal, MOST_SHARDS, Shard, Sweep};
+use trilith::study::sweep::{self, Journal, MOST_SHARDS, Shard, Sweep, SweepCheck};
 
+use super::plan::programs;
 use super::progress::Bar;
 use super::stop::{REFUTED, Stop, print};
 use super::{interrupt, slurm};
@@ -57,6 +59,9 @@ pub(super) struct SweepArguments {
     #[arg(long, value_name = "N", conflicts_with = "shard",
           value_parser = clap::value_parser!(u64).range(1..=MOST_SHARDS as u64))]
     slurm: Option<u64>,
+    /// Also run programs of your own: a .toml file that names them, or NAME=COMMAND.
+    #[arg(long, value_name = "FILE.toml|NAME=COMMAND")]
+    external: Vec<String>,
 }
 
 #[derive(Args)]
@@ -67,10 +72,14 @@ pub(super) struct MergeArguments {
     /// Folder that the shards were told [default: target/sweeps/NAME].
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
+    /// The programs of your own that the shards ran.
+    #[arg(long, value_name = "FILE.toml|NAME=COMMAND")]
+    external: Vec<String>,
 }
 
-fn find(file: &str, out: Option<&Path>) -> Result<(Sweep, PathBuf), Stop> {
+fn find(file: &str, out: Option<&Path>, external: &[String]) -> Result<(Sweep, PathBuf), Stop> {
     let sweep = Sweep::find(file).map_err(complained)?;
+    let sweep = sweep.with_programs(programs(external)?);
     let folder = match out {
         Some(folder) => folder.to_owned(),
         None => Path::new("target/sweeps").join(&sweep.name),
@@ -87,12 +96,17 @@ fn not_written(error: impl std::fmt::Display) -> Stop {
 }
 
 pub(super) fn sweep(arguments: &SweepArguments) -> Result<u8, Stop> {
-    let (sweep, folder) = find(&arguments.file, arguments.out.as_deref())?;
+    let (sweep, folder) = find(
+        &arguments.file,
+        arguments.out.as_deref(),
+        &arguments.external,
+    )?;
     if let Some(shards) = arguments.slurm {
         print(&slurm::script(
             &arguments.file,
             &sweep.name,
             &folder,
+            &arguments.external,
             shards,
         )?)?;
         return Ok(0);
@@ -104,7 +118,7 @@ pub(super) fn sweep(arguments: &SweepArguments) -> Result<u8, Stop> {
     let journal = Journal::open(&folder.join(journal)).map_err(complained)?;
     let rows = run(&tasks, &journal)?;
     match arguments.shard {
-        None => hand_out(&sweep, &rows, &folder),
+        None => hand_out(&sweep, &tasks, rows, &folder),
         Some(shard) => {
             let path = shard.write(&folder, &rows).map_err(not_written)?;
             print(&format!(
@@ -119,9 +133,14 @@ pub(super) fn sweep(arguments: &SweepArguments) -> Result<u8, Stop> {
 }
 
 pub(super) fn merge(arguments: &MergeArguments) -> Result<u8, Stop> {
-    let (sweep, folder) = find(&arguments.file, arguments.out.as_deref())?;
-    let rows = sweep::merge(&sweep.tasks(), &folder).map_err(complained)?;
-    hand_out(&sweep, &rows, &folder)
+    let (sweep, folder) = find(
+        &arguments.file,
+        arguments.out.as_deref(),
+        &arguments.external,
+    )?;
+    let tasks = sweep.tasks();
+    let rows = sweep::merge(&tasks, &folder).map_err(complained)?;
+    hand_out(&sweep, &tasks, rows, &folder)
 }
 
 /// A bar that counts what the journal did not know.
@@ -171,21 +190,46 @@ fn run(tasks: &[Task], journal: &Journal) -> Result<Vec<Row>, Stop> {
 }
 
 /// Writes the files of a complete sweep and prints what is in them.
-fn hand_out(sweep: &Sweep, rows: &[Row], folder: &Path) -> Result<u8, Stop> {
+fn hand_out(sweep: &Sweep, tasks: &[Task], mut rows: Vec<Row>, folder: &Path) -> Result<u8, Stop> {
+    let checks = sweep::compare(tasks, &mut rows);
+    let rows = &rows;
     let path = folder.join("sweep.csv");
     let times = sweep::times_csv(rows).map_err(not_written)?;
     write_whole(&folder.join("times.csv"), &times).map_err(not_written)?;
     let csv = sweep::sweep_csv(rows).map_err(not_written)?;
     write_whole(&path, &csv).map_err(not_written)?;
     print(&format!(
-        "{}: {}\n{}{} points in {}\n",
+        "{}: {}\n{}{}{} points in {}\n",
         sweep.name,
         sweep.title,
         summary(rows),
+        compared(&checks),
         rows.len(),
         path.display()
     ))?;
-    Ok(status(rows))
+    let violated = checks
+        .iter()
+        .any(|one| one.check.verdict == Verdict::Violated);
+    Ok(if violated { REFUTED } else { status(rows) })
+}
+
+/// Checks that are shown one by one, at most.
+const SHOWN: usize = 10;
+
+/// What the methods say about each other: the worst first, the rest as counts.
+fn compared(checks: &[SweepCheck]) -> String {
+    let mut text = String::new();
+    for verdict in [Verdict::Violated, Verdict::Marked] {
+        let of_verdict = checks.iter().filter(|one| one.check.verdict == verdict);
+        let of_verdict: Vec<&SweepCheck> = of_verdict.collect();
+        for SweepCheck { wall, check } in of_verdict.iter().take(SHOWN) {
+            let _ = writeln!(text, "{:<9} {wall}: {}", verdict.name(), check.text);
+        }
+        if let Some(more) = of_verdict.len().checked_sub(SHOWN).filter(|&more| more > 0) {
+            let _ = writeln!(text, "{:<9} and {more} more", verdict.name());
+        }
+    }
+    text
 }
 
 fn status(rows: &[Row]) -> u8 {

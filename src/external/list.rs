@@ -14,7 +14,7 @@ use serde::Deserialize;
 use toml::Spanned;
 
 use super::program::{DEFAULT_LIMIT, External};
-use crate::case::{Complaint, Document, explain};
+use crate::case::{Complaint, Document, explain, program_name};
 use crate::method::METHODS;
 
 #[derive(Deserialize)]
@@ -30,9 +30,6 @@ struct ProgramEntry {
     command: Spanned<Vec<String>>,
     time_limit: Option<Spanned<f64>>,
 }
-
-/// Longest name of an external method: what the column of tables holds.
-const NAME_LENGTH: usize = 12;
 
 /// Longest time limit, seconds.
 const MAX_TIME_LIMIT: f64 = 86_400.0;
@@ -130,14 +127,7 @@ pub fn parse(path: &str, text: &str) -> Result<Vec<External>, Complaint> {
 
 /// A plain word that names no other method, or what is wrong and what to write instead.
 fn check_name(name: &str) -> Result<(), (String, String)> {
-    let plain = |c: char| c.is_ascii_alphanumeric() || "-_.".contains(c);
-    let help = || format!("use up to {NAME_LENGTH} letters, digits, `-`, `_` and `.`");
-    if name.is_empty() || !name.chars().all(plain) {
-        return Err((format!("`{name}` is no plain word"), help()));
-    }
-    if name.len() > NAME_LENGTH {
-        return Err((format!("`{name}` is too long for a table"), help()));
-    }
+    program_name(name).map_err(|help| (format!("`{name}` is no plain, short word"), help))?;
     if METHODS.iter().any(|method| method.name() == name) {
         let help = "choose another name".to_owned();
         return Err((format!("`{name}` is a method of trilith's own"), help));
@@ -166,8 +156,11 @@ mod tests {
         let twice = right.repeat(2);
         for (text, expected) in [
             (right.replace("highs", "interval"), "trilith's own"),
-            (right.replace("highs", "a b"), "plain word"),
-            (right.replace("highs", "a-very-long-name"), "too long"),
+            (right.replace("highs", "a b"), "plain, short word"),
+            (
+                right.replace("highs", "a-very-long-name"),
+                "up to 12 letters",
+            ),
             (right.replace("[\"a\"]", "[]"), "no command"),
             (right.replace("name", "nme"), "did you mean `name`?"),
             (format!("{right}time_limit = 0.0\n"), "write seconds"),

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use super::program::External;
-use super::{answer, process, scene};
+use super::{process, reading, scene};
 use crate::answer::{Outcome, ProgramFailure, Status};
 use crate::method::{Method, Settings};
 use crate::scene::Scene;
@@ -38,6 +38,6 @@ fn ask(program: &External, scene: &Scene) -> Result<TimedAnswer, ProgramFailure>
     let finished = process::run(program, text)?;
     let outcome = finished
         .output
-        .and_then(|output| answer::outcome(scene, &output));
+        .and_then(|output| reading::outcome(scene, &output));
     Ok((outcome, finished.cpu))
 }

@@ -10,10 +10,13 @@ mod list;
 mod method;
 mod process;
 mod program;
+mod reading;
 mod scene;
+mod states;
 mod text;
 
-pub use answer::answer_schema;
+pub use answer::{AnswerFile, AnswerKind, answer_schema};
 pub use list::{parse, read};
 pub use program::External;
 pub use scene::{SceneFile, export, scene_schema};
+pub use states::answers;

@@ -14,6 +14,8 @@ use crate::scene::{JointClass, Point, Polygon, Scene, Side, Vector};
 pub struct SceneFile {
     /// Version of this format: 1.
     pub format: u32,
+    /// Name of the case; empty where the scene is of none.
+    pub case: String,
     /// Whether head joints carry Coulomb contact ("contact") or nothing ("open"); joints that carry
     /// nothing are not listed.
     pub head_joints: String,
@@ -31,6 +33,9 @@ pub struct SceneFile {
 #[derive(Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BlockFile {
+    /// What the case calls it, or where it lies in a coursed wall ("course 3 piece 2": courses from
+    /// the bottom, pieces from the left with gaps); empty where there is no name.
+    pub name: String,
     /// Corners [x, y] of the convex outline, counter-clockwise.
     pub corners: Vec<[f64; 2]>,
     /// Centroid [x, y] of the outline, which wrenches and velocities are about.
@@ -47,6 +52,9 @@ pub struct BlockFile {
 #[derive(Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct LoadFile {
+    /// What it is: "self-weight", of the block itself; "overburden", on top of a coursed wall; or
+    /// "load", any other.
+    pub kind: String,
     /// Where it acts.
     pub point: [f64; 2],
     /// Constant part.
@@ -100,13 +108,22 @@ pub fn export(scene: &Scene) -> Result<String, serde_json::Error> {
 
 impl From<&Scene> for SceneFile {
     fn from(scene: &Scene) -> Self {
-        let block = |block: &crate::scene::Block| BlockFile {
+        let carried = if scene.wall().is_some() {
+            "overburden"
+        } else {
+            "load"
+        };
+        let names = &scene.labels().blocks;
+        let block = |(index, block): (usize, &crate::scene::Block)| BlockFile {
+            name: names.get(index).cloned().unwrap_or_default(),
             corners: corners(&block.shape),
             centroid: pair(block.shape.centroid()),
             dead: block.dead(),
             live: block.live(),
-            loads: (block.loads.iter())
-                .map(|load| LoadFile {
+            loads: (block.loads.iter().enumerate())
+                .map(|(place, load)| LoadFile {
+                    // A block's own weight stands first.
+                    kind: if place == 0 { "self-weight" } else { carried }.to_owned(),
                     point: pair(load.point),
                     dead: load.dead.into(),
                     live: load.live.into(),
@@ -135,9 +152,10 @@ impl From<&Scene> for SceneFile {
         };
         Self {
             format: 1,
+            case: scene.labels().case.clone(),
             head_joints: scene.head_joints().name().to_owned(),
             push: scene.push().name().to_owned(),
-            blocks: scene.blocks().iter().map(block).collect(),
+            blocks: scene.blocks().iter().enumerate().map(block).collect(),
             supports: scene.supports().iter().map(shape).collect(),
             joints: scene.joints().iter().map(joint).collect(),
         }

@@ -1,99 +1,87 @@
 //! What must hold between the methods of one scene. It follows from what their answers claim, so
-//! that a new method of a known kind is compared without a line here.
+//! that a new method of a known kind, and an outside program, is compared without a line here.
 
 use super::check::{Check, Verdict};
+use super::claims::{Answered, Answers, Claims, Role};
+use super::heard::{CONVERGED_ERROR, LowerState, UNSTATED_ERROR, lower_states};
+use super::outside::{claims_without_proof, plausible};
 use crate::answer::{Bracket, Claim, Outcome, Status};
-use crate::method::{Kind, kind};
-use crate::number::{number, short};
-use crate::scene::HeadJoints;
-
-/// Convergence tolerance of the sequential method: what it may exceed λ_A by through c0.
-const COHESION_BIAS: f64 = 1e-4;
-
-/// Outcomes of one scene by method name.
-pub type Answers<'a> = [(&'a str, &'a Outcome)];
-
-/// A method that gave a bracket.
-struct Answered<'a> {
-    name: &'a str,
-    bracket: Bracket,
-    outcome: &'a Outcome,
-}
-
-/// The answers of a kind that have a bracket.
-fn of_kind<'a>(answers: &'a Answers, wanted: Kind) -> Vec<Answered<'a>> {
-    let of_kind = answers.iter().filter(|(name, _)| kind(name) == wanted);
-    let answered = of_kind.filter_map(|&(name, outcome)| {
-        Some(Answered {
-            name,
-            bracket: outcome.bracket?,
-            outcome,
-        })
-    });
-    answered.collect()
-}
+use crate::number::{number, percent, short};
+use crate::scene::{HeadJoints, Scene};
 
 /// Relations between the methods of one scene.
-pub fn cross_check(head_joints: HeadJoints, answers: &Answers) -> Vec<Check> {
-    let bounds = of_kind(answers, Kind::AssociativeBounds);
-    let converged = of_kind(answers, Kind::CollapseState);
-    let found = of_kind(answers, Kind::CollapseStates);
+pub fn cross_check(scene: &Scene, answers: &Answers) -> Vec<Check> {
+    let claims = Claims::of(scene, answers);
+    let [bounds, converged, found, numbers] =
+        [Role::Bounds, Role::Converged, Role::States, Role::Number]
+            .map(|role| claims.of_role(role));
     let mut checks = Vec::new();
     let mut add = |method: &str, (text, verdict): (String, Verdict)| {
         checks.push(Check {
-            head_joints,
+            head_joints: claims.head_joints,
             method: method.to_owned(),
             text,
             verdict,
         });
     };
+    for (index, bound) in bounds.iter().enumerate() {
+        for other in &bounds[index + 1..] {
+            add(other.name, bounds_meet(&claims, bound, other));
+        }
+    }
     for (bound, state) in pairs(&bounds, &converged) {
-        add(state.name, converged_below_bound(bound, state));
+        add(state.name, converged_below_bound(&claims, bound, state));
     }
-    for (bound, states) in pairs(&bounds, &found) {
-        let (a, i) = (bound.bracket, states.bracket);
-        let holds = i.upper <= a.upper + 1e-6 * a.upper.max(1e-3);
-        let text = format!("{} is not above {}", states.name, bound.name);
-        add(states.name, (text, Verdict::of(holds)));
+    let enclosed = claims.of_role(Role::Enclosure);
+    for (bound, states) in pairs(&bounds, &[found.as_slice(), &enclosed].concat()) {
+        add(states.name, states_below_bound(&claims, bound, states));
     }
-    for (state, states) in pairs(&converged, &found) {
-        add(state.name, converged_among_found(state, states));
+    for (bound, value) in pairs(&bounds, &numbers) {
+        add(value.name, number_below_bound(&claims, bound, value));
+    }
+    let searched: Vec<Answered> = found.iter().filter(|f| !f.is_outside()).copied().collect();
+    for (state, states) in pairs(&[converged.as_slice(), &numbers].concat(), &searched) {
+        add(state.name, among_found(&claims, state, states));
     }
     for (stands, outcome) in answers {
         if outcome.status == Status::Stands {
-            for state in verified_states(answers) {
+            for state in verified_states(&claims) {
                 add(stands, stands_beside_state(stands, outcome, &state));
             }
         }
     }
-    for range in of_kind(answers, Kind::ClosedForm) {
-        for (name, outcome) in answers.iter().filter(|(name, _)| *name != range.name) {
-            if let Some(value) = outcome.bracket {
-                add(range.name, range_contains(&range, name, value));
-            }
+    for range in claims.of_role(Role::ClosedForm) {
+        for answer in claims.answered.iter().filter(|a| a.name != range.name) {
+            add(range.name, range_contains(&range, answer));
         }
     }
-    for seen in of_kind(answers, Kind::Observed) {
-        if let Some(check) = seen_among_known(&seen, answers) {
+    for seen in claims.of_role(Role::Observed) {
+        if let Some(check) = seen_among_known(&claims, &seen) {
             add(seen.name, check);
+        }
+    }
+    for lowest in [searched, enclosed].concat() {
+        for lower in lower_states(&claims, &lowest) {
+            add(lowest.name, lower_state(&lowest, &lower));
+        }
+    }
+    for answer in &claims.answered {
+        if let Some(check) = plausible(&claims, answer) {
+            add(answer.name, check);
+        }
+    }
+    for (name, outcome) in answers {
+        if let Some(check) = claims_without_proof(name, outcome) {
+            add(name, check);
         }
     }
     checks
 }
 
 /// The answers that the judge has verified as collapse states.
-fn verified_states<'a>(answers: &'a Answers) -> Vec<Answered<'a>> {
-    let verified = answers.iter().filter(|(_, outcome)| {
-        outcome.status == Status::Verified && outcome.claim == Claim::CollapseState
-    });
-    let verified = verified.filter_map(|&(name, outcome)| {
-        Some(Answered {
-            name,
-            bracket: outcome.bracket?,
-            outcome,
-        })
-    });
-    verified.collect()
+fn verified_states<'a>(claims: &Claims<'a>) -> Vec<Answered<'a>> {
+    let states = claims.answered.iter().filter(|answer| answer.has_state());
+    states.copied().collect()
 }
 
 /// Without dilatancy a scene that stands has no collapse state; with associative friction it may.
@@ -111,34 +99,96 @@ fn stands_beside_state(name: &str, stands: &Outcome, state: &Answered) -> (Strin
     }
 }
 
-fn pairs<'a>(
-    ones: &'a [Answered<'a>],
-    others: &'a [Answered<'a>],
-) -> impl Iterator<Item = (&'a Answered<'a>, &'a Answered<'a>)> {
+fn pairs<'a, 'b>(
+    ones: &'b [Answered<'a>],
+    others: &'b [Answered<'a>],
+) -> impl Iterator<Item = (&'b Answered<'a>, &'b Answered<'a>)> {
     let with_others = |one| others.iter().map(move |other| (one, other));
     ones.iter().flat_map(with_others)
 }
 
-/// λ ≤ λ_A (1 + 1e-4), what is above λ_A marked as the bias of c0.
-fn converged_below_bound(bound: &Answered, state: &Answered) -> (String, Verdict) {
-    let excess = (state.bracket.upper - bound.bracket.upper) / bound.bracket.upper.max(1e-3);
+/// λ_A is one number: proved bounds of it overlap.
+fn bounds_meet(claims: &Claims, one: &Answered, other: &Answered) -> (String, Verdict) {
+    let apart = |low: Bracket, high: Bracket| {
+        claims.excess(high.lower, low.upper) > claims.proof_slack(low.upper)
+    };
+    let apart = apart(one.bracket, other.bracket) || apart(other.bracket, one.bracket);
+    let word = if apart { "contradict" } else { "meet" };
+    let text = format!("the bounds of {} {word} those of {}", other.name, one.name);
+    (text, Verdict::of(!apart))
+}
+
+/// λ ≤ λ_A, but for what the iteration states about itself.
+fn converged_below_bound(claims: &Claims, bound: &Answered, state: &Answered) -> (String, Verdict) {
+    let (lambda, most) = (state.bracket.upper, bound.bracket.upper);
+    let excess = claims.excess(lambda, most);
+    let stated = state.outcome.stated_error.unwrap_or(UNSTATED_ERROR);
     let (state, bound) = (state.name, bound.name);
     if excess <= 1e-6 {
         (format!("{state} is not above {bound}"), Verdict::Holds)
-    } else if excess <= COHESION_BIAS {
+    } else if claims.is_above(lambda, stated, most) {
+        let text = format!("{state} is {} above {bound}", percent(excess));
+        (text, Verdict::Violated)
+    } else if excess <= UNSTATED_ERROR {
         let text = format!("{state} is above {bound} by no more than 0.01 %: bias of c0");
         (text, Verdict::Marked)
     } else {
-        let text = format!("{state} is {:.3} % above {bound}", 100.0 * excess);
-        (text, Verdict::Violated)
+        let text = format!(
+            "{state} is {} above {bound}, no more than its joints carry beyond Coulomb's law: bias \
+             of c0",
+            percent(excess)
+        );
+        (text, Verdict::Marked)
     }
 }
 
-/// Outside lies no contradiction: the interval is what was found.
-fn converged_among_found(state: &Answered, states: &Answered) -> (String, Verdict) {
+/// No collapse state is above λ_A.
+fn states_below_bound(claims: &Claims, bound: &Answered, states: &Answered) -> (String, Verdict) {
+    // The upper end of an enclosure is a bound itself.
+    let highest = match states.role {
+        Role::Enclosure => states.bracket.lower,
+        _ => states.bracket.upper,
+    };
+    let excess = claims.excess(highest, bound.bracket.upper);
+    let holds = excess <= claims.proof_slack(bound.bracket.upper);
+    let text = format!("{} is not above {}", states.name, bound.name);
+    (text, Verdict::of(holds))
+}
+
+/// A number without a proof is no multiplier if it is above λ_A by more than its stated error.
+fn number_below_bound(claims: &Claims, bound: &Answered, value: &Answered) -> (String, Verdict) {
+    let most = bound.bracket.upper;
+    let stated = value.outcome.stated_error.unwrap_or(UNSTATED_ERROR);
+    let (name, bound) = (value.name, bound.name);
+    let Bracket { lower, upper } = value.bracket;
+    let [low, high] = [lower, upper].map(|lambda| claims.excess(lambda, most));
+    if high <= 1e-6 {
+        (format!("{name} is not above {bound}"), Verdict::Holds)
+    } else if claims.is_above(lower, stated, most) {
+        let text = format!(
+            "{name} is {} above {bound}, which no collapse multiplier is",
+            percent(low)
+        );
+        (text, Verdict::Violated)
+    } else {
+        let text = format!(
+            "{name} reaches {} above {bound}, which no collapse multiplier is",
+            percent(high)
+        );
+        (text, Verdict::Marked)
+    }
+}
+
+/// Outside lies no contradiction: the interval is what was found. The ends of a number's bracket may
+/// be anything, so that it only has to meet the range.
+fn among_found(claims: &Claims, state: &Answered, states: &Answered) -> (String, Verdict) {
     let (s, i) = (state.bracket, states.bracket);
-    let slack = COHESION_BIAS * i.upper.max(1e-3);
-    let inside = s.lower >= i.lower - slack && s.upper <= i.upper + slack;
+    let error = state.outcome.stated_error.unwrap_or(UNSTATED_ERROR);
+    let below = match state.role {
+        Role::Number => claims.is_below(s.upper, error, i.lower),
+        _ => claims.is_below(s.lower, CONVERGED_ERROR, i.lower),
+    };
+    let inside = !below && !claims.is_above(s.lower, error, i.upper);
     let (word, verdict) = if inside {
         ("lies in", Verdict::Holds)
     } else {
@@ -149,8 +199,9 @@ fn converged_among_found(state: &Answered, states: &Answered) -> (String, Verdic
 }
 
 /// The closed form's range is a claim of the paper, not a law.
-fn range_contains(range: &Answered, name: &str, value: Bracket) -> (String, Verdict) {
+fn range_contains(range: &Answered, answer: &Answered) -> (String, Verdict) {
     let Bracket { lower, upper } = range.bracket;
+    let (name, value) = (answer.name, answer.bracket);
     let width = 100.0 * (upper - lower) / upper;
     let (word, verdict) = if value.lower >= lower && value.upper <= upper {
         ("contains", Verdict::Holds)
@@ -161,78 +212,79 @@ fn range_contains(range: &Answered, name: &str, value: Bracket) -> (String, Verd
     (text, verdict)
 }
 
-/// What was seen meets [lowest known, λ_A], widened by its stated error.
-fn seen_among_known(seen: &Answered, answers: &Answers) -> Option<(String, Verdict)> {
+/// What was seen meets [lowest known, λ_A], widened by its stated error. Above is a contradiction;
+/// below, a lower state may exist than those known.
+fn seen_among_known(claims: &Claims, seen: &Answered) -> Option<(String, Verdict)> {
     let (pushover, error) = (seen.bracket, seen.outcome.stated_error?);
-    let bounds = of_kind(answers, Kind::AssociativeBounds);
-    let known = [Kind::CollapseState, Kind::CollapseStates];
-    let states = known.into_iter().flat_map(|kind| of_kind(answers, kind));
-    let lowest = (bounds.iter().map(|bound| bound.bracket.lower))
-        .chain(states.map(|state| state.bracket.lower))
-        .fold(f64::INFINITY, f64::min);
+    let bounds = claims.of_role(Role::Bounds);
+    let roles = [Role::Bounds, Role::Converged, Role::States];
+    let known = claims.answered.iter();
+    let known = known.filter(|answer| roles.contains(&answer.role));
+    let lowest = known.map(|answer| answer.bracket.lower);
+    let lowest = lowest.fold(f64::INFINITY, f64::min);
     let bound = bounds.first()?;
     let (low, high) = (lowest * (1.0 - error), bound.bracket.upper * (1.0 + error));
-    let meets = pushover.upper >= low && pushover.lower <= high;
+    let below = -claims.excess(pushover.upper, lowest) > error;
+    let above = claims.excess(pushover.lower, bound.bracket.upper) > error;
     let text = format!(
-        "{} {} [{low:.4}, {high:.4}], lowest known to {} widened by {} %",
+        "{} {} [{low:.4}, {high:.4}], lowest known to {} widened by {} %{}",
         seen.name,
-        if meets { "meets" } else { "misses" },
+        if below || above { "misses" } else { "meets" },
         bound.name,
-        short(100.0 * error, 2)
+        short(100.0 * error, 2),
+        if below {
+            ": a lower state may exist"
+        } else {
+            ""
+        }
     );
-    Some((text, Verdict::of(meets)))
+    let verdict = match (below, above) {
+        (_, true) => Verdict::Violated,
+        (true, false) => Verdict::Marked,
+        (false, false) => Verdict::Holds,
+    };
+    Some((text, verdict))
+}
+
+/// The lowest state that was found is not the lowest that somebody speaks of.
+fn lower_state(lowest: &Answered, lower: &LowerState) -> (String, Verdict) {
+    let what = if lower.is_verified {
+        "a lower state exists"
+    } else {
+        "a lower state may exist"
+    };
+    let text = format!(
+        "{what}: {} {} lies {} below the lowest that {} verifies",
+        lower.by,
+        number(lower.lambda, lower.decimals),
+        percent(lower.below),
+        lowest.name
+    );
+    (text, Verdict::Marked)
 }
 
 /// Open head joints never raise λ_A, as they only take forces away: `contact` and `open` are the
-/// answers with either, on sides of the push that may differ.
-pub fn open_never_raises(contact: &Answers, open: &Answers) -> Vec<Check> {
-    let open = of_kind(open, Kind::AssociativeBounds);
+/// scenes and answers with either, on sides of the push that may differ.
+pub fn open_never_raises(
+    (contact_scene, contact): (&Scene, &Answers),
+    (open_scene, open): (&Scene, &Answers),
+) -> Vec<Check> {
+    let (contact, open) = (
+        Claims::of(contact_scene, contact),
+        Claims::of(open_scene, open),
+    );
+    let of_contact = contact.of_role(Role::Bounds);
+    let open = open.of_role(Role::Bounds);
     let compared = open.iter().filter_map(|open| {
-        let contact = of_kind(contact, Kind::AssociativeBounds);
-        let contact = contact.iter().find(|contact| contact.name == open.name)?;
-        let holds = open.bracket.lower <= contact.bracket.upper * (1.0 + 1e-6);
+        let contact_bound = of_contact.iter().find(|bound| bound.name == open.name)?;
+        let most = contact_bound.bracket.upper;
+        let excess = contact.excess(open.bracket.lower, most);
         Some(Check {
             head_joints: HeadJoints::Open,
             method: open.name.to_owned(),
             text: format!("open head joints do not raise the {} multiplier", open.name),
-            verdict: Verdict::of(holds),
+            verdict: Verdict::of(excess <= contact.proof_slack(most)),
         })
     });
     compared.collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Without dilatancy `stands` beside a state that the judge verified is a contradiction; with
-    /// associative friction it is explained.
-    #[test]
-    fn stands_beside_a_verified_state() {
-        let state = Outcome {
-            bracket: Some(Bracket::point(0.4)),
-            ..Outcome::of(Status::Verified)
-        };
-        for (claim, expected) in [
-            (Claim::CollapseState, Verdict::Violated),
-            (Claim::Associative, Verdict::Holds),
-        ] {
-            let stands = Outcome {
-                claim,
-                ..Outcome::of(Status::Stands)
-            };
-            let answers = [("one", &stands), ("other", &state)];
-            let checks = cross_check(HeadJoints::Contact, &answers);
-            let verdicts: Vec<Verdict> = checks.iter().map(|check| check.verdict).collect();
-            assert_eq!(verdicts, [expected], "{checks:?}");
-            assert!(checks[0].text.contains("0.4"), "{}", checks[0].text);
-        }
-        let bound = Outcome {
-            claim: Claim::Associative,
-            ..state.clone()
-        };
-        let stands = Outcome::of(Status::Stands);
-        let answers = [("one", &stands), ("bound", &bound)];
-        assert!(cross_check(HeadJoints::Contact, &answers).is_empty());
-    }
 }

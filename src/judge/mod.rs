@@ -2,12 +2,23 @@
 //! what holds between methods and against published values.
 
 mod check;
+mod claims;
+mod conclude;
+mod conclusion;
 mod cross_check;
+mod heard;
+mod outside;
 mod proof;
 mod references;
 
 pub use check::{Check, Verdict};
-pub(crate) use cross_check::{Answers, cross_check, open_never_raises};
+pub(crate) use conclude::conclude;
+pub use conclusion::{Basis, Conclusion, Difference, Doubt, Explanation};
+pub(crate) use cross_check::{cross_check, open_never_raises};
+pub use heard::LowerState;
 pub use proof::judge;
 pub use references::computed;
 pub(crate) use references::{comparisons, reference_checks};
+
+#[cfg(test)]
+mod tests;

@@ -1,9 +1,10 @@
 //! What must hold against the references of a case.
 
 use super::check::{Check, Verdict};
-use super::cross_check::Answers;
+use super::claims::Answers;
 use crate::answer::{Bracket, Outcome, Status};
-use crate::case::{Case, Quantity, Reference};
+use crate::case::{Case, Quantity, Reference, nearest};
+use crate::method::{Kind, kind};
 use crate::scene::HeadJoints;
 
 /// The computed value that a reference is about, as a bracket.
@@ -107,6 +108,14 @@ pub fn reference_checks(
             continue;
         }
         let Some((_, outcome)) = answers.iter().find(|(name, _)| *name == reference.method) else {
+            if kind(&reference.method) == Kind::Outside {
+                checks.push(Check {
+                    head_joints,
+                    method: reference.method.clone(),
+                    text: not_compared(reference, answers),
+                    verdict: Verdict::NotDecided,
+                });
+            }
             continue;
         };
         let comparison = compare(reference, outcome, unit);
@@ -120,15 +129,32 @@ pub fn reference_checks(
     checks
 }
 
-fn in_words(comparison: &Comparison, status: Status) -> String {
-    let reference = comparison.reference;
-    let label = format!(
+/// Why the reference of an outside program stands beside nothing, and what to do about it.
+fn not_compared(reference: &Reference, answers: &Answers) -> String {
+    let name = &reference.method;
+    let outside = answers.iter().map(|(name, _)| *name);
+    let outside = outside.filter(|name| kind(name) == Kind::Outside);
+    let help = match nearest(name, outside) {
+        Some(near) => format!("did the case mean `{near}`?"),
+        None => format!("add `--external {name}=COMMAND`"),
+    };
+    let label = label(reference);
+    format!("{label}: not compared, as no program of this name ran; {help}")
+}
+
+fn label(reference: &Reference) -> String {
+    format!(
         "{} {} {} {}",
         reference.method,
         reference.quantity.name(),
         reference.kind.name(),
         crate::number::short(reference.value, 6)
-    );
+    )
+}
+
+fn in_words(comparison: &Comparison, status: Status) -> String {
+    let reference = comparison.reference;
+    let label = label(reference);
     let Some(error) = comparison.error else {
         return format!("{label}: no value, {}", status.name());
     };

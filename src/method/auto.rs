@@ -10,14 +10,17 @@
 //!    tolerance, the multiplier is not unique, and no further state could change that.
 //! 4. States of more starts, each followed down to the lowest it finds. One start alone may end
 //!    close to λ_A and miss a branch far below it.
-//! 5. The whole scene in place of the part, where the part proves nothing.
+//! 5. The sequential method, which ends on other branches: an answer that vouches for itself has
+//!    listened first. Where it lies so low that the multiplier would not be unique, the search goes
+//!    on, and where that finds no state as low, the answer is `undecided`.
+//! 6. The whole scene in place of the part, where the part proves nothing.
 //!
 //! The answer is the bracket [lowest verified state, λ_A] with both ends proved; where it is wider
 //! than the tolerance, it is `undecided: not unique`, which is right: between its ends the
 //! multiplier depends on what nobody knows of a real wall. No rigorous lower bound on collapse is
 //! known, so that a state below everything that the starts found can never be excluded.
 
-use super::limit::{self, Associative};
+use super::limit::{self, Associative, Sequential};
 use super::macro_block::MacroBlock;
 use super::settings::LP_TOLERANCE;
 use super::{Method, Settings};
@@ -36,13 +39,13 @@ impl Method for Auto {
         let mut ladder = Ladder {
             scene,
             settings,
+            listened: false,
             work: Work::default(),
         };
         let closed_form = MacroBlock.solve(scene, settings).bracket;
         let bound = ladder.run(&Associative);
-        let starts = settings.interval.starts.max(2);
         if bound.status == Status::Stands {
-            let found = ladder.states(starts, f64::NEG_INFINITY);
+            let found = ladder.states(settings, f64::NEG_INFINITY);
             return ladder.without_bound(found);
         }
         let Some(Bracket { upper, .. }) = bound.bracket else {
@@ -50,10 +53,23 @@ impl Method for Auto {
         };
         let unit = scene.multiplier_unit();
         let stop_below = upper - settings.auto.tolerance * magnitude(upper, unit);
-        let found = ladder.states(starts, stop_below);
-        let Some(Bracket { lower, .. }) = found.bracket else {
+        let mut found = ladder.states(settings, stop_below);
+        let Some(Bracket { mut lower, .. }) = found.bracket else {
             return ladder.without_state(upper, found);
         };
+        let starts = |found: &Outcome| found.search().map_or(0, |search| search.starts.len());
+        let mut searched = starts(&found);
+        let mut heard = ladder.heard_below(stop_below, lower);
+        if heard.is_some() {
+            let mut longer = *settings;
+            longer.interval.starts = SEARCH_ON * searched.max(1);
+            let further = ladder.states(&longer, stop_below);
+            searched += starts(&further);
+            if let Some(bracket) = further.bracket.filter(|bracket| bracket.lower < lower) {
+                (lower, found) = (bracket.lower, further);
+            }
+            heard = heard.filter(|_| lower >= stop_below);
+        }
         let bracket = Bracket {
             lower,
             upper: upper.max(lower),
@@ -63,12 +79,15 @@ impl Method for Auto {
             unique: width <= settings.auto.tolerance,
             relative_width: width,
             closed_form,
-            starts,
+            starts: searched,
             ended_early: lower < stop_below,
         };
-        ladder.answer(bound, found, bracket, uniqueness)
+        ladder.answer(bound, found, bracket, uniqueness, heard)
     }
 }
+
+/// Starts of the longer search, as a multiple of those of the first.
+const SEARCH_ON: usize = 4;
 
 /// Proofs need the programs as tight as they are by default.
 fn proving(settings: &Settings) -> Settings {
@@ -81,6 +100,8 @@ fn proving(settings: &Settings) -> Settings {
 struct Ladder<'a> {
     scene: &'a Scene,
     settings: &'a Settings,
+    /// Whether the sequential method has run.
+    listened: bool,
     work: Work,
 }
 
@@ -93,12 +114,23 @@ impl Ladder<'_> {
     }
 
     /// The interval, stopped at the first state below `stop_below`.
-    fn states(&mut self, starts: usize, stop_below: f64) -> Outcome {
-        let mut settings = proving(self.settings);
-        settings.interval.starts = starts;
-        let outcome = limit::lowest(self.scene, &settings, stop_below);
+    fn states(&mut self, settings: &Settings, stop_below: f64) -> Outcome {
+        let outcome = limit::lowest(self.scene, &proving(settings), stop_below);
         self.count(outcome.work);
         outcome
+    }
+
+    /// What the sequential method says, where that is so low that the multiplier would not be unique,
+    /// although the `lowest` state is not.
+    fn heard_below(&mut self, stop_below: f64, lowest: f64) -> Option<AutoFact> {
+        if lowest < stop_below {
+            return None;
+        }
+        self.listened = true;
+        let other = self.run(&Sequential);
+        let lambda = other.bracket?.upper;
+        let below = (lowest - lambda) / magnitude(lowest, self.scene.multiplier_unit());
+        (lambda < stop_below).then_some(AutoFact::LowerHeard { lambda, below })
     }
 
     fn count(&mut self, work: Work) {
@@ -151,8 +183,11 @@ impl Ladder<'_> {
         found: Outcome,
         bracket: Bracket,
         uniqueness: Uniqueness,
+        heard: Option<AutoFact>,
     ) -> Outcome {
-        let facts = vec![AutoFact::Uniqueness(uniqueness).into(), self.saved().into()];
+        let is_answer = uniqueness.unique && heard.is_none();
+        let facts = heard.into_iter();
+        let facts = facts.chain([AutoFact::Uniqueness(uniqueness), self.saved()]);
         Outcome {
             claim: Claim::Enclosed,
             bracket: Some(bracket),
@@ -161,8 +196,8 @@ impl Ladder<'_> {
             forces: found.forces,
             ceiling: bound.mechanism,
             work: self.work,
-            facts,
-            ..Outcome::of(if uniqueness.unique {
+            facts: facts.map(Fact::from).collect(),
+            ..Outcome::of(if is_answer {
                 Status::Bracketed
             } else {
                 Status::Undecided
@@ -175,6 +210,7 @@ impl Ladder<'_> {
         let of_blocks = self.scene.blocks().len();
         let is_part = (1..of_blocks).contains(&self.work.modelled);
         AutoFact::Saved {
+            sequential: !self.listened,
             blocks: if is_part {
                 of_blocks - self.work.modelled
             } else {

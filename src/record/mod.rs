@@ -10,12 +10,13 @@ pub use snapshot::{RecordChange, compare};
 pub(crate) use table::{LEGEND, fixed_width};
 pub use table::{heading, lines};
 
-use crate::judge::{Check, Verdict};
+use crate::judge::{Check, Conclusion, Verdict};
 use crate::number::short;
 use crate::run::CaseResult;
 use crate::scene::{HeadJoints, JointClass, Scene};
 
-/// The whole record of a case: geometry, one line a method, one line a check.
+/// The whole record of a case: geometry, one line a method, one line a check, one line
+/// a head-joint setting for what it all comes to.
 pub fn record(result: &CaseResult) -> String {
     let mut text = title(result);
     for (head_joints, sides) in &result.scenes {
@@ -32,6 +33,11 @@ pub fn record(result: &CaseResult) -> String {
     text.push_str("\nchecks\n");
     for check in &result.checks {
         text.push_str(&check_line(check));
+        text.push('\n');
+    }
+    text.push_str("\nanswer\n");
+    for conclusion in &result.conclusions {
+        text.push_str(&conclusion_line(conclusion));
         text.push('\n');
     }
     text
@@ -71,6 +77,11 @@ pub fn check_line(check: &Check) -> String {
         check.head_joints.name(),
         check.text
     )
+}
+
+/// What all answers about a scene come to, as a line.
+pub fn conclusion_line(conclusion: &Conclusion) -> String {
+    format!("  {:<8} {conclusion}", conclusion.head_joints.name())
 }
 
 /// How many checks ended how, in words: what the terminal says where nothing is wrong.

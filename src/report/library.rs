@@ -33,7 +33,7 @@ pub fn library_heading() -> String {
     format!("references\n{}", line(heading.map(str::to_owned)))
 }
 
-/// Of one case, one line a reference; one line for a row without any.
+/// Of one case, one line a reference; one line for a row without any; last what it all comes to.
 pub fn library_case(result: &CaseResult) -> String {
     let mut text = String::new();
     for row in &result.rows {
@@ -63,6 +63,15 @@ pub fn library_case(result: &CaseResult) -> String {
             let verdict = comparison.verdict.name();
             text.push_str(&reference_line(row, computed, against, verdict));
         }
+    }
+    for conclusion in &result.conclusions {
+        let cells = [
+            (result.case.name.as_str(), 24),
+            (conclusion.head_joints.name(), 8),
+            ("answer", 12),
+            (&conclusion.to_string(), 0),
+        ];
+        text.push_str(&columns(cells.into_iter()));
     }
     text
 }

@@ -5,4 +5,4 @@ mod library;
 mod rows;
 
 pub use library::{library_case, library_closing, library_heading};
-pub use rows::{case_table, csv, json, legend, table};
+pub use rows::{case_table, csv, json, json_with_states, legend, table};

@@ -1,7 +1,10 @@
 //! Table, CSV and JSON: the same rows three times.
 
+use serde_json::json;
+
 use crate::answer::Mechanism;
-use crate::judge::Verdict;
+use crate::external::{SceneFile, answers};
+use crate::judge::{Conclusion, Verdict};
 use crate::record::{self, LEGEND};
 use crate::run::{self, Audience, COLUMNS, CaseResult, Column, Row, Value};
 
@@ -18,6 +21,8 @@ pub fn case_table(result: &CaseResult) -> String {
     lines.push(record::tally(&result.checks));
     let open = result.checks.iter().filter(|c| c.verdict > Verdict::Holds);
     lines.extend(open.map(record::check_line));
+    lines.push("answer".to_owned());
+    lines.extend(result.conclusions.iter().map(record::conclusion_line));
     format!("{}{}\n\n", record::title(result), lines.join("\n"))
 }
 
@@ -49,29 +54,99 @@ pub fn csv(results: &[CaseResult]) -> Result<String, csv::Error> {
 /// JSON: a list of the CSV's rows with numbers as numbers and `null` where CSV is empty, and with
 /// the self-checks that ran, in words. Where a recording was asked for, `recording` has its frames,
 /// a constant time apart: for each block `[x, y, rotation]`, the displacement of its centroid in the
-/// case's length unit and its rotation in radians, counter-clockwise.
+/// case's length unit and its rotation in radians, counter-clockwise. `conclusion` has what all rows
+/// about the scene come to, the same in each of them: `difference` is how far λ_A is above the lowest
+/// state, relative to that, and `explained` whether nothing but that is to be explained.
 ///
 /// # Errors
 /// Those of the JSON writer; none is expected in memory.
 pub fn json(results: &[CaseResult]) -> Result<String, serde_json::Error> {
-    let mut list = Vec::new();
-    for row in rows(results) {
-        let cells = for_programs().map(|column| {
-            let value = (column.value)(row);
-            (column.name.to_owned(), value.json())
-        });
-        let mut object: serde_json::Map<String, serde_json::Value> = cells.collect();
-        let checks = row.outcome.checks.iter().map(ToString::to_string);
-        object.insert("checks".to_owned(), checks.collect());
-        if !row.outcome.recording.is_empty() {
-            let frames = row.outcome.recording.iter().map(frame);
-            object.insert("recording".to_owned(), frames.collect());
-        }
-        list.push(object);
-    }
+    let of_case = |result: &CaseResult| -> Vec<JsonObject> {
+        result.rows.iter().map(|row| object(result, row)).collect()
+    };
+    let list: Vec<JsonObject> = results.iter().flat_map(of_case).collect();
     let mut text = serde_json::to_string_pretty(&list)?;
     text.push('\n');
     Ok(text)
+}
+
+/// As [`json`], a row a line, each with its `head_joints` and with the `sides` that it was pushed
+/// to, the row's own side first: the scene and every answer of the method, in the formats of outside
+/// programs and in full digits, so that another program can confirm each claim.
+///
+/// # Errors
+/// As [`json`].
+pub fn json_with_states(results: &[CaseResult]) -> Result<String, serde_json::Error> {
+    let mut lines = Vec::new();
+    for result in results {
+        for row in &result.rows {
+            let mut object = object(result, row);
+            object.insert("head_joints".to_owned(), row.head_joints.name().into());
+            object.insert("sides".to_owned(), sides(result, row)?);
+            lines.push(serde_json::to_string(&object)?);
+        }
+    }
+    Ok(format!("[\n{}\n]\n", lines.join(",\n")))
+}
+
+type JsonObject = serde_json::Map<String, serde_json::Value>;
+
+/// A row with the columns for programs, its self-checks, its recording, and the conclusion from all
+/// rows about its scene.
+fn object(result: &CaseResult, row: &Row) -> JsonObject {
+    let cells = for_programs().map(|column| {
+        let value = (column.value)(row);
+        (column.name.to_owned(), value.json())
+    });
+    let mut object: JsonObject = cells.collect();
+    let checks = row.outcome.checks.iter().map(ToString::to_string);
+    object.insert("checks".to_owned(), checks.collect());
+    if !row.outcome.recording.is_empty() {
+        let frames = row.outcome.recording.iter().map(frame);
+        object.insert("recording".to_owned(), frames.collect());
+    }
+    let mut conclusions = result.conclusions.iter();
+    let of_row = conclusions.find(|conclusion| conclusion.head_joints == row.head_joints);
+    object.insert("conclusion".to_owned(), of_row.map(conclusion).into());
+    object
+}
+
+/// The conclusion as data, and its line.
+fn conclusion(of: &Conclusion) -> serde_json::Value {
+    let digits = |number: Option<f64>| Value::from(number).json();
+    let difference = of.difference.as_ref();
+    let doubts = of.doubts.iter().map(ToString::to_string);
+    json!({
+        "basis": of.basis.name(),
+        "methods": of.methods,
+        "status": of.status.name(),
+        "lower": digits(of.bracket.map(|bracket| bracket.lower)),
+        "upper": digits(of.bracket.map(|bracket| bracket.upper)),
+        "highest_state": digits(of.highest_state),
+        "associative": digits(difference.and_then(|difference| difference.associative)),
+        "difference": digits(difference.and_then(|difference| difference.relative)),
+        "explanation": difference.map(|difference| difference.explanation.name()),
+        "explained": of.is_explained(),
+        "doubts": doubts.collect::<Vec<_>>(),
+        "line": of.to_string(),
+    })
+}
+
+fn sides(result: &CaseResult, row: &Row) -> Result<serde_json::Value, serde_json::Error> {
+    let own = (row.push, &row.outcome);
+    let other = row.stronger.iter();
+    let other = other.map(|stronger| (stronger.push, &*stronger.outcome));
+    let sides = std::iter::once(own).chain(other).map(|(push, outcome)| {
+        Ok(json!({
+            "push": push.name(),
+            "status": outcome.status.name(),
+            "lower": outcome.bracket.map(|bracket| bracket.lower),
+            "upper": outcome.bracket.map(|bracket| bracket.upper),
+            "scene": serde_json::to_value(SceneFile::from(result.side(row.head_joints, push)))?,
+            "answers": serde_json::to_value(answers(outcome))?,
+        }))
+    });
+    sides.collect()
 }
 
 fn frame(moved: &Mechanism) -> serde_json::Value {

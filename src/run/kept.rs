@@ -3,7 +3,7 @@
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};
 
 use super::row::Row;
-use crate::answer::{Bracket, Crack, Outcome, Status, Work};
+use crate::answer::{Bracket, Claim, Crack, Fact, Outcome, Status, Work};
 use crate::number::nine_digits;
 use crate::scene::{HeadJoints, Push};
 
@@ -22,6 +22,7 @@ struct KeptRow {
     joints: usize,
     multiplier_unit: f64,
     status: String,
+    claim: String,
     lower: Option<f64>,
     upper: Option<f64>,
     stated_error: Option<f64>,
@@ -31,6 +32,7 @@ struct KeptRow {
     sharp: bool,
     residual: Option<f64>,
     reason: String,
+    refuted: bool,
     /// Blocks that were modelled as movable, linear programs, their iterations, block steps.
     work: [usize; 4],
     seconds: f64,
@@ -39,8 +41,10 @@ struct KeptRow {
 impl From<Row> for KeptRow {
     fn from(row: Row) -> Self {
         let reason = row.outcome.reason();
+        let refuted = row.outcome.is_refuted();
         let Outcome {
             status,
+            claim,
             bracket,
             crack,
             stated_error,
@@ -51,6 +55,7 @@ impl From<Row> for KeptRow {
             head_joints: row.head_joints.name().to_owned(),
             push: row.push.name().to_owned(),
             status: status.name().to_owned(),
+            claim: claim.name().to_owned(),
             lower: bracket.and_then(|b| rounded(b.lower)),
             upper: bracket.and_then(|b| rounded(b.upper)),
             stated_error,
@@ -60,6 +65,7 @@ impl From<Row> for KeptRow {
             sharp: crack.is_none_or(|crack| crack.sharp),
             residual: row.residual.and_then(rounded),
             reason,
+            refuted,
             work: [
                 work.modelled,
                 work.programs,
@@ -104,6 +110,7 @@ impl TryFrom<KeptRow> for Row {
         let head_joints = [HeadJoints::Contact, HeadJoints::Open];
         let pushes = [Push::Right, Push::Left];
         let status = named("status", Status::ALL, Status::name, kept.status)?;
+        let claim = named("claim", Claim::ALL, Claim::name, kept.claim)?;
         let [modelled, programs, iterations, block_steps] = kept.work;
         let ends = kept.lower.zip(kept.upper);
         let crack = kept.tan_beta.map(|tan_beta| Crack {
@@ -121,6 +128,7 @@ impl TryFrom<KeptRow> for Row {
             )?,
             push: named("push", pushes, Push::name, kept.push)?,
             outcome: Outcome {
+                claim,
                 bracket: ends.map(|(lower, upper)| Bracket { lower, upper }),
                 crack,
                 stated_error: kept.stated_error,
@@ -130,7 +138,14 @@ impl TryFrom<KeptRow> for Row {
                     iterations,
                     block_steps,
                 },
-                ..Outcome::without_number(status, kept.reason)
+                ..Outcome::without_number(
+                    status,
+                    if kept.refuted {
+                        Fact::KeptRefutation(kept.reason)
+                    } else {
+                        Fact::Words(kept.reason)
+                    },
+                )
             },
             id: kept.id,
             case: kept.case,
@@ -142,6 +157,7 @@ impl TryFrom<KeptRow> for Row {
             multiplier_unit: kept.multiplier_unit,
             residual: kept.residual,
             seconds: kept.seconds,
+            stronger: None,
             references: Vec::new(),
             verdict: None,
         })

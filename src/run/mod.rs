@@ -16,7 +16,7 @@ mod weaker;
 pub use columns::{Audience, COLUMNS, Column, Value, column, csv, values};
 pub use progress::Progress;
 pub use results::{CaseResult, Plan, Results, run, run_into};
-pub use row::{Row, scene_name};
+pub use row::{Row, StrongerSide, scene_name};
 pub use schedule::InOrder;
 pub(crate) use schedule::longest_first;
 pub use task::{Sides, Subject, Task, answer};

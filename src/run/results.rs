@@ -8,9 +8,9 @@ use super::schedule::{InOrder, longest_first};
 use super::task::{Subject, Task};
 use crate::answer::Outcome;
 use crate::case::Case;
-use crate::judge::{Answers, Check, cross_check, open_never_raises, reference_checks};
+use crate::judge::{Check, Conclusion, conclude, cross_check, open_never_raises, reference_checks};
 use crate::method::{Method, Settings};
-use crate::scene::{HeadJoints, Scene};
+use crate::scene::{HeadJoints, Push, Scene};
 
 /// Everything about one case.
 #[derive(Clone, Debug)]
@@ -24,6 +24,8 @@ pub struct CaseResult {
     pub rows: Vec<Row>,
     /// The cross-check and the references.
     pub checks: Vec<Check>,
+    /// What it all comes to, one a head-joint setting.
+    pub conclusions: Vec<Conclusion>,
 }
 
 impl CaseResult {
@@ -32,22 +34,32 @@ impl CaseResult {
     /// # Panics
     /// Where the row is of another result.
     pub fn scene(&self, row: &Row) -> &Scene {
+        self.side(row.head_joints, row.push)
+    }
+
+    /// The scene of a head-joint setting and a direction of the push.
+    ///
+    /// # Panics
+    /// Where it did not run.
+    pub fn side(&self, head_joints: HeadJoints, push: Push) -> &Scene {
         let scenes = self.scenes.iter();
-        let mut of_row = scenes.filter(|(head_joints, _)| *head_joints == row.head_joints);
-        let sides = of_row.next().map(|(_, sides)| sides.as_slice());
+        let mut of_setting = scenes.filter(|(setting, _)| *setting == head_joints);
+        let sides = of_setting.next().map(|(_, sides)| sides.as_slice());
         let mut sides = sides.unwrap_or_default().iter();
-        let scene = sides.find(|scene| scene.push() == row.push);
-        scene.expect("the row is of this result")
+        let scene = sides.find(|scene| scene.push() == push);
+        scene.expect("this side ran")
     }
 
     fn new(case: Case, scenes: Vec<(HeadJoints, Vec<Scene>)>, mut rows: Vec<Row>) -> Self {
         let checks = checks(&case, &scenes, &rows);
         rows.iter_mut().for_each(|row| row.compare(&case, &checks));
+        let conclusions = conclusions(&scenes, &rows);
         Self {
             case,
             scenes,
             rows,
             checks,
+            conclusions,
         }
     }
 }
@@ -137,30 +149,51 @@ pub fn run_into(
     });
 }
 
+/// The answers of a head-joint setting.
+fn answers(rows: &[Row], head_joints: HeadJoints) -> Vec<(&str, &Outcome)> {
+    let of_setting = rows.iter().filter(|row| row.head_joints == head_joints);
+    of_setting
+        .map(|row| (row.method.as_str(), &row.outcome))
+        .collect()
+}
+
 fn checks(case: &Case, scenes: &[(HeadJoints, Vec<Scene>)], rows: &[Row]) -> Vec<Check> {
-    let of_setting = |head_joints| {
-        let of_setting = rows
-            .iter()
-            .filter(move |row| row.head_joints == head_joints);
-        of_setting.map(|row| (row, (row.method.as_str(), &row.outcome)))
-    };
-    let answers = |head_joints| -> Vec<(&str, &Outcome)> {
-        of_setting(head_joints).map(|(_, answer)| answer).collect()
-    };
     let mut checks = Vec::new();
     for (head_joints, sides) in scenes {
         // What holds between methods holds for one and the same scene.
         for scene in sides {
-            let of_side = of_setting(*head_joints).filter(|(row, _)| row.push == scene.push());
-            let of_side: Vec<_> = of_side.map(|(_, answer)| answer).collect();
-            checks.extend(cross_check(*head_joints, &of_side));
+            let of_side = rows
+                .iter()
+                .filter(|row| row.head_joints == *head_joints && row.push == scene.push());
+            let of_side: Vec<_> = of_side
+                .map(|row| (row.method.as_str(), &row.outcome))
+                .collect();
+            checks.extend(cross_check(scene, &of_side));
         }
         let unit = sides.first().map_or(1.0, Scene::multiplier_unit);
-        let answers = answers(*head_joints);
+        let answers = answers(rows, *head_joints);
         checks.extend(reference_checks(case, *head_joints, &answers, unit));
     }
-    let (contact, open) = (answers(HeadJoints::Contact), answers(HeadJoints::Open));
-    let (contact, open): (&Answers, &Answers) = (&contact, &open);
-    checks.extend(open_never_raises(contact, open));
+    let scene = |wanted| {
+        let found = scenes
+            .iter()
+            .find(|(head_joints, _)| *head_joints == wanted);
+        found.and_then(|(_, sides)| sides.first())
+    };
+    let both = scene(HeadJoints::Contact).zip(scene(HeadJoints::Open));
+    if let Some((contact, open)) = both {
+        checks.extend(open_never_raises(
+            (contact, &answers(rows, HeadJoints::Contact)),
+            (open, &answers(rows, HeadJoints::Open)),
+        ));
+    }
     checks
+}
+
+fn conclusions(scenes: &[(HeadJoints, Vec<Scene>)], rows: &[Row]) -> Vec<Conclusion> {
+    let with_sides = scenes.iter().filter_map(|(head_joints, sides)| {
+        let scene = sides.first()?;
+        Some(conclude(scene, &answers(rows, *head_joints)))
+    });
+    with_sides.collect()
 }

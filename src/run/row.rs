@@ -34,6 +34,8 @@ pub struct Row {
     pub multiplier_unit: f64,
     /// The answer, its status set by the judge.
     pub outcome: Outcome,
+    /// The answer for the other direction of a wall that is pushed both ways.
+    pub stronger: Option<StrongerSide>,
     /// Residual that the judge computed, where there was something to judge.
     pub residual: Option<f64>,
     /// CPU time of the method over all sides, seconds. The only thing here that is not the same in
@@ -43,6 +45,15 @@ pub struct Row {
     pub references: Vec<Reference>,
     /// The worst verdict about this row; `None` where there is nothing to compare it with.
     pub verdict: Option<Verdict>,
+}
+
+/// Of a wall that is pushed both ways, the side that does not count.
+#[derive(Clone, Debug)]
+pub struct StrongerSide {
+    /// Direction of its push.
+    pub push: Push,
+    /// The judged answer.
+    pub outcome: Box<Outcome>,
 }
 
 impl Row {

@@ -7,7 +7,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use cpu_time::ThreadTime;
 
-use super::row::{Row, scene_name};
+use super::row::{Row, StrongerSide, scene_name};
 use super::weaker::{Answer, weaker};
 use crate::answer::{Outcome, Status};
 use crate::fingerprint::Fingerprint;
@@ -145,6 +145,10 @@ impl<'a> Task<'a> {
             joints: scene.joints().len(),
             multiplier_unit: scene.multiplier_unit(),
             outcome: answer.outcome,
+            stronger: answer.stronger.map(|stronger| StrongerSide {
+                push: stronger.scene.push(),
+                outcome: Box::new(stronger.outcome),
+            }),
             residual: answer.residual,
             seconds: answer.seconds,
             references: Vec::new(),
@@ -169,6 +173,7 @@ impl<'a> Task<'a> {
             outcome,
             residual,
             seconds: spent.as_secs_f64(),
+            stronger: None,
         }
     }
 }

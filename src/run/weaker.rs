@@ -13,6 +13,8 @@ pub(super) struct Answer<'a> {
     pub residual: Option<f64>,
     /// CPU time of the method, seconds.
     pub seconds: f64,
+    /// The answer of the side that does not count, where the wall is pushed both ways.
+    pub stronger: Option<Box<Answer<'a>>>,
 }
 
 /// Multipliers nearer than this, relative to the larger, are those of sides alike.
@@ -48,7 +50,11 @@ pub(super) fn weaker(mut answers: Vec<Answer>) -> Answer {
     };
     answer.outcome.facts.insert(0, side.into());
     answer.outcome.work = work;
-    Answer { seconds, ..answer }
+    Answer {
+        seconds,
+        stronger: answers.pop().map(Box::new),
+        ..answer
+    }
 }
 
 /// Whether a side gives way before another. Of sides that differ by rounding alone neither does: it
@@ -106,6 +112,7 @@ mod tests {
             outcome,
             residual: None,
             seconds: 1.0,
+            stronger: None,
         });
         let answer = weaker(answers.collect());
         assert_eq!(answer.seconds, 2.0);

@@ -103,6 +103,11 @@ impl Assembly {
         }
     }
 
+    /// Names of the blocks, in their order.
+    pub fn block_names(&self) -> Vec<String> {
+        self.blocks.iter().map(|block| block.name.clone()).collect()
+    }
+
     fn loaded(&self, push: Push) -> Vec<Block> {
         let sideways = if self.forces.weight_is_live {
             push.sign()

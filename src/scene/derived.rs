@@ -2,6 +2,7 @@
 
 use super::block::{Block, Load};
 use super::joints::{Joint, JointClass, Side};
+use super::labels::Labels;
 use super::model::Scene;
 use super::polygon::{Point, Polygon, PolygonError, Vector};
 use super::push::{HeadJoints, Push};
@@ -33,6 +34,12 @@ impl Scene {
         self
     }
 
+    /// The scene with these names.
+    pub fn with_labels(mut self, labels: Labels) -> Self {
+        self.labels = labels;
+        self
+    }
+
     /// The scene without what only a coursed wall has.
     pub fn without_wall(mut self) -> Self {
         self.wall = None;
@@ -55,6 +62,7 @@ impl Scene {
             head_joints: self.head_joints,
             push: self.push,
             wall: self.wall.clone(),
+            labels: Labels::default(),
         }
     }
 

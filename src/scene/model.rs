@@ -2,6 +2,7 @@
 
 use super::block::Block;
 use super::joints::Joint;
+use super::labels::Labels;
 use super::polygon::{Point, Polygon};
 use super::push::{HeadJoints, Push};
 use super::regular::{Coursing, Irregularity, RegularWall, WallFacts};
@@ -22,6 +23,8 @@ pub struct Scene {
     pub(super) push: Push,
     /// What only a coursed wall has.
     pub(super) wall: Option<WallFacts>,
+    /// What its case calls it and its blocks.
+    pub(super) labels: Labels,
 }
 
 impl Scene {
@@ -48,6 +51,11 @@ impl Scene {
     /// What only a coursed wall has.
     pub fn wall(&self) -> Option<&WallFacts> {
         self.wall.as_ref()
+    }
+
+    /// What its case calls it and its blocks; empty where it is of none.
+    pub fn labels(&self) -> &Labels {
+        &self.labels
     }
 
     /// Direction of the live load.

@@ -3,6 +3,7 @@
 use super::block::{Block, Load};
 use super::friction::Friction;
 use super::joints::{JointClass, TOUCHING, find_joints};
+use super::labels::Labels;
 use super::model::Scene;
 use super::polygon::Polygon;
 use super::push::{HeadJoints, Push};
@@ -107,6 +108,7 @@ impl Scene {
             head_joints: HeadJoints::Contact,
             push: parts.push,
             wall: parts.wall,
+            labels: Labels::default(),
         })
     }
 }

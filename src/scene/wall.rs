@@ -2,7 +2,6 @@
 
 use super::block::{Block, Load};
 use super::friction::Friction;
-use super::joints::Side;
 use super::model::Scene;
 use super::parts::{SceneError, SceneParts};
 use super::polygon::{Point, Polygon, PolygonError, Vector};
@@ -67,20 +66,6 @@ pub enum WallError {
         /// The course.
         course: usize,
     },
-    /// No block of the course lies on a block of the course below.
-    #[error("course {course} has nothing under it")]
-    Unsupported {
-        /// The course.
-        course: usize,
-    },
-    /// A block that touches nothing, even with head joints in contact.
-    #[error("course {course}: the block at piece {piece} touches no other block")]
-    Floating {
-        /// The course.
-        course: usize,
-        /// The piece.
-        piece: usize,
-    },
     /// The dimensions give no usable block.
     #[error("a block of this size cannot be laid: {0}")]
     Shape(#[from] PolygonError),
@@ -89,17 +74,31 @@ pub enum WallError {
     Scene(#[from] SceneError),
 }
 
-/// A laid block and where it came from.
+/// A laid block and its course.
 struct Laid {
     shape: Polygon,
     course: usize,
-    piece: usize,
 }
 
 impl Wall {
     /// Height H.
     pub fn height(&self) -> f64 {
         self.courses.len() as f64 * self.unit_height
+    }
+
+    /// Where every block lies, in the order of the scene's blocks. Courses count from the bottom,
+    /// pieces from the left with gaps.
+    pub fn block_names(&self) -> Vec<String> {
+        let places = self
+            .courses
+            .iter()
+            .enumerate()
+            .flat_map(|(course, pieces)| {
+                let blocks = pieces.iter().enumerate();
+                let blocks = blocks.filter(|(_, piece)| **piece != Piece::Gap);
+                blocks.map(move |(piece, _)| format!("course {} piece {}", course + 1, piece + 1))
+            });
+        places.collect()
     }
 
     fn width(&self, piece: Piece) -> f64 {
@@ -121,7 +120,6 @@ impl Wall {
     /// [`WallError`] where the courses do not make a wall.
     pub fn scene(&self, head_joints: HeadJoints) -> Result<Scene, WallError> {
         let laid = self.lay()?;
-        let places: Vec<(usize, usize)> = laid.iter().map(|b| (b.course, b.piece)).collect();
         let blocks = laid.into_iter().map(|block| self.load(block)).collect();
         let scene = Scene::new(SceneParts {
             push: self.push,
@@ -131,17 +129,6 @@ impl Wall {
             }),
             ..SceneParts::new(blocks, vec![self.ground()?], self.friction)
         })?;
-        let mut touched = vec![false; places.len()];
-        for joint in scene.joints() {
-            touched[joint.to] = true;
-            if let Side::Block(from) = joint.from {
-                touched[from] = true;
-            }
-        }
-        if let Some(i) = touched.iter().position(|touched| !touched) {
-            let (course, piece) = (places[i].0 + 1, places[i].1 + 1);
-            return Err(WallError::Floating { course, piece });
-        }
         Ok(scene.with_head_joints(head_joints))
     }
 
@@ -150,12 +137,11 @@ impl Wall {
             return Err(WallError::NoCourses);
         }
         let mut laid = Vec::new();
-        let mut below: Vec<(f64, f64)> = Vec::new();
         for (course, pieces) in self.courses.iter().enumerate() {
-            let mut spans = Vec::new();
+            let before = laid.len();
             // Positions as counts of quarter units: no sum of rounded widths along a long course.
             let (mut quarters, mut parts) = (0u32, 0.0);
-            for (piece, &kind) in pieces.iter().enumerate() {
+            for &kind in pieces {
                 let at = |count: u32, parts: f64| {
                     (f64::from(count) + 4.0 * parts) * (self.unit_length / 4.0)
                 };
@@ -172,22 +158,11 @@ impl Wall {
                 let x1 = at(quarters, parts);
                 let level = |n: usize| n as f64 * self.unit_height;
                 let shape = Polygon::rectangle(x0, x1, level(course), level(course + 1))?;
-                laid.push(Laid {
-                    shape,
-                    course,
-                    piece,
-                });
-                spans.push((x0, x1));
+                laid.push(Laid { shape, course });
             }
-            if spans.is_empty() {
+            if laid.len() == before {
                 return Err(WallError::EmptyCourse { course: course + 1 });
             }
-            let rests =
-                |&(x0, x1): &(f64, f64)| below.iter().any(|&(b0, b1)| x0.max(b0) < x1.min(b1));
-            if course > 0 && !spans.iter().any(rests) {
-                return Err(WallError::Unsupported { course: course + 1 });
-            }
-            below = spans;
         }
         Ok(laid)
     }

@@ -22,8 +22,17 @@ pub enum AutoFact {
     },
     /// How far the multiplier is from being unique.
     Uniqueness(Uniqueness),
-    /// What was not needed, beside the sequential method and the pushover, which never are.
+    /// Another method lies below the lowest state, and a longer search found none that low.
+    LowerHeard {
+        /// Its multiplier.
+        lambda: f64,
+        /// How far below the lowest state, relative to that.
+        below: f64,
+    },
+    /// What was not needed, beside the pushover, which never is.
     Saved {
+        /// Whether the sequential method was not.
+        sequential: bool,
         /// Blocks that were not modelled.
         blocks: usize,
         /// All blocks.
@@ -72,12 +81,27 @@ impl fmt::Display for AutoFact {
                 write!(f, "no collapse state is proved below λ_A = {lambda}")
             }
             AutoFact::Uniqueness(ref gap) => gap.fmt(f),
-            AutoFact::Saved { blocks, of_blocks } => {
+            AutoFact::LowerHeard { lambda, below } => {
+                let (lambda, below) = (short(lambda, 5), short(100.0 * below, 1));
+                write!(
+                    f,
+                    "a lower state may exist: sequential {lambda} lies {below} % below the lowest \
+                     found"
+                )
+            }
+            AutoFact::Saved {
+                sequential,
+                blocks,
+                of_blocks,
+            } => {
                 write!(f, "saved: ")?;
                 if blocks > 0 {
                     write!(f, "{blocks} of {of_blocks} blocks, ")?;
                 }
-                write!(f, "sequential and pushover")
+                if sequential {
+                    write!(f, "sequential and ")?;
+                }
+                write!(f, "pushover")
             }
         }
     }

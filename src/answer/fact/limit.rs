@@ -8,7 +8,10 @@ use super::super::block_residual::BlockResidual;
 #[derive(Clone, Debug, PartialEq)]
 pub enum LimitFact {
     /// The scene falls: the mechanism is the proof.
-    MovesUnpushed,
+    MovesUnpushed {
+        /// Names of the blocks that come down, in the scene's order; empty where all of them do.
+        first: Vec<String>,
+    },
     /// The scene stands: the ray of forces is the proof.
     ForcesWithoutLimit,
     /// Neither forces nor a mechanism prove whether the scene stands under its own weight.
@@ -50,7 +53,10 @@ pub enum LimitFact {
 impl fmt::Display for LimitFact {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            LimitFact::MovesUnpushed => write!(f, "a mechanism moves without any push"),
+            LimitFact::MovesUnpushed { first } => {
+                write!(f, "a mechanism moves without any push")?;
+                write_first(f, first)
+            }
             LimitFact::ForcesWithoutLimit => {
                 write!(f, "forces grow with the push without limit")
             }
@@ -90,6 +96,25 @@ impl fmt::Display for LimitFact {
                 f,
                 "no collapse state found; with associative friction none exists"
             ),
+        }
+    }
+}
+
+/// Names that are written out at most; of more, the first ones are, and the others are counted.
+const NAMED: usize = 4;
+
+/// The blocks that move first, as the end of a sentence.
+fn write_first(f: &mut fmt::Formatter<'_>, first: &[String]) -> fmt::Result {
+    match first {
+        [] => Ok(()),
+        [one] => write!(f, ": {one} moves first"),
+        [named @ .., last] if named.len() < NAMED => {
+            write!(f, ": {} and {last} move first", named.join(", "))
+        }
+        _ => {
+            let (named, others) = first.split_at(NAMED - 1);
+            let others = others.len();
+            write!(f, ": {} and {others} others move first", named.join(", "))
         }
     }
 }

@@ -19,7 +19,7 @@ pub use judged::{CeilingSlack, JudgedFact, Residuals};
 pub use limit::{LimitFact, SolverEnding};
 pub use program::{ProgramEnding, ProgramFailure};
 pub use pushover::PushoverFact;
-pub use search::{SearchEnding, SearchFacts, SearchFailure, SearchStart, StartEnding};
+pub use search::{Coverage, SearchEnding, SearchFacts, SearchFailure, SearchStart, StartEnding};
 pub use sequential::{SequentialEnding, SequentialFacts};
 pub use side::SideFact;
 
@@ -28,6 +28,8 @@ pub use side::SideFact;
 pub enum Fact {
     /// Free words: those of an outside program, or of a panic.
     Words(String),
+    /// What the judge refuted, in the words that a file kept of it.
+    KeptRefutation(String),
     /// Why the closed form does not apply.
     ClosedForm(InapplicableForm),
     /// What a limit analysis proves, or fails to.
@@ -56,6 +58,7 @@ impl Fact {
             Fact::Pushover(fact) => fact.introduces_next(),
             Fact::Side(fact) => fact.introduces_next(),
             Fact::Words(_)
+            | Fact::KeptRefutation(_)
             | Fact::ClosedForm(_)
             | Fact::Limit(_)
             | Fact::Search(_)
@@ -69,7 +72,7 @@ impl Fact {
 impl fmt::Display for Fact {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Fact::Words(words) => f.write_str(words),
+            Fact::Words(words) | Fact::KeptRefutation(words) => f.write_str(words),
             Fact::ClosedForm(fact) => fact.fmt(f),
             Fact::Limit(fact) => fact.fmt(f),
             Fact::Search(fact) => fact.fmt(f),

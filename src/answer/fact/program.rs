@@ -56,9 +56,15 @@ pub enum ProgramFailure {
         /// Which, and what else may be meant.
         keys: &'static str,
     },
-    /// An upper end beside a proof, which has its own.
-    #[error("`upper` goes with the kind `estimate` only")]
+    /// An upper end or a stated error beside a proof, which has its own.
+    #[error("`upper` and `stated_error` go with the kind `estimate` only")]
     UpperOfAProof,
+    /// A stated error that is negative or above 1.
+    #[error("`stated_error` {error} is no relative error: write a number from 0 to 1")]
+    NoRelativeError {
+        /// The number.
+        error: f64,
+    },
     /// The ends of the bracket are the wrong way round.
     #[error("`lambda` {lower} is above `upper` {upper}")]
     EndsCross {

@@ -2,11 +2,15 @@
 
 use std::fmt;
 
+use crate::answer::bracket::magnitude;
+
 /// How every start of a search for collapse states ended, in the order in which they ran.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SearchFacts {
     /// One ending a start; a search that may stop early has fewer than it was allowed.
     pub starts: Vec<StartEnding>,
+    /// Unit of λ of the scene, which tells small differences of λ.
+    pub multiplier_unit: f64,
 }
 
 /// Where one start began and how it ended.
@@ -29,23 +33,31 @@ pub enum SearchStart {
     Frozen,
     /// Those under the own weight, where there is no associative state.
     OwnWeight,
-    /// Those of the associative state, or under the own weight, each scaled at random.
-    Scaled,
     /// Those of a state of a scene that differs little.
     Neighbour,
-}
-
-impl SearchStart {
-    fn name(self) -> &'static str {
-        match self {
-            SearchStart::OpenState => "open state",
-            SearchStart::Associative => "associative",
-            SearchStart::Frozen => "frozen",
-            SearchStart::OwnWeight => "own weight",
-            SearchStart::Scaled => "scaled",
-            SearchStart::Neighbour => "neighbour",
-        }
-    }
+    /// Those of the lowest state with open head joints, each scaled at random.
+    OpenScaled,
+    /// Those under the own weight, each reduced at random.
+    OwnWeightReduced,
+    /// Those under the own weight, half of them reduced to a twentieth.
+    OwnWeightThinned,
+    /// Of one order of magnitude in all joints, at random.
+    Even,
+    /// Those of a random force state at a random λ below λ_A.
+    Statics,
+    /// The same, each scaled at random.
+    StaticsScaled,
+    /// Those of a random force state at a random λ below the lowest state known.
+    StaticsBelow,
+    /// Those of the force state with the largest λ less random prices of the normal forces.
+    Priced,
+    /// Those of the lowest state known, each raised a little at random.
+    LowestRaised,
+    /// Those of the lowest state known, each scaled at random.
+    LowestScaled,
+    /// Those of the force state nearest to the lowest state's mechanism with its slips changed at
+    /// random.
+    LowestRepriced,
 }
 
 /// How a start ended.
@@ -55,8 +67,6 @@ pub enum SearchEnding {
     Verified {
         /// λ of the lowest one.
         lowest: f64,
-        /// λ of the highest one of the same mechanism, where that is a state of the whole scene.
-        highest: Option<f64>,
     },
     /// Without.
     Failed(SearchFailure),
@@ -104,60 +114,96 @@ impl fmt::Display for SearchFailure {
     }
 }
 
+/// Largest difference of λ between states that count as one, relative to the [`magnitude`]
+/// of λ.
+const SAME_LAMBDA: f64 = 1e-6;
+
+/// How far the starts of a search cover the states that there are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Coverage {
+    /// Starts.
+    pub starts: usize,
+    /// Starts that ended with a collapse state.
+    pub verified: usize,
+    /// States that differ in λ.
+    pub distinct: usize,
+    /// Starts that ended with the lowest state.
+    pub lowest_met: usize,
+    /// Share of further starts that would end with a state not met so far, estimated by the share of
+    /// starts whose state no other one met (Good 1953, Biometrika 40, 237-264, after Turing).
+    pub unseen: f64,
+}
+
 impl SearchFacts {
     /// Starts that ended with collapse states.
     pub fn verified(&self) -> usize {
-        verified(&self.starts)
+        self.lambdas().len()
     }
 
     /// Starts that ended with this failure.
     pub fn failed(&self, failure: SearchFailure) -> usize {
-        failed(&self.starts, failure)
+        let failed = |start: &&StartEnding| start.ending == SearchEnding::Failed(failure);
+        self.starts.iter().filter(failed).count()
+    }
+
+    /// λ of the verified starts, ascending.
+    fn lambdas(&self) -> Vec<f64> {
+        let verified = self.starts.iter().filter_map(|start| match start.ending {
+            SearchEnding::Verified { lowest } => Some(lowest),
+            SearchEnding::Failed(_) => None,
+        });
+        let mut lambdas: Vec<f64> = verified.collect();
+        lambdas.sort_by(f64::total_cmp);
+        lambdas
+    }
+
+    /// How far the starts cover the states.
+    pub fn coverage(&self) -> Coverage {
+        let lambdas = self.lambdas();
+        let same = |a: &f64, b: &f64| b - a <= SAME_LAMBDA * magnitude(*a, self.multiplier_unit);
+        let met: Vec<usize> = lambdas.chunk_by(same).map(<[f64]>::len).collect();
+        let once = met.iter().filter(|&&times| times == 1).count();
+        Coverage {
+            starts: self.starts.len(),
+            verified: lambdas.len(),
+            distinct: met.len(),
+            lowest_met: met.first().copied().unwrap_or(0),
+            unseen: once as f64 / lambdas.len().max(1) as f64,
+        }
     }
 }
-
-fn verified(starts: &[StartEnding]) -> usize {
-    let verified = |start: &&StartEnding| matches!(start.ending, SearchEnding::Verified { .. });
-    starts.iter().filter(verified).count()
-}
-
-fn failed(starts: &[StartEnding], failure: SearchFailure) -> usize {
-    let failed = |start: &&StartEnding| start.ending == SearchEnding::Failed(failure);
-    starts.iter().filter(failed).count()
-}
-
-/// Starts that a text lists one by one; of the others it gives counts.
-const LISTED_STARTS: usize = 8;
 
 impl fmt::Display for SearchFacts {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let listed = self.starts.len().min(LISTED_STARTS);
-        let (first, others) = self.starts.split_at(listed);
-        let mut texts: Vec<String> = first.iter().map(StartEnding::to_string).collect();
-        if !others.is_empty() {
-            let count = others.len();
-            texts.push(format!("and {count} more: {} verified", verified(others)));
+        let coverage = self.coverage();
+        let counted = |count: usize, word: &str| match count {
+            1 => format!("1 {word}"),
+            _ => format!("{count} {word}s"),
+        };
+        let mut texts = Vec::new();
+        if coverage.verified > 0 {
+            texts.push(format!(
+                "{} of {} reached {}, the lowest {}; of further starts about {:.0} % would reach a \
+                 new one (Good-Turing)",
+                coverage.verified,
+                counted(coverage.starts, "start"),
+                counted(coverage.distinct, "state"),
+                counted(coverage.lowest_met, "time"),
+                100.0 * coverage.unseen
+            ));
+        } else {
+            texts.push(format!(
+                "no state from {}",
+                counted(coverage.starts, "start")
+            ));
         }
         for failure in SearchFailure::ALL {
-            let count = failed(others, failure);
+            let count = self.failed(failure);
             if count > 0 {
-                texts.push(format!("{count} {failure}"));
+                texts.push(format!("{}: {failure}", counted(count, "start")));
             }
         }
         f.write_str(&texts.join(", "))
-    }
-}
-
-impl fmt::Display for StartEnding {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let name = self.start.name();
-        match self.ending {
-            SearchEnding::Verified { lowest, highest } => {
-                write!(f, "{name}: {lowest:.5}")?;
-                highest.map_or(Ok(()), |highest| write!(f, " to {highest:.5}"))
-            }
-            SearchEnding::Failed(failure) => write!(f, "{name}: {failure}"),
-        }
     }
 }
 
@@ -166,28 +212,40 @@ mod tests {
     use super::*;
 
     #[test]
-    fn many_starts_are_listed_first_and_then_counted() {
-        let ending = |k: usize| match k % 3 {
-            0 => SearchEnding::Verified {
-                lowest: 0.5,
-                highest: (k == 0).then_some(0.6),
+    fn coverage_counts_states_and_how_often_they_are_met() {
+        let lambdas = [Some(0.5), Some(0.5 + 1e-8), Some(0.4), None, Some(0.6)];
+        let starts = lambdas.map(|lambda| StartEnding {
+            start: SearchStart::Even,
+            ending: match lambda {
+                Some(lowest) => SearchEnding::Verified { lowest },
+                None => SearchEnding::Failed(SearchFailure::GapOpen),
             },
-            1 => SearchEnding::Failed(SearchFailure::GapOpen),
-            _ => SearchEnding::Failed(SearchFailure::Infeasible),
-        };
-        let starts = (0..12).map(|k| StartEnding {
-            start: SearchStart::Scaled,
-            ending: ending(k),
         });
         let facts = SearchFacts {
-            starts: starts.collect(),
+            starts: starts.to_vec(),
+            multiplier_unit: 1.0,
         };
-        assert_eq!(facts.verified(), 4);
-        assert_eq!(facts.failed(SearchFailure::GapOpen), 4);
-        let text = facts.to_string();
-        assert!(text.starts_with("scaled: 0.50000 to 0.60000, scaled: gap stayed open, "));
-        assert!(
-            text.ends_with(", and 4 more: 1 verified, 1 gap stayed open, 2 program infeasible")
+        let expected = Coverage {
+            starts: 5,
+            verified: 4,
+            distinct: 3,
+            lowest_met: 1,
+            unseen: 0.5,
+        };
+        assert_eq!(facts.coverage(), expected);
+        assert_eq!(
+            facts.to_string(),
+            "4 of 5 starts reached 3 states, the lowest 1 time; of further starts about 50 % would \
+             reach a new one (Good-Turing), 1 start: gap stayed open"
+        );
+        let none = SearchFacts {
+            starts: starts[3..4].to_vec(),
+            multiplier_unit: 1.0,
+        };
+        assert_eq!(none.coverage().unseen, 0.0);
+        assert_eq!(
+            none.to_string(),
+            "no state from 1 start, 1 start: gap stayed open"
         );
     }
 }

@@ -7,15 +7,6 @@ use crate::scene::{Course, Piece};
 /// Most pieces in one course.
 pub(super) const MOST_PIECES: usize = 10_000;
 
-/// A course with the place in its text that each piece was read from.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct CourseString {
-    /// Pieces from left to right.
-    pub pieces: Course,
-    /// For each piece, the letter with its count.
-    pub places: Vec<Range<usize>>,
-}
-
 /// What is wrong with a course string, and where in it (bytes).
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct CourseError {
@@ -31,44 +22,38 @@ pub(super) struct CourseError {
 const PIECES: &str =
     "write `1` for a unit, `h` for half a unit, `q` for a quarter and `g` for a gap one unit wide";
 
-impl CourseString {
-    /// Reads a course string.
-    pub fn read(text: &str) -> Result<Self, CourseError> {
-        let mut course = CourseString {
-            pieces: Vec::new(),
-            places: Vec::new(),
-        };
-        let mut at = 0;
-        while let Some(letter) = text[at..].chars().next() {
-            let start = at;
-            at += letter.len_utf8();
-            if letter == ' ' {
-                continue;
-            }
-            let piece = piece(letter).ok_or_else(|| unknown(letter, start))?;
-            let mut count = 1;
-            if text[at..].starts_with('*') {
-                (count, at) = read_count(text, at)?;
-            }
-            if course.pieces.len() + count > MOST_PIECES {
-                return Err(CourseError {
-                    place: start..at,
-                    title: format!("a course of more than {MOST_PIECES} pieces"),
-                    help: format!("keep a course to {MOST_PIECES} pieces"),
-                });
-            }
-            course.pieces.extend((0..count).map(|_| piece));
-            course.places.extend((0..count).map(|_| start..at));
+/// Reads a course string.
+pub(super) fn read_course(text: &str) -> Result<Course, CourseError> {
+    let mut course = Vec::new();
+    let mut at = 0;
+    while let Some(letter) = text[at..].chars().next() {
+        let start = at;
+        at += letter.len_utf8();
+        if letter == ' ' {
+            continue;
         }
-        if course.pieces.is_empty() {
+        let piece = piece(letter).ok_or_else(|| unknown(letter, start))?;
+        let mut count = 1;
+        if text[at..].starts_with('*') {
+            (count, at) = read_count(text, at)?;
+        }
+        if course.len() + count > MOST_PIECES {
             return Err(CourseError {
-                place: 0..text.len(),
-                title: "a course without pieces".into(),
-                help: PIECES.into(),
+                place: start..at,
+                title: format!("a course of more than {MOST_PIECES} pieces"),
+                help: format!("keep a course to {MOST_PIECES} pieces"),
             });
         }
-        Ok(course)
+        course.extend((0..count).map(|_| piece));
     }
+    if course.is_empty() {
+        return Err(CourseError {
+            place: 0..text.len(),
+            title: "a course without pieces".into(),
+            help: PIECES.into(),
+        });
+    }
+    Ok(course)
 }
 
 fn piece(letter: char) -> Option<Piece> {
@@ -137,15 +122,13 @@ mod tests {
 
     #[test]
     fn pieces_counts_and_spaces() {
-        let course = CourseString::read("h 1*3g  1*1h").unwrap();
-        assert_eq!(course.pieces, [Half, Unit, Unit, Unit, Gap, Unit, Half]);
-        assert_eq!(course.places[2], 2..5);
-        assert_eq!(course.places[6], 11..12);
+        let course = read_course("h 1*3g  1*1h").unwrap();
+        assert_eq!(course, [Half, Unit, Unit, Unit, Gap, Unit, Half]);
     }
 
     #[test]
     fn mistakes_are_placed_in_the_string() {
-        let place = |text: &str| CourseString::read(text).unwrap_err().place;
+        let place = |text: &str| read_course(text).unwrap_err().place;
         assert_eq!(place("h1x1h"), 2..3);
         assert_eq!(place("h1*0h"), 3..4);
         assert_eq!(place("1*"), 1..2);

@@ -6,7 +6,7 @@ use toml::Spanned;
 
 use super::bond::courses_in_bond;
 use super::checks::{MOST_BLOCKS, too_many_courses, whole};
-use super::course_string::CourseString;
+use super::course_string::read_course;
 use super::file::CaseFile;
 use super::values::{CoursesValue, WholeNumber};
 use crate::case::complaint::{Complaint, Document};
@@ -16,20 +16,16 @@ use crate::scene::Course;
 pub(super) struct PlacedCourses {
     /// Every course.
     pub courses: Vec<Course>,
-    /// Per course string: its span, and those of its pieces. Empty for a bond.
-    strings: Vec<(Range<usize>, Vec<Range<usize>>)>,
+    /// Span of every course string. Empty for a bond.
+    strings: Vec<Range<usize>>,
 }
 
 impl PlacedCourses {
     /// The string of a course, which counts from 1 over all repeats.
     pub fn course_place(&self, course: usize) -> Option<Range<usize>> {
-        Some(self.string(course)?.0.clone())
-    }
-
-    /// The text of a piece, which counts from 1.
-    pub fn piece_place(&self, course: usize, piece: usize) -> Option<Range<usize>> {
-        let (_, pieces) = self.string(course)?;
-        pieces.get(piece.checked_sub(1)?).cloned()
+        let index = course.checked_sub(1)?;
+        let string = self.strings.get(index.checked_rem(self.strings.len())?)?;
+        Some(string.clone())
     }
 
     /// What the underlined text is.
@@ -40,11 +36,6 @@ impl PlacedCourses {
             Some(turn) => format!("in course {course}: here, in repeat {}", turn + 1),
             None => "here".into(),
         }
-    }
-
-    fn string(&self, course: usize) -> Option<&(Range<usize>, Vec<Range<usize>>)> {
-        let index = course.checked_sub(1)?;
-        self.strings.get(index.checked_rem(self.strings.len())?)
     }
 }
 
@@ -90,7 +81,7 @@ fn from_strings(
             .complain(span, "a wall without courses", "no course in here")
             .help("write the courses from bottom to top: `courses = [\"h1111h\", \"11111\"]`"));
     }
-    let (mut list, mut places) = (Vec::new(), Vec::new());
+    let mut list = Vec::new();
     for (span, text) in strings {
         // Where the text begins behind its quotes; unknown if it was written with escapes.
         let begin = document.at(span.clone()).find(text);
@@ -98,13 +89,12 @@ fn from_strings(
             Some(start) if !place.is_empty() => start + place.start..start + place.end,
             _ => span.clone(),
         };
-        let read = CourseString::read(text).map_err(|error| {
+        let read = read_course(text).map_err(|error| {
             document
                 .complain(inside(&error.place), error.title, "here")
                 .help(error.help)
         })?;
-        places.push((span.clone(), read.places.iter().map(inside).collect()));
-        list.push(read.pieces);
+        list.push(read);
     }
     let repeat = match &file.repeat {
         None => 1,
@@ -117,7 +107,7 @@ fn from_strings(
     }
     Ok(PlacedCourses {
         courses: (0..repeat).flat_map(|_| list.iter().cloned()).collect(),
-        strings: places,
+        strings: strings.iter().map(|(span, _)| span.clone()).collect(),
     })
 }
 

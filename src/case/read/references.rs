@@ -1,9 +1,13 @@
 //! References from a file.
 
+use toml::Spanned;
+
 use super::checks::{HEAD_JOINTS, choose, not_negative, positive};
 use super::file::ReferenceTable;
-use crate::case::complaint::{Complaint, Document};
+use crate::case::complaint::{Complaint, Document, shorten};
+use crate::case::program::program_name;
 use crate::case::reference::{Quantity, Reference, SourceKind, known_method_names};
+use crate::case::suggestion::{listed, nearest};
 use crate::scene::HeadJoints;
 
 /// Judges a reference of a case that runs with these `head_joints`.
@@ -30,11 +34,10 @@ pub(super) fn reference(
             Some(head_joints)
         }
     };
-    let methods = known_method_names().map(|name| (name, name));
     let kinds = SourceKind::ALL.map(|kind| (kind.name(), kind));
     let quantities = Quantity::ALL.map(|quantity| (quantity.name(), quantity));
     Ok(Reference {
-        method: choose(document, "method", methods, &table.method)?.to_owned(),
+        method: method(document, &table.method)?,
         head_joints,
         quantity: choose(document, "quantity", quantities, &table.quantity)?,
         value: not_negative(document, "value", &table.value)?,
@@ -44,4 +47,25 @@ pub(super) fn reference(
         note: table.note.clone().unwrap_or_default(),
         deviation: table.deviation.clone(),
     })
+}
+
+/// A method of our own, or the name of an outside program, which a run may or may not be given. A
+/// word that is nearly a method's is taken for a slip of the keyboard.
+fn method(document: &Document, word: &Spanned<String>) -> Result<String, Complaint> {
+    let name = word.get_ref();
+    if known_method_names().any(|known| known == name) {
+        return Ok(name.clone());
+    }
+    let title = format!("unknown method `{}`", shorten(name, 60));
+    let complaint = document.complain(word.span(), title, "no method, and no name of a program");
+    if let Some(near) = nearest(name, known_method_names()) {
+        return Err(complaint.help(format!(
+            "did you mean `method = \"{near}\"`? A program of yours needs a name that is less like it"
+        )));
+    }
+    if let Err(help) = program_name(name) {
+        let known = listed(known_method_names());
+        return Err(complaint.help(format!("the methods are {known}; for a program, {help}")));
+    }
+    Ok(name.clone())
 }

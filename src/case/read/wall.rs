@@ -98,21 +98,11 @@ fn not_laid(
             laid.course_place(*course),
             "put a unit `1` or half a unit `h` into the course; `g` is a gap",
         ),
-        WallError::Unsupported { course } => (
-            laid.course_place(*course),
-            "let a block of this course lie on a block of the course below",
-        ),
-        WallError::Floating { course, piece } => (
-            laid.piece_place(*course, *piece),
-            "fill a gap beside or below it with `1`, or make it a gap `g`",
-        ),
         WallError::Shape(_) => (None, "check length and height of the unit"),
         WallError::Scene(_) => (None, "check weight, friction and overburden"),
     };
     let label = match error {
-        WallError::EmptyCourse { course }
-        | WallError::Unsupported { course }
-        | WallError::Floating { course, .. } => laid.label(*course),
+        WallError::EmptyCourse { course } => laid.label(*course),
         WallError::NoCourses | WallError::Shape(_) | WallError::Scene(_) => "here".into(),
     };
     (place, label, help)

@@ -2,7 +2,7 @@
 //! law admit. It bounds every non-associative collapse multiplier from above (Radenkovic 1961).
 
 use super::ending::Ending;
-use super::equilibration::{EVENINGS, Evening, needs_own_units};
+use super::equilibration::{Evening, evenings, needs_own_units};
 use super::own_weight::{own_weight, without_optimum};
 use super::program::{Margins, Program};
 use super::reduction;
@@ -64,13 +64,8 @@ struct Optimum {
 
 /// The optimum, with units of unequal blocks evened out in the ways there are until one proves it.
 fn optimum(scene: &Scene, user: &Settings, work: &mut Work) -> Result<Optimum, Ending> {
-    let ways = if needs_own_units(scene) {
-        EVENINGS.len()
-    } else {
-        1
-    };
     let mut best = None;
-    for evening in &EVENINGS[..ways] {
+    for evening in evenings(scene) {
         let found = evened(scene, *evening, user, work);
         match &found {
             Ok(optimum) if is_exact(scene, optimum, user) => return found,

@@ -21,10 +21,20 @@ pub(super) enum Evening {
     CubeRoot,
     SquareRoot,
     Whole,
+    /// One unit for all blocks, however unequal they are.
+    Common,
 }
 
-/// In the order in which they are tried.
-pub(super) const EVENINGS: [Evening; 3] = [Evening::CubeRoot, Evening::SquareRoot, Evening::Whole];
+/// Ways to even out the blocks of a scene, in the order in which they are tried; one where nothing is
+/// to be evened out.
+pub(super) fn evenings(scene: &Scene) -> &'static [Evening] {
+    const ALL: [Evening; 3] = [Evening::CubeRoot, Evening::SquareRoot, Evening::Whole];
+    if needs_own_units(scene) {
+        &ALL
+    } else {
+        &ALL[..1]
+    }
+}
 
 impl Evening {
     fn unit(self, value: f64) -> f64 {
@@ -32,6 +42,7 @@ impl Evening {
             Evening::CubeRoot => value.cbrt(),
             Evening::SquareRoot => value.sqrt(),
             Evening::Whole => value,
+            Evening::Common => 1.0,
         })
     }
 }
@@ -61,7 +72,7 @@ impl Equilibration {
     pub(super) fn of(scene: &Scene, scale: &Scale, evening: Evening) -> Option<Self> {
         let (own, reaches) = (own_loads(scene, scale), reaches(scene, scale));
         let shears = shear_units(scene);
-        if are_unequal(&own, &reaches) {
+        if evening != Evening::Common && are_unequal(&own, &reaches) {
             let joints = joint_forces(scene, scale, &own);
             Some(Self {
                 blocks: block_units(scene, &own, &joints, &reaches, evening),
@@ -79,6 +90,13 @@ impl Equilibration {
             })
         } else {
             None
+        }
+    }
+
+    /// Scales a value of every equilibrium row.
+    pub(super) fn scale_rows(&self, values: &mut [f64]) {
+        for (row, value) in values.iter_mut().enumerate() {
+            *value *= self.of_row(row);
         }
     }
 

@@ -4,6 +4,7 @@ mod associative;
 mod columns;
 mod ending;
 mod equilibration;
+mod falling;
 mod interval;
 mod own_weight;
 mod program;

@@ -3,13 +3,13 @@
 //! tested here by the residuals that the judge computes.
 
 use super::ending::Ending;
-use super::equilibration::{EVENINGS, needs_own_units};
+use super::falling;
 use super::program::{Margins, Program};
 use super::scale::Scale;
 use super::vertical;
 use crate::answer::{
     BlockResidual, Claim, JointForce, LimitFact, Mechanism, Outcome, StaticResidual, Status,
-    VERIFIED_RESIDUAL, Work, falling_violation, live_unit,
+    VERIFIED_RESIDUAL, Work, live_unit,
 };
 use crate::scene::Scene;
 
@@ -26,18 +26,12 @@ pub(super) fn own_weight(scene: &Scene, work: &mut Work) -> Result<Vec<JointForc
     if let Some(forces) = vertical::forces(scene).filter(|forces| stands(forces)) {
         return Ok(forces);
     }
+    if let Some(mechanism) = falling::adrift(scene).filter(|m| falling::proves(scene, m)) {
+        return Err(Box::new(falls(scene, mechanism, *work)));
+    }
     let mut solver = None;
-    let ways = if needs_own_units(scene) {
-        EVENINGS.len()
-    } else {
-        1
-    };
-    let attempts = EVENINGS[..ways]
-        .iter()
-        .flat_map(|way| OPENINGS.map(|opening| (*way, opening)));
-    for (evening, opening) in attempts {
-        let mut program = Program::with_slack(scene, 0.0, evening);
-        program.set_opening(opening);
+    let mut moved = Vec::new();
+    for mut program in falling::programs(scene) {
         let velocity = match program.solve_counted(work) {
             Ending::Solved(solution) => {
                 let forces = program.scale().forces(&solution.forces);
@@ -53,9 +47,14 @@ pub(super) fn own_weight(scene: &Scene, work: &mut Work) -> Result<Vec<JointForc
                 continue;
             }
         };
-        if let Some(outcome) = falls(scene, program.scale().mechanism(&velocity), *work) {
-            return Err(Box::new(outcome));
+        let mechanism = program.scale().mechanism(&velocity);
+        if falling::proves(scene, &mechanism) {
+            return Err(Box::new(falls(scene, mechanism, *work)));
         }
+        moved.push(mechanism);
+    }
+    if let Some(mechanism) = falling::of_a_part(scene, &moved, work) {
+        return Err(Box::new(falls(scene, mechanism, *work)));
     }
     let undecided = LimitFact::OwnWeightUndecided { solver };
     Err(Box::new(Outcome {
@@ -64,18 +63,14 @@ pub(super) fn own_weight(scene: &Scene, work: &mut Work) -> Result<Vec<JointForc
     }))
 }
 
-/// Openings beyond the flow rule, the mechanism's total opening and slip being 1: first enough to
-/// cover what the solver leaves, then none, for scenes that do not fall by much.
-const OPENINGS: [f64; 2] = [1e-10, 0.0];
-
-/// The outcome `falls`, where the mechanism proves it.
-fn falls(scene: &Scene, mechanism: Mechanism, work: Work) -> Option<Outcome> {
-    let proved = falling_violation(scene, &mechanism) <= VERIFIED_RESIDUAL;
-    proved.then(|| Outcome {
+/// The outcome `falls`, which the mechanism proves.
+fn falls(scene: &Scene, mechanism: Mechanism, work: Work) -> Outcome {
+    let first = falling::names(scene, &mechanism);
+    Outcome {
         mechanism: Some(mechanism),
         work,
-        ..Outcome::without_number(Status::Falls, LimitFact::MovesUnpushed)
-    })
+        ..Outcome::without_number(Status::Falls, LimitFact::MovesUnpushed { first })
+    }
 }
 
 /// The outcome of a scene whose program for λ_A has no optimum although `at_rest` holds it at
@@ -133,6 +128,10 @@ const RAY_MARGINS: Margins = Margins {
 /// to any state without limit, so that λ_A has none. Where the solver says so and no such forces are
 /// proved, it is the solver's word alone.
 pub(super) fn ray(scene: &Scene, work: &mut Work) -> Option<Vec<JointForce>> {
+    if scene.total_live() == 0.0 {
+        // Nothing pushes, and no forces balance nothing; a program leaves its noise.
+        return Some(vec![JointForce::default(); scene.joints().len()]);
+    }
     let pushed = scene.clone().with_loads(|load, _| load.dead = load.live);
     let scale = Scale {
         force: live_unit(scene),

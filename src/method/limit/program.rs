@@ -226,6 +226,27 @@ impl Program {
         updated.expect("presolve is off, so updates are allowed");
     }
 
+    /// Asks for forces at another λ (in the case's unit), of a program for forces at a given one.
+    pub(super) fn set_multiplier(&mut self, scene: &Scene, lambda: f64) {
+        self.goal = Goal::Forces(lambda);
+        let mut balanced = right_side(scene, &self.scale, lambda);
+        if let Some(units) = &self.equilibration {
+            units.scale_rows(&mut balanced);
+        }
+        self.right[..self.rows_of_blocks].copy_from_slice(&balanced);
+        let updated = self.solver.update_b(&self.right);
+        updated.expect("presolve is off, so updates are allowed");
+    }
+
+    /// Changes the cost of every force, which is to be smallest: two corner forces and the shear of
+    /// each joint, in the program's own units.
+    pub(super) fn set_force_cost(&mut self, cost: &[[f64; 3]]) {
+        let mut cost = cost.concat();
+        cost.resize(self.solver.solution.x.len(), 0.0);
+        let updated = self.solver.update_q(&cost);
+        updated.expect("presolve is off, so updates are allowed");
+    }
+
     /// Changes the cost: `lambda` · λ* (or the slack) − Σ price · (n1 + n2) is to be largest, with
     /// one price a joint in `normal`.
     pub(super) fn set_cost(&mut self, lambda: f64, normal: &[f64]) {
@@ -279,9 +300,13 @@ impl Program {
 
     /// Force unit of a joint in the program, in that of the scale.
     fn joint_unit(&self, joint: usize) -> f64 {
-        self.equilibration
-            .as_ref()
-            .map_or(1.0, |units| units.joints[joint])
+        self.own_unit(joint).unwrap_or(1.0)
+    }
+
+    /// The same, where joints have units of their own.
+    pub(super) fn own_unit(&self, joint: usize) -> Option<f64> {
+        let units = self.equilibration.as_ref()?;
+        Some(units.joints[joint])
     }
 
     /// Unit of a joint's shear, in that of the joint.
@@ -345,9 +370,7 @@ fn equilibrate(
             }
         }
     }
-    for (row, value) in right.iter_mut().enumerate() {
-        *value *= units.of_row(row);
-    }
+    units.scale_rows(right);
 }
 
 fn settings(tolerance: f64, tight: bool) -> DefaultSettings<f64> {

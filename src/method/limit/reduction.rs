@@ -64,7 +64,8 @@ pub(super) fn parts(scene: &Scene) -> Vec<ScenePart> {
 }
 
 impl ScenePart {
-    fn new(scene: &Scene, kept: &[bool]) -> Self {
+    /// The blocks that are `kept`, in order; all others are supports.
+    pub(super) fn new(scene: &Scene, kept: &[bool]) -> Self {
         let mut place = vec![Side::Block(0); scene.blocks().len()];
         let mut supports = scene.supports().to_vec();
         let mut blocks = Vec::new();

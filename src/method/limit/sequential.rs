@@ -5,8 +5,8 @@ use super::ending::{Ending, Solution};
 use super::own_weight::{own_weight, stands_without_dilatancy, without_optimum};
 use super::program::{FrictionLaw, Program};
 use crate::answer::{
-    Bracket, JointForce, Outcome, SequentialEnding, SequentialFacts, Status, VELOCITY_THRESHOLDS,
-    Work, crack_slope,
+    Bracket, JointForce, Mechanism, Outcome, SequentialEnding, SequentialFacts, Status,
+    VELOCITY_THRESHOLDS, Work, crack_slope, excess_lift, live_unit,
 };
 use crate::method::{Method, SequentialSettings, Settings};
 use crate::scene::Scene;
@@ -49,8 +49,12 @@ fn sequential(scene: &Scene, settings: &Settings) -> Outcome {
         Err(outcome) => return *outcome,
     };
     let mut program = Program::to_tolerance(scene, settings.programs.lp_tolerance);
+    let mut ceiling = None;
     let (mut frozen, mut lambdas) = match program.solve_counted(&mut work) {
-        Ending::Solved(solution) => (normal_forces(&solution.forces), vec![solution.lambda]),
+        Ending::Solved(solution) => {
+            ceiling = Some(program.scale().mechanism(&solution.velocity));
+            (normal_forces(&solution.forces), vec![solution.lambda])
+        }
         // Nothing collapses by associative friction. The forces under the own weight are a start.
         Ending::Unbounded => {
             if let Some(outcome) = stands_without_dilatancy(scene, &at_rest, &mut work) {
@@ -93,7 +97,14 @@ fn sequential(scene: &Scene, settings: &Settings) -> Outcome {
     };
     let facts = SequentialFacts { ending, steps };
     let outcome = match last.filter(|_| ending == SequentialEnding::Converged) {
-        Some(last) => converged(scene, &program, &last, facts),
+        Some(last) => {
+            let outcome = converged(scene, &program, &last, facts);
+            let stated_error = ceiling.and_then(|ceiling| stated_error(scene, &outcome, &ceiling));
+            Outcome {
+                stated_error,
+                ..outcome
+            }
+        }
         None => Outcome::without_number(Status::Undecided, facts),
     };
     Outcome { work, ..outcome }
@@ -109,6 +120,18 @@ fn converged(scene: &Scene, program: &Program, last: &Solution, facts: Sequentia
         forces: Some(scale.forces(&last.forces)),
         ..Outcome::without_number(Status::Estimate, facts)
     }
+}
+
+/// What λ may be off by, relative to it: as much as it moves in the steps that settle it, and what c0 and capacities
+/// that lag behind their normal forces let joints carry beyond Coulomb's law, measured by how far
+/// that can lift λ above λ_A, whose mechanism is `ceiling`.
+fn stated_error(scene: &Scene, outcome: &Outcome, ceiling: &Mechanism) -> Option<f64> {
+    let forces = outcome.forces.as_deref()?;
+    let lambda = outcome.bracket?.upper;
+    let lift = excess_lift(scene, forces, ceiling);
+    let least = 1e-3 * scene.total_weight() / live_unit(scene);
+    let error = STEPS_SETTLED as f64 * SETTLED + lift / lambda.abs().max(least);
+    error.is_finite().then_some(error)
 }
 
 fn normal_forces(forces: &[JointForce]) -> Vec<f64> {

@@ -24,8 +24,9 @@ pub(crate) const LP_TOLERANCE: f64 = 1e-10;
 settings! {
     /// Settings of the interval.
     interval: IntervalSettings {
-        /// Starts of the interval's search, and of that of `auto`; more may find lower states.
-        starts: usize = 2, Allowed::Whole(1..=10_000), "";
+        /// Starts of the interval's search, and of that of `auto`; more may find lower states. 0: as
+        /// many as a number of linear programs allows that depends on the scene.
+        starts: usize = 0, Allowed::Whole(0..=10_000), "";
     }
 
     /// Settings of the pushover.

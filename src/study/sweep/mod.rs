@@ -9,6 +9,7 @@
 //! A point is a method with its settings on a wall, named by a fingerprint of everything that
 //! determines the answer. Charts and atlas make points in code and run them the same way.
 
+mod compare;
 mod execute;
 mod file;
 mod journal;
@@ -22,6 +23,7 @@ mod table;
 mod values;
 mod variants;
 
+pub use compare::{SweepCheck, compare};
 pub use execute::run;
 pub use journal::Journal;
 pub use library::embedded;

@@ -10,6 +10,7 @@ use super::name::sweep_name;
 use super::neighbours::FromNeighbours;
 use super::variants::{Axis, Base, Variant, axes, settings, variants};
 use crate::case::{self, Complaint, Document, UnreadCase, listed, nearest};
+use crate::external::External;
 use crate::method::{Kind, METHODS, Method, defaults, kind, methods as all_methods};
 use crate::run::{Subject, Task};
 use crate::scene::HeadJoints;
@@ -24,6 +25,8 @@ pub struct Sweep {
     pub source: String,
     variants: Vec<Variant>,
     methods: Vec<&'static dyn Method>,
+    /// Outside programs that run behind them.
+    programs: Vec<&'static External>,
     /// How far apart in `variants` the neighbours are that the interval also starts from, and on
     /// which axis they lie.
     neighbours: Option<(usize, usize)>,
@@ -52,33 +55,57 @@ impl Sweep {
             name,
             variants,
             methods,
+            programs: Vec::new(),
             neighbours,
         })
+    }
+
+    /// The sweep with outside programs behind its methods.
+    pub fn with_programs(mut self, programs: Vec<&'static External>) -> Self {
+        self.programs = programs;
+        self
     }
 
     /// Every task: walls slowest, then methods, then head joints, as in the tables of `run`.
     pub fn tasks(&self) -> Vec<Task<'_>> {
         let mut tasks = Vec::new();
+        let programs: Vec<_> = self
+            .programs
+            .iter()
+            .map(|p| (*p, p.determined_by()))
+            .collect();
         for (index, variant) in self.variants.iter().enumerate() {
             for &method in &self.methods {
                 for &head_joints in &variant.case.head_joints {
                     tasks.push(self.task(index, method, head_joints));
                 }
             }
+            for (program, determined_by) in &programs {
+                for &head_joints in &variant.case.head_joints {
+                    let mut subject = self.subject(index, head_joints);
+                    subject.determined_by.extend(determined_by.iter().cloned());
+                    tasks.push(Task::new(subject, *program, variant.settings));
+                }
+            }
         }
         tasks
     }
 
-    fn task(&self, index: usize, method: &'static dyn Method, head_joints: HeadJoints) -> Task<'_> {
+    fn subject(&self, index: usize, head_joints: HeadJoints) -> Subject<'_> {
         let variant = &self.variants[index];
-        let mut subject = Subject {
+        Subject {
             case: variant.case.name.clone(),
             head_joints,
             parameters: variant.parameters.clone(),
             blocks: variant.blocks,
             sides: Box::new(move || Cow::Owned(variant.case.sides(head_joints))),
             determined_by: variant.determined_by.clone(),
-        };
+        }
+    }
+
+    fn task(&self, index: usize, method: &'static dyn Method, head_joints: HeadJoints) -> Task<'_> {
+        let variant = &self.variants[index];
+        let mut subject = self.subject(index, head_joints);
         if kind(method.name()) != Kind::CollapseStates || self.neighbours.is_none() {
             return Task::new(subject, method, variant.settings);
         }

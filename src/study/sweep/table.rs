@@ -11,6 +11,9 @@ const ANSWER: [&str; 10] = [
 ];
 const SCENE: [&str; 4] = ["blocks", "joints", "friction", "push"];
 
+/// The last column of `sweep.csv`: the worst of what the methods say about each other.
+const COMPARED: [&str; 1] = ["verdict"];
+
 /// Columns of `times.csv` behind the id and before and behind those of what varies.
 const TASK: [&str; 2] = ["case", "method"];
 const EFFORT: [&str; 5] = [
@@ -32,7 +35,8 @@ fn parameters(row: &Row, names: &IndexSet<&str>) -> Vec<Value> {
     names.iter().map(value).collect()
 }
 
-/// `sweep.csv`: the contract's columns without `seconds`, then the parameters, then the scene's. The
+/// `sweep.csv`: the contract's columns without `seconds`, then the parameters, then the scene's,
+/// then the verdict of the comparison. The
 /// same rows give the same bytes. A parameter takes the place of a scene's column of its name.
 ///
 /// # Errors
@@ -41,16 +45,17 @@ pub fn sweep_csv(rows: &[Row]) -> Result<String, csv::Error> {
     let names = parameter_names(rows);
     let scene = SCENE.into_iter().filter(|name| !names.contains(name));
     let scene: Vec<&str> = scene.collect();
-    let headings = ANSWER.iter().chain(&names).chain(&scene).copied();
+    let headings = ANSWER.iter().chain(&names).chain(&scene).chain(&COMPARED);
     let line = |row| {
         let parts = [
             values(row, &ANSWER),
             parameters(row, &names),
             values(row, &scene),
+            values(row, &COMPARED),
         ];
         parts.concat()
     };
-    csv(headings, rows.iter().map(line))
+    csv(headings.copied(), rows.iter().map(line))
 }
 
 /// `times.csv`: which task took how long, and its effort in counts.

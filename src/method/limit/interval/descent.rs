@@ -1,49 +1,227 @@
-//! From a start to a collapse state, and down from there.
+//! From normal forces to a collapse state, and down from there.
 
-use super::search::{Search, State};
-use super::starts::Start;
+use super::noise::Noise;
+use super::search::{CLOSED, COST_CHANGES, Prices, Search, State, totals};
 use crate::answer::SearchFailure;
+use crate::method::limit::ending::Solution;
+use crate::scene::JointClass;
 
-/// The states that a start leads to, of the scene that is searched.
+/// How a search goes on from capacities that leave a gap.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Approach {
+    /// To the Coulomb state's normal forces where that halves the gap: few programs, and it ends on
+    /// higher states.
+    Quick,
+    /// Half the way to the forces of the frozen program, always: more programs, and lower states.
+    Blending,
+    /// Nowhere: it ends at a mechanism without states. For normal forces of a state, raised a little.
+    Nearby,
+}
+
+/// The states that one start leads to, of the scene that is searched.
 pub(super) struct Branch {
     pub(super) first: State,
     pub(super) lowest: State,
-    /// The highest one of the lowest one's mechanism.
-    pub(super) highest: State,
 }
 
-/// Smallest relative decrease of λ that counts as one.
-const LEAST_DECREASE: f64 = 1e-7;
+/// Frozen programs of one start until it is given up.
+const MAX_STEPS: usize = 40;
 
-/// Largest number of steps without a decrease after which a descent ends, plus one.
-const MAX_IDLE_STEPS: usize = 12;
+/// Infeasible frozen programs of one start until it goes back to a Coulomb state's own forces.
+const MAX_INFEASIBLE: usize = 4;
 
-/// From a start to a state, then down: the lowest state of each mechanism, and on to a neighbour of
-/// that mechanism until λ stops falling or is below `stop_below`. With one start the descent ends at
-/// the first mechanism; the more of the `starts` there are, the more steps each may take in vain.
-pub(super) fn descend(
-    search: &mut Search,
-    start: Start,
-    starts: usize,
-    stop_below: f64,
-) -> Result<Branch, SearchFailure> {
-    let first = search.close(start.normal, start.approach)?;
-    let mut lowest = search.extreme_of(&first, -1.0);
-    let idle_limit = starts.min(MAX_IDLE_STEPS);
-    let (mut idle, mut step) = (0, 0);
-    while idle + 1 < idle_limit && step < 6 * idle_limit && lowest.lambda > stop_below {
-        match search.neighbour(&lowest, step) {
-            Some(next) if next.lambda < lowest.lambda * (1.0 - LEAST_DECREASE) => {
-                lowest = next;
-                idle = 0;
+/// Largest difference of λ between states that count as one, relative to max(|λ|, 1e-3).
+const SAME_LAMBDA: f64 = 1e-6;
+
+/// Whether two states count as one by their λ.
+pub(super) fn is_same(lambda: f64, other: f64) -> bool {
+    (lambda - other).abs() <= SAME_LAMBDA * other.abs().max(1e-3)
+}
+
+/// Whether a state lies below another one.
+pub(super) fn is_below(lambda: f64, other: f64) -> bool {
+    lambda < other && !is_same(lambda, other)
+}
+
+/// Largest random raise of a joint's frozen normal force, in mean block weights. Without it the
+/// solver lands in the middle of all mechanisms that are equally good, where most joints move and
+/// the fewest states remain; with it, on one mechanism.
+const RAISE: f64 = 1e-3;
+
+/// One start on its way.
+pub(super) struct Descent<'a, 'b> {
+    pub(super) search: &'a mut Search<'b>,
+    pub(super) approach: Approach,
+    pub(super) noise: Noise,
+    /// λ of states found before; where the start meets one of them it is followed no further.
+    pub(super) known: &'a [f64],
+}
+
+impl Descent<'_, '_> {
+    /// From normal forces to a state, then on from the lowest state of its mechanism until λ stops
+    /// falling: (a) gives a mechanism, (b) tells whether it has states. Where it has none the normal
+    /// forces are blended, or replaced, by those of (a) or (b).
+    pub(super) fn follow(&mut self, mut normal: Vec<f64>) -> Result<Branch, SearchFailure> {
+        let mut branch: Option<Branch> = None;
+        let mut refused: Option<Refused> = None;
+        let mut last_gap = f64::INFINITY;
+        let mut infeasible = 0;
+        let mut failure = SearchFailure::GapOpen;
+        for _ in 0..MAX_STEPS {
+            let above = match self.frozen(&normal, branch.is_some()) {
+                // Inclined joints may need more shear than these capacities give.
+                Err(SearchFailure::Infeasible) if infeasible < MAX_INFEASIBLE => {
+                    infeasible += 1;
+                    normal = self.nearer_to_coulomb(&normal, infeasible)?;
+                    continue;
+                }
+                Err(why) => {
+                    failure = why;
+                    break;
+                }
+                Ok(above) => above,
+            };
+            let prices = self.search.prices(&above.velocity);
+            let (gap, coulomb) = match refused.take_if(|known| known.prices.are_those_of(&prices)) {
+                Some(known) => (known.gap, known.normal),
+                None => match self.states_of(&above, &prices) {
+                    Ok(Tested::Lowest(state)) => {
+                        let lower = branch
+                            .as_ref()
+                            .is_none_or(|branch| is_below(state.lambda, branch.lowest.lambda));
+                        if !lower {
+                            break;
+                        }
+                        normal = totals(&state.forces);
+                        let is_known = self.is_known(state.lambda);
+                        let first = branch.map_or_else(|| state.clone(), |branch| branch.first);
+                        branch = Some(Branch {
+                            first,
+                            lowest: state,
+                        });
+                        if is_known {
+                            break;
+                        }
+                        last_gap = f64::INFINITY;
+                        continue;
+                    }
+                    Ok(Tested::None { gap, normal }) => (gap, normal),
+                    Err(why) => {
+                        failure = why;
+                        break;
+                    }
+                },
+            };
+            if self.approach == Approach::Nearby {
+                break;
             }
-            _ => idle += 1,
+            self.search.coulomb_normal = Some(coulomb.clone());
+            normal = if self.approach == Approach::Quick && gap < 0.5 * last_gap {
+                coulomb.clone()
+            } else {
+                halfway(&normal, &totals(&above.forces))
+            };
+            last_gap = gap;
+            refused = Some(Refused {
+                prices,
+                gap,
+                normal: coulomb,
+            });
         }
-        step += 1;
+        branch.ok_or(failure)
     }
-    Ok(Branch {
-        highest: search.extreme_of(&lowest, 1.0),
-        first,
-        lowest,
-    })
+
+    /// Program (a), with capacities raised by so little that the state hardly changes: at random, or
+    /// in the head joints once the quick way has reached a state.
+    fn frozen(&mut self, normal: &[f64], has_state: bool) -> Result<Solution, SearchFailure> {
+        let mut raised = normal.to_vec();
+        for (j, (joint, n)) in self
+            .search
+            .scene
+            .joints()
+            .iter()
+            .zip(&mut raised)
+            .enumerate()
+        {
+            let share = match self.approach {
+                Approach::Blending => self.noise.uniform(),
+                Approach::Quick if has_state && joint.class == JointClass::Head => 1.0,
+                Approach::Quick | Approach::Nearby => continue,
+            };
+            *n += RAISE * share * self.search.unit(j);
+        }
+        self.search.frozen(&raised)
+    }
+
+    /// The lowest state of a mechanism, or how far it is from having one.
+    ///
+    /// Mostly one program tells: with λ's cost lowered by c, gap + c λ is at most c λ_A where the
+    /// mechanism has a state.
+    fn states_of(&mut self, above: &Solution, prices: &Prices) -> Result<Tested, SearchFailure> {
+        let state = |solution| State::new(solution, above.velocity.clone(), prices.clone());
+        let mut changes = &COST_CHANGES[..];
+        // The quick way goes to N of the nearest Coulomb state itself.
+        if self.approach != Approach::Quick {
+            let change = changes[0];
+            changes = &changes[1..];
+            let tilted = self.search.nearest(prices, 1.0 - change)?;
+            let gap = prices.gap(&tilted);
+            if gap.abs() <= CLOSED {
+                return Ok(Tested::Lowest(state(tilted)));
+            }
+            let highest = self.search.associative.unwrap_or(f64::INFINITY);
+            if gap + change * tilted.lambda > change * highest + CLOSED {
+                let normal = totals(&tilted.forces);
+                return Ok(Tested::None { gap, normal });
+            }
+        }
+        let below = self.search.nearest(prices, 1.0)?;
+        let gap = prices.gap(&below);
+        if gap.abs() > CLOSED {
+            let normal = totals(&below.forces);
+            return Ok(Tested::None { gap, normal });
+        }
+        let lowest = (self.search).extreme(&above.velocity, prices, -1.0, changes);
+        Ok(Tested::Lowest(lowest.unwrap_or_else(|| state(below))))
+    }
+
+    fn is_known(&self, lambda: f64) -> bool {
+        self.known.iter().any(|&known| is_same(lambda, known))
+    }
+
+    /// Half the way to normal forces that carry a Coulomb state, the whole way at last.
+    fn nearer_to_coulomb(
+        &mut self,
+        normal: &[f64],
+        infeasible: usize,
+    ) -> Result<Vec<f64>, SearchFailure> {
+        let coulomb = match self.search.coulomb_normal.clone() {
+            Some(coulomb) => coulomb,
+            None => (self.search.associative()).map_err(|_| SearchFailure::Unsolved)?,
+        };
+        Ok(if infeasible == MAX_INFEASIBLE {
+            coulomb
+        } else {
+            halfway(normal, &coulomb)
+        })
+    }
+}
+
+/// A mechanism that has no state, the gap that it leaves and the nearest Coulomb state's N.
+struct Refused {
+    prices: Prices,
+    gap: f64,
+    normal: Vec<f64>,
+}
+
+/// What programs (b) say of a mechanism.
+enum Tested {
+    /// Its lowest state.
+    Lowest(State),
+    /// It has none; the gap that is left and N of the nearest Coulomb state.
+    None { gap: f64, normal: Vec<f64> },
+}
+
+fn halfway(a: &[f64], b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| (a + b) / 2.0).collect()
 }

@@ -7,25 +7,28 @@
 //! is known.
 
 mod descent;
+mod found;
 mod noise;
 mod outer;
 mod search;
 mod starts;
 
 use super::ending::Ending;
+use super::equilibration::{Evening, evenings};
 use super::own_weight::{own_weight, ray, stands_without_dilatancy, without_optimum};
 use super::reduction::{self, ScenePart};
 use super::scale::Scale;
 use crate::answer::{
     BlockResidual, Bracket, CollapseResidual, CollapseState, JointForce, LimitFact, Outcome,
-    SearchEnding, SearchFacts, SearchFailure, SearchStart, SolverEnding, StartEnding,
-    StaticResidual, Status, VELOCITY_THRESHOLDS, VERIFIED_RESIDUAL, Work, crack_slope,
+    SearchEnding, SearchFacts, SearchFailure, SolverEnding, StartEnding, StaticResidual, Status,
+    VELOCITY_THRESHOLDS, VERIFIED_RESIDUAL, Work, crack_slope,
 };
 use crate::method::{Method, Settings};
 use crate::scene::Scene;
-use descent::descend;
-use search::{Approach, Search, State, totals};
-use starts::Start;
+use descent::Branch;
+use found::{Budget, Found};
+use search::{Search, State, totals};
+use starts::Starts;
 
 /// `lower` and `upper` are the lowest and the highest verified λ found.
 pub struct Interval;
@@ -80,30 +83,39 @@ fn solve(scene: &Scene, request: &Request) -> Outcome {
     };
     let reduce = request.settings.programs.reduction;
     for part in reduction::parts(scene).into_iter().filter(|_| reduce) {
-        let Ok(ends) = search(scene, Some(&part), request, &mut work) else {
+        let place = Place::part(scene, &part);
+        let Ok(explored) = explore(place, Evening::CubeRoot, request, &at_rest, &mut work) else {
             continue;
         };
         // On 96 courses the whole wall closed no gap either, in minutes more.
-        let is_open = |end: &End| matches!(end.states, Err(SearchFailure::GapOpen));
-        if ends.iter().all(is_open) {
-            return undecided(&ends, work);
+        let is_open = |start: &StartEnding| {
+            matches!(start.ending, SearchEnding::Failed(SearchFailure::GapOpen))
+        };
+        if explored.facts.starts.iter().all(is_open) {
+            return undecided(explored, work);
         }
-        if let Some(outcome) = report(scene, &ends, &at_rest, &mut work) {
+        if let Some(outcome) = report(scene, &explored, &at_rest, &mut work) {
             return outcome;
         }
     }
-    match search(scene, None, request, &mut work) {
-        Ok(ends) => {
-            report(scene, &ends, &at_rest, &mut work).unwrap_or_else(|| undecided(&ends, work))
+    // Where one way of evening out unequal blocks finds nothing, the next is tried.
+    let mut first = None;
+    for evening in evenings(scene) {
+        let explored = explore(Place::whole(scene), *evening, request, &at_rest, &mut work);
+        match explored {
+            Ok(explored) => match report(scene, &explored, &at_rest, &mut work) {
+                Some(outcome) => return outcome,
+                None => first = first.or(Some(Ok(explored))),
+            },
+            Err(Ending::Unbounded) => return without_bound(scene, request, &at_rest, work),
+            Err(ending) => first = first.or(Some(Err(ending))),
         }
-        Err(Ending::Unbounded) => without_bound(scene, request, &at_rest, work),
+    }
+    match first.expect("there is one way at least") {
+        Ok(explored) => undecided(explored, work),
         Err(ending) => without_optimum(scene, &ending, at_rest, &mut work),
     }
 }
-
-/// Starts of a search where λ_A has no limit, at least: it begins under the own weight, far from
-/// where it ends.
-const STARTS_WITHOUT_BOUND: usize = 8;
 
 /// The outcome where nothing collapses by associative friction. That says nothing of friction
 /// without dilatancy, of which either forces without friction prove that the scene stands, or a
@@ -126,22 +138,20 @@ fn without_bound(
             LimitFact::NoOptimum(SolverEnding::Unbounded)
         }
     };
+    let place = Place::whole(scene);
     let mut search = Search::new(scene);
-    let unit = scene.total_weight();
-    let normal: Vec<f64> = (totals(at_rest).iter()).map(|n| n / unit).collect();
-    let count = request.settings.interval.starts.max(STARTS_WITHOUT_BOUND);
-    let starts = starts::starts_at_rest(&mut search, &normal, count);
-    let ends = follow(scene, None, request, &mut search, starts, &mut work);
-    match report(scene, &ends, at_rest, &mut work) {
+    let starts = Starts::without_associative(&mut search, place.normal(at_rest));
+    let explored = follow(place, request, search, starts, &mut work);
+    match report(scene, &explored, at_rest, &mut work) {
         Some(outcome) => Outcome {
             facts: vec![
                 said(LimitFact::FoundWithoutBound).into(),
-                facts(&ends).into(),
+                explored.facts.into(),
             ],
             ..outcome
         },
         None => {
-            let mut outcome = undecided(&ends, work);
+            let mut outcome = undecided(explored, work);
             let fact = said(LimitFact::NoneFoundWithoutBound);
             outcome.facts.insert(0, fact.into());
             outcome
@@ -149,171 +159,244 @@ fn without_bound(
     }
 }
 
-fn undecided(ends: &[End], work: Work) -> Outcome {
-    let unresolved = ends.iter().find_map(|end| end.unresolved);
-    let unresolved = unresolved.map(|blocks| LimitFact::Unresolved(blocks).into());
+fn undecided(explored: Explored, work: Work) -> Outcome {
+    let unresolved = explored.unresolved.map(LimitFact::Unresolved);
+    let facts = unresolved.map(LimitFact::into).into_iter();
     Outcome {
         work,
-        facts: unresolved.into_iter().chain([facts(ends).into()]).collect(),
+        facts: facts.chain([explored.facts.into()]).collect(),
         ..Outcome::of(Status::Undecided)
     }
 }
 
-/// Where one start ended.
-struct End {
-    start: SearchStart,
-    /// States of the whole scene.
-    states: Result<States, SearchFailure>,
-    /// Where the lowest one is none because of one block: its residual.
+/// Where a search takes place: a scene, or a part of it.
+#[derive(Clone, Copy)]
+struct Place<'a> {
+    whole: &'a Scene,
+    part: Option<&'a ScenePart>,
+}
+
+impl<'a> Place<'a> {
+    fn whole(whole: &'a Scene) -> Self {
+        Self { whole, part: None }
+    }
+
+    fn part(whole: &'a Scene, part: &'a ScenePart) -> Self {
+        let part = Some(part);
+        Self { whole, part }
+    }
+
+    /// The scene that is searched.
+    fn searched(&self) -> &'a Scene {
+        self.part.map_or(self.whole, |part| &part.scene)
+    }
+
+    /// N of the joints that are searched, over the weight of the scene that is searched, from forces
+    /// of the whole scene.
+    fn normal(&self, forces: &[JointForce]) -> Vec<f64> {
+        let unit = self.whole.total_weight();
+        let normal = totals(forces).into_iter().map(|n| n / unit);
+        self.normal_of(&normal.collect::<Vec<_>>())
+    }
+
+    /// The same from N over the whole scene's weight.
+    fn normal_of(&self, normal: &[f64]) -> Vec<f64> {
+        let Some(part) = self.part else {
+            return normal.to_vec();
+        };
+        let unit = self.whole.total_weight() / part.scene.total_weight();
+        let joints = part.joints.iter();
+        joints.map(|&joint| normal[joint] * unit).collect()
+    }
+
+    /// A state in the case's units, completed to one of the whole scene; `None` where its residuals
+    /// prove nothing.
+    fn state(&self, scale: Scale, state: &State, work: &mut Work) -> Option<CollapseState> {
+        let mut state = in_units(scale, state);
+        if let Some(part) = self.part {
+            state.forces = part.complete(self.whole, state.lambda, &state.forces, work)?;
+            state.mechanism = part.extend(self.whole, &state.mechanism);
+        }
+        is_proved(self.whole, &state).then_some(state)
+    }
+
+    /// The block that keeps a state of the scene that is searched from being proved.
+    fn unresolved(&self, scale: Scale, state: &State) -> Option<BlockResidual> {
+        let blocks = BlockResidual::of_state(self.searched(), &in_units(scale, state));
+        (!blocks.is_small()).then_some(blocks)
+    }
+
+    /// Whether the branch's states are proved in the scene that is searched: what a program calls
+    /// solved need not be. A state of a part that is lower than all others must be one of the whole
+    /// scene too, as the search goes on from it.
+    fn prove(
+        &self,
+        scale: Scale,
+        branch: &mut Branch,
+        lowest: f64,
+        work: &mut Work,
+    ) -> Result<(), SearchFailure> {
+        let searched = Place::whole(self.searched());
+        let is_proved = |place: &Place, state: &State, work: &mut Work| {
+            place.state(scale, state, work).is_some()
+        };
+        if !is_proved(&searched, &branch.lowest, work) {
+            return Err(SearchFailure::Unproved);
+        }
+        let is_lower = self.part.is_some() && branch.lowest.lambda < lowest;
+        if is_lower && !is_proved(self, &branch.lowest, work) {
+            return Err(SearchFailure::PartOnly);
+        }
+        if !is_proved(&searched, &branch.first, work) {
+            branch.first = branch.lowest.clone();
+        }
+        Ok(())
+    }
+}
+
+/// A state in the case's units.
+fn in_units(scale: Scale, state: &State) -> CollapseState {
+    CollapseState {
+        lambda: state.lambda * scale.multiplier,
+        forces: scale.forces(&state.forces),
+        mechanism: scale.mechanism(&state.velocity),
+    }
+}
+
+fn is_proved(scene: &Scene, state: &CollapseState) -> bool {
+    let statics = StaticResidual::of(scene, &state.forces, state.lambda);
+    let collapse = CollapseResidual::of(scene, &state.forces, &state.mechanism);
+    let of_scene = statics.largest().max(collapse.largest());
+    of_scene <= VERIFIED_RESIDUAL && BlockResidual::of_state(scene, state).is_small()
+}
+
+/// What a search has found.
+struct Explored {
+    /// Verified states of the whole scene, the lowest first.
+    states: Vec<CollapseState>,
+    facts: SearchFacts,
+    /// Where a state was none because of one block: its residual.
     unresolved: Option<BlockResidual>,
 }
 
-impl End {
-    /// Drops what leaves residuals too large for a proof: where λ is far beyond 1, or blocks are very
-    /// unequal, the same digits are larger residuals.
-    fn keep_proved(&mut self, scene: &Scene) {
-        let Ok(states) = &mut self.states else {
-            return;
-        };
-        let is_proved = |state: &CollapseState| {
-            let statics = StaticResidual::of(scene, &state.forces, state.lambda);
-            let collapse = CollapseResidual::of(scene, &state.forces, &state.mechanism);
-            let of_scene = statics.largest().max(collapse.largest());
-            of_scene <= VERIFIED_RESIDUAL && BlockResidual::of_state(scene, state).is_small()
-        };
-        states.same_mechanism = states.same_mechanism.take().filter(is_proved);
-        states.first = states.first.take().filter(is_proved);
-        if !is_proved(&states.lowest) {
-            let blocks = BlockResidual::of_state(scene, &states.lowest);
-            self.unresolved = (!blocks.is_small()).then_some(blocks);
-            self.states = Err(SearchFailure::Unproved);
-        }
-    }
-}
-
-/// What one start found, of the whole scene.
-struct States {
-    /// The lowest state on its way.
-    lowest: CollapseState,
-    /// The highest state of the same mechanism, where that is one of the whole scene.
-    same_mechanism: Option<CollapseState>,
-    /// The first state, where that is one of the whole scene.
-    first: Option<CollapseState>,
-}
-
-/// Follows every start on a part of the scene, or on the whole of it.
-fn search(
-    scene: &Scene,
-    part: Option<&ScenePart>,
+/// Searches a part of the scene, or the whole of it.
+fn explore(
+    place: Place,
+    evening: Evening,
     request: &Request,
+    at_rest: &[JointForce],
     work: &mut Work,
-) -> Result<Vec<End>, Ending> {
-    let searched = part.map_or(scene, |part| &part.scene);
-    let mut search = Search::new(searched);
-    let starts = starts::starts(searched, &mut search, request.settings.interval.starts)?;
-    Ok(follow(scene, part, request, &mut search, starts, work))
+) -> Result<Explored, Ending> {
+    let mut search = Search::evened(place.searched(), evening);
+    let associative = search.associative()?;
+    let further = request.further.iter();
+    let further = further.map(|normal| place.normal_of(normal)).collect();
+    let at_rest = place.normal(at_rest);
+    let starts = Starts::of(&mut search, associative, at_rest, further);
+    Ok(follow(place, request, search, starts, work))
 }
 
-/// Follows these starts, and those that the request adds, down to their lowest states.
+/// Follows one start after the other down to its lowest state.
 fn follow(
-    scene: &Scene,
-    part: Option<&ScenePart>,
+    place: Place,
     request: &Request,
-    search: &mut Search,
-    starts: Vec<Start>,
+    mut search: Search,
+    mut starts: Starts,
     work: &mut Work,
-) -> Vec<End> {
-    let mut ends = Vec::new();
-    let further = request
-        .further
-        .iter()
-        .map(|normal| neighbour(scene, part, normal));
-    for start in starts.into_iter().chain(further) {
-        let kind = start.kind;
-        let settings = request.settings;
-        let scale = search.program().scale();
-        let stop_below = request.stop_below / scale.multiplier;
-        let branch = descend(search, start, settings.interval.starts, stop_below);
-        let states = branch.and_then(|branch| {
-            let mut whole = |state| collapse_state(scene, part, scale, state, work);
-            Ok(States {
-                lowest: whole(&branch.lowest).ok_or(SearchFailure::PartOnly)?,
-                same_mechanism: whole(&branch.highest),
-                first: whole(&branch.first),
-            })
+) -> Explored {
+    let searched = place.searched();
+    let asked = request.settings.interval.starts;
+    let budget = Budget::of(searched.blocks().len(), searched.joints().len(), asked);
+    let scale = search.program().scale();
+    let mut found = Found::default();
+    let mut endings = Vec::new();
+    let mut unresolved = None;
+    while budget.goes_on(endings.len(), search.work.programs, &found) {
+        let lowest = found.lowest().map_or(f64::INFINITY, |state| state.lambda);
+        let (start, branch) = starts.follow_next(&mut search, &found);
+        let branch = branch.and_then(|mut branch| {
+            let proof = place.prove(scale, &mut branch, lowest, work);
+            if proof == Err(SearchFailure::Unproved) {
+                let blocks = place.unresolved(scale, &branch.lowest);
+                unresolved = unresolved.or(blocks);
+            }
+            proof.map(|()| branch)
         });
-        let mut end = End {
-            start: kind,
-            states,
-            unresolved: None,
+        let (ending, lambda) = match branch {
+            Ok(branch) => {
+                let lambda = branch.lowest.lambda;
+                found.take(branch);
+                let lowest = lambda * scale.multiplier;
+                (SearchEnding::Verified { lowest }, lambda)
+            }
+            Err(failure) => (SearchEnding::Failed(failure), f64::INFINITY),
         };
-        end.keep_proved(scene);
-        let reached = |states: &States| states.lowest.lambda <= request.stop_below;
-        let stop = end.states.as_ref().is_ok_and(reached);
-        ends.push(end);
-        if stop {
+        endings.push(StartEnding { start, ending });
+        starts.go_on(lambda < lowest);
+        if lambda * scale.multiplier <= request.stop_below {
             break;
         }
     }
+    let states = whole_states(place, &mut search, &found, work);
     work.programs += search.work.programs;
     work.iterations += search.work.iterations;
-    work.modelled = part.map_or(scene, |part| &part.scene).blocks().len();
-    ends
-}
-
-/// A start from normal forces of the whole scene, over its total weight.
-fn neighbour(scene: &Scene, part: Option<&ScenePart>, normal: &[f64]) -> Start {
-    let normal = match part {
-        None => normal.to_vec(),
-        Some(part) => {
-            let unit = scene.total_weight() / part.scene.total_weight();
-            let joints = part.joints.iter();
-            joints.map(|&joint| normal[joint] * unit).collect()
-        }
+    work.modelled = searched.blocks().len();
+    let facts = SearchFacts {
+        starts: endings,
+        multiplier_unit: scale.multiplier,
     };
-    Start {
-        kind: SearchStart::Neighbour,
-        normal,
-        approach: Approach::Quick,
+    Explored {
+        states,
+        facts,
+        unresolved,
     }
 }
 
-/// A state in the case's units, completed to one of the whole scene.
-fn collapse_state(
-    scene: &Scene,
-    part: Option<&ScenePart>,
-    scale: Scale,
-    state: &State,
+/// The states found that are states of the whole scene. Each one of a part costs a program, so that
+/// of those only the lowest and the highest are completed.
+fn whole_states(
+    place: Place,
+    search: &mut Search,
+    found: &Found,
     work: &mut Work,
-) -> Option<CollapseState> {
-    let lambda = state.lambda * scale.multiplier;
-    let forces = scale.forces(&state.forces);
-    let mechanism = scale.mechanism(&state.velocity);
-    let (forces, mechanism) = match part {
-        None => (forces, mechanism),
-        Some(part) => {
-            let forces = part.complete(scene, lambda, &forces, work)?;
-            let statics = StaticResidual::of(scene, &forces, lambda).largest();
-            let proved = statics <= VERIFIED_RESIDUAL;
-            proved.then(|| (forces, part.extend(scene, &mechanism)))?
-        }
+) -> Vec<CollapseState> {
+    let scale = search.program().scale();
+    let mut whole = |state: &State| place.state(scale, state, work);
+    let mut lowest = found
+        .states()
+        .filter_map(|state| Some((state, whole(state)?)));
+    let Some((of_part, first)) = lowest.next() else {
+        return Vec::new();
     };
-    Some(CollapseState {
-        lambda,
-        forces,
-        mechanism,
-    })
+    let mut states = vec![first];
+    if place.part.is_none() {
+        states.extend(lowest.map(|(_, state)| state));
+    }
+    let mut higher: Vec<State> = vec![search.highest_of(of_part)];
+    higher.extend(found.highest().next().map(|state| search.highest_of(state)));
+    higher.extend(found.highest().cloned());
+    higher.sort_by(|a, b| b.lambda.total_cmp(&a.lambda));
+    let known = states[states.len() - 1].lambda;
+    let higher = higher
+        .iter()
+        .filter(|state| state.lambda * scale.multiplier > known);
+    states.extend(
+        higher
+            .filter_map(|state| place.state(scale, state, work))
+            .next(),
+    );
+    states
 }
 
 /// The outcome, or `None` where no start found a state.
-fn report(scene: &Scene, ends: &[End], at_rest: &[JointForce], work: &mut Work) -> Option<Outcome> {
-    let mut states: Vec<CollapseState> = Vec::new();
-    for found in ends.iter().filter_map(|end| end.states.as_ref().ok()) {
-        states.push(found.lowest.clone());
-        states.extend(found.same_mechanism.iter().chain(&found.first).cloned());
-    }
-    states.sort_by(|a, b| a.lambda.total_cmp(&b.lambda));
-    let (low, high) = (states.first()?, states.last()?);
+fn report(
+    scene: &Scene,
+    explored: &Explored,
+    at_rest: &[JointForce],
+    work: &mut Work,
+) -> Option<Outcome> {
+    let states = explored.states.clone();
+    let (low, high) = (states.first()?.clone(), states.last()?);
     let found = LimitFact::FoundNoBounds {
         frictionless: outer::frictionless(scene, at_rest, work),
     };
@@ -323,28 +406,11 @@ fn report(scene: &Scene, ends: &[End], at_rest: &[JointForce], work: &mut Work) 
             upper: high.lambda,
         }),
         crack: crack_slope(scene, &low.mechanism, VELOCITY_THRESHOLDS),
-        mechanism: Some(low.mechanism.clone()),
-        forces: Some(low.forces.clone()),
+        mechanism: Some(low.mechanism),
+        forces: Some(low.forces),
         states,
         work: *work,
-        facts: vec![found.into(), facts(ends).into()],
+        facts: vec![found.into(), explored.facts.clone().into()],
         ..Outcome::of(Status::Verified)
     })
-}
-
-/// Which start ended where.
-fn facts(ends: &[End]) -> SearchFacts {
-    let starts = ends.iter().map(|end| StartEnding {
-        start: end.start,
-        ending: match &end.states {
-            Ok(states) => SearchEnding::Verified {
-                lowest: states.lowest.lambda,
-                highest: states.same_mechanism.as_ref().map(|high| high.lambda),
-            },
-            Err(failure) => SearchEnding::Failed(*failure),
-        },
-    });
-    SearchFacts {
-        starts: starts.collect(),
-    }
 }

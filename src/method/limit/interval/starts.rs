@@ -1,10 +1,15 @@
-//! Where the search for collapse states begins: few starts, chosen on purpose, all deterministic.
+//! Where the search for collapse states begins: kinds of normal forces, one after the other.
+//!
+//! No kind of start finds every state: on 57 walls of 15 to 152 blocks the lowest state was met by
+//! one kind alone on several (measured). So the kinds take turns, and those that begin at the lowest
+//! state known so far use what the others find. Every start is the same in every run.
 
+use super::descent::{Approach, Branch, Descent};
+use super::found::Found;
 use super::noise::Noise;
-use super::search::{Approach, Search, totals};
-use crate::answer::SearchStart;
-use crate::method::limit::ending::Ending;
-use crate::scene::{HeadJoints, JointClass, Scene};
+use super::search::{Prices, Search, State, totals};
+use crate::answer::{SearchFailure, SearchStart};
+use crate::scene::{HeadJoints, JointClass};
 
 /// Normal forces to begin with.
 pub(super) struct Start {
@@ -16,83 +21,232 @@ pub(super) struct Start {
     pub(super) approach: Approach,
 }
 
-/// The first `count` starts, at least one.
-///
-/// With head joints in contact, the first two are the lowest state of the same scene with open head
-/// joints (nothing on head joints: the state before pushing) and the associative state, which lies
-/// in the middle of the optimal face. Between them they reach the lowest state known on every wall
-/// with a reference; an interior-point solver started at random does not. With open head joints
-/// the associative state comes first and is followed by the forces of a few programs with frozen
-/// capacities, which find lower branches on irregular bonds. Further ones scale each joint's
-/// associative N by 0.2 to 1.6.
-pub(super) fn starts(
-    scene: &Scene,
-    search: &mut Search,
-    count: usize,
-) -> Result<Vec<Start>, Ending> {
-    let mut starts = Vec::new();
-    if scene.head_joints() == HeadJoints::Contact
-        && let Some(normal) = open_state(scene, search)
-    {
-        starts.push(Start {
-            kind: SearchStart::OpenState,
-            normal,
-            approach: Approach::Quick,
-        });
-    }
-    if starts.len() >= count {
-        return Ok(starts);
-    }
-    let associative = search.associative()?;
-    starts.push(Start {
-        kind: SearchStart::Associative,
-        normal: associative.clone(),
-        approach: Approach::Quick,
-    });
-    if starts.len() < count
-        && let Some(normal) = frozen_state(search, associative.clone())
-    {
-        starts.push(Start {
-            kind: SearchStart::Frozen,
-            normal,
-            approach: Approach::Quick,
-        });
-    }
-    while starts.len() < count {
-        let mut noise = Noise::new(starts.len());
-        let scaled = associative
-            .iter()
-            .map(|n| n * (0.2 + 1.4 * noise.uniform()));
-        starts.push(Start {
-            kind: SearchStart::Scaled,
-            normal: scaled.collect(),
-            approach: Approach::Quick,
-        });
-    }
-    Ok(starts)
+/// Kinds of starts that a search takes in turn once those chosen on purpose are used up.
+const IN_TURN: [SearchStart; 13] = [
+    SearchStart::LowestRaised,
+    SearchStart::LowestRaised,
+    SearchStart::LowestRaised,
+    SearchStart::OpenScaled,
+    SearchStart::OwnWeightReduced,
+    SearchStart::Even,
+    SearchStart::Statics,
+    SearchStart::Priced,
+    SearchStart::OwnWeightThinned,
+    SearchStart::StaticsBelow,
+    SearchStart::LowestScaled,
+    SearchStart::LowestRepriced,
+    SearchStart::StaticsScaled,
+];
+
+/// The starts of one search.
+pub(super) struct Starts {
+    /// Starts chosen on purpose, the next one last.
+    chosen: Vec<Start>,
+    /// N under the own weight.
+    at_rest: Vec<f64>,
+    /// N of the lowest state with open head joints, or under the own weight where there is none.
+    open: Vec<f64>,
+    /// Place in [`IN_TURN`].
+    turn: usize,
+    /// Number of the random sequence.
+    sequence: usize,
 }
 
-/// The first `count` starts of a scene without an associative state: the forces that hold it under
-/// its own weight, as they are and each scaled by 0.1 to 1.8.
-pub(super) fn starts_at_rest(search: &mut Search, at_rest: &[f64], count: usize) -> Vec<Start> {
-    search.carry(at_rest.to_vec());
-    let scaled = |index: usize| {
-        let mut noise = Noise::new(index);
-        let scaled = at_rest.iter().map(|n| n * (0.1 + 1.7 * noise.uniform()));
-        Start {
-            kind: SearchStart::Scaled,
-            normal: scaled.collect(),
-            approach: Approach::Blending,
+impl Starts {
+    /// The starts of a scene with an associative state.
+    ///
+    /// With head joints in contact, the first two are the lowest state of the same scene with open
+    /// head joints (nothing on head joints: the state before pushing) and the associative state,
+    /// which lies in the middle of the optimal face. With open head joints the associative state
+    /// comes first and is followed by the forces of a few programs with frozen capacities.
+    pub(super) fn of(
+        search: &mut Search,
+        associative: Vec<f64>,
+        at_rest: Vec<f64>,
+        further: Vec<Vec<f64>>,
+    ) -> Self {
+        let quick = |kind, normal| Start {
+            kind,
+            normal,
+            approach: Approach::Quick,
+        };
+        let mut chosen = Vec::new();
+        let open = (search.scene.head_joints() == HeadJoints::Contact)
+            .then(|| open_state(search))
+            .flatten();
+        if let Some(normal) = &open {
+            chosen.push(quick(SearchStart::OpenState, normal.clone()));
         }
-    };
-    let first = Start {
-        kind: SearchStart::OwnWeight,
-        normal: at_rest.to_vec(),
-        approach: Approach::Quick,
-    };
-    std::iter::once(first)
-        .chain((1..count).map(scaled))
-        .collect()
+        chosen.push(quick(SearchStart::Associative, associative.clone()));
+        if open.is_none()
+            && let Some(normal) = frozen_state(search, associative)
+        {
+            chosen.push(quick(SearchStart::Frozen, normal));
+        }
+        let further = further.into_iter();
+        chosen.extend(further.map(|normal| quick(SearchStart::Neighbour, normal)));
+        chosen.reverse();
+        Self {
+            chosen,
+            open: open.unwrap_or_else(|| at_rest.clone()),
+            at_rest,
+            turn: 0,
+            sequence: 0,
+        }
+    }
+
+    /// The starts of a scene without an associative state, from the forces that hold it under its
+    /// own weight.
+    pub(super) fn without_associative(search: &mut Search, at_rest: Vec<f64>) -> Self {
+        search.coulomb_normal = Some(at_rest.clone());
+        Self {
+            chosen: vec![Start {
+                kind: SearchStart::OwnWeight,
+                normal: at_rest.clone(),
+                approach: Approach::Quick,
+            }],
+            open: at_rest.clone(),
+            at_rest,
+            turn: 0,
+            sequence: 0,
+        }
+    }
+
+    /// Goes on to the next kind, unless the last start lowered λ: then its kind is taken again.
+    pub(super) fn go_on(&mut self, lowered: bool) {
+        if self.sequence > 0 && !lowered {
+            self.turn += 1;
+        }
+    }
+
+    /// Follows the next start. Those of a kind that this scene does not have are passed over.
+    pub(super) fn follow_next(
+        &mut self,
+        search: &mut Search,
+        found: &Found,
+    ) -> (SearchStart, Result<Branch, SearchFailure>) {
+        let known = found.lambdas();
+        let (start, noise) = match self.chosen.pop() {
+            Some(start) => (Ok(start), Noise::new(0)),
+            None => self.in_turn(search, found),
+        };
+        match start {
+            Ok(start) => {
+                let mut descent = Descent {
+                    search,
+                    approach: start.approach,
+                    noise,
+                    known: &known,
+                };
+                (start.kind, descent.follow(start.normal))
+            }
+            Err((kind, why)) => (kind, Err(why)),
+        }
+    }
+
+    fn in_turn(
+        &mut self,
+        search: &mut Search,
+        found: &Found,
+    ) -> (Result<Start, (SearchStart, SearchFailure)>, Noise) {
+        loop {
+            let kind = IN_TURN[self.turn % IN_TURN.len()];
+            self.sequence += 1;
+            let mut noise = Noise::new(self.sequence);
+            let normal = self.normal(kind, search, found.lowest(), &mut noise);
+            if normal.is_none() {
+                self.turn += 1;
+            }
+            if let Some(normal) = normal {
+                let approach = match kind {
+                    SearchStart::LowestRaised => Approach::Nearby,
+                    _ => Approach::Blending,
+                };
+                let start = normal.map_err(|why| (kind, why)).map(|normal| Start {
+                    kind,
+                    normal,
+                    approach,
+                });
+                return (start, noise);
+            }
+        }
+    }
+
+    /// Normal forces of one kind; `None` where the scene, or what is found so far, has none.
+    fn normal(
+        &self,
+        kind: SearchStart,
+        search: &mut Search,
+        lowest: Option<&State>,
+        noise: &mut Noise,
+    ) -> Option<Result<Vec<f64>, SearchFailure>> {
+        let scaled = |normal: &[f64], noise: &mut Noise| {
+            let scaled = normal.iter().map(|n| n * noise.between(0.1, 1.8));
+            scaled.collect::<Vec<f64>>()
+        };
+        let highest = search.associative.or(lowest.map(|state| state.lambda));
+        Some(Ok(match kind {
+            SearchStart::OpenScaled => scaled(&self.open, noise),
+            SearchStart::OwnWeightReduced => {
+                self.at_rest.iter().map(|n| n * noise.uniform()).collect()
+            }
+            SearchStart::OwnWeightThinned => {
+                let thinned = |n: &f64| if noise.uniform() < 0.5 { 0.05 * n } else { *n };
+                self.at_rest.iter().map(thinned).collect()
+            }
+            SearchStart::Even => {
+                let joints = 0..self.at_rest.len();
+                let even = joints.map(|j| search.unit(j) * 10f64.powf(noise.between(-2.0, 1.0)));
+                even.collect()
+            }
+            SearchStart::Statics => {
+                let lambda = highest? * noise.between(0.05, 1.0);
+                return Some(search.random_statics(lambda, noise));
+            }
+            SearchStart::StaticsScaled => {
+                let lambda = highest? * noise.between(0.1, 1.0);
+                let statics = search.random_statics(lambda, noise);
+                return Some(statics.map(|normal| scaled(&normal, noise)));
+            }
+            SearchStart::StaticsBelow => {
+                let lambda = lowest?.lambda * noise.between(0.2, 1.0);
+                return Some(search.random_statics(lambda, noise));
+            }
+            SearchStart::Priced => {
+                let size = 10f64.powf(noise.between(-2.0, 0.5));
+                let friction = self.at_rest.iter().map(|_| size * noise.uniform());
+                let prices = Prices::without_mechanism(friction.collect());
+                let nearest = search.nearest(&prices, 1.0);
+                return Some(nearest.map(|solution| totals(&solution.forces)));
+            }
+            SearchStart::LowestRaised => {
+                let raise = 10f64.powf(noise.between(-3.0, 0.0));
+                let heads_alone = noise.uniform() < 0.3;
+                let joints = search.scene.joints().iter().enumerate();
+                let normal = joints.zip(totals(&lowest?.forces)).map(|((j, joint), n)| {
+                    let is_raised = !heads_alone || joint.class == JointClass::Head;
+                    let share = if is_raised { noise.uniform() } else { 0.0 };
+                    n + raise * share * search.unit(j)
+                });
+                normal.collect()
+            }
+            SearchStart::LowestScaled => scaled(&totals(&lowest?.forces), noise),
+            SearchStart::LowestRepriced => {
+                let mut prices = lowest?.prices.clone();
+                for price in &mut prices.friction {
+                    *price *= 2.0 * noise.uniform();
+                }
+                let weight = 1.0 - 0.9 * noise.uniform();
+                let nearest = search.nearest(&prices, weight);
+                return Some(nearest.map(|solution| totals(&solution.forces)));
+            }
+            SearchStart::OpenState
+            | SearchStart::Associative
+            | SearchStart::Frozen
+            | SearchStart::OwnWeight
+            | SearchStart::Neighbour => return None,
+        }))
+    }
 }
 
 /// Normal forces after a few programs with frozen capacities, each from the last one's forces: the
@@ -104,9 +258,10 @@ fn frozen_state(search: &mut Search, mut normal: Vec<f64>) -> Option<Vec<f64>> {
     Some(normal)
 }
 
-/// Normal forces of the lowest state of the first start with open head joints, zero on those;
-/// `None` where the scene has no head joints or no such state is found.
-fn open_state(scene: &Scene, search: &mut Search) -> Option<Vec<f64>> {
+/// Normal forces of a low state of the same scene with open head joints, zero on those; `None` where
+/// the scene has no head joints or no such state is found.
+fn open_state(search: &mut Search) -> Option<Vec<f64>> {
+    let scene = search.scene;
     let is_head = |class| class == JointClass::Head;
     if !scene.joints().iter().any(|joint| is_head(joint.class)) {
         return None;
@@ -114,8 +269,13 @@ fn open_state(scene: &Scene, search: &mut Search) -> Option<Vec<f64>> {
     let open = scene.clone().with_head_joints(HeadJoints::Open);
     let mut inner = Search::new(&open);
     let state = inner.associative().ok().and_then(|normal| {
-        let first = inner.close(normal, Approach::Quick).ok()?;
-        Some(inner.extreme_of(&first, -1.0))
+        let mut descent = Descent {
+            search: &mut inner,
+            approach: Approach::Quick,
+            noise: Noise::new(0),
+            known: &[],
+        };
+        Some(descent.follow(normal).ok()?.lowest)
     });
     search.work.programs += inner.work.programs;
     search.work.iterations += inner.work.iterations;

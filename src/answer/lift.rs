@@ -1,0 +1,31 @@
+//! How far forces that exceed Coulomb's law can lift a multiplier.
+
+use super::mechanism::Mechanism;
+use super::state::JointForce;
+use crate::scene::Scene;
+
+/// By how much the multiplier of a force state can be above that of a mechanism with dilatancy, as
+/// its joints carry more shear than μN: Σ (|t| − μN) |slip| over those joints, for a mechanism on
+/// which the live load does work 1. By virtual work nothing else that is in equilibrium and in
+/// compression can lift it. Infinite where the live load does no positive work on the mechanism.
+pub fn excess_lift(scene: &Scene, forces: &[JointForce], mechanism: &Mechanism) -> f64 {
+    let mut live = 0.0;
+    for (block, motion) in scene.blocks().iter().zip(&mechanism.motions) {
+        for load in &block.loads {
+            live += load
+                .live
+                .dot(&motion.at(load.point - block.shape.centroid()));
+        }
+    }
+    let rates = mechanism.joint_rates(scene);
+    let joints = scene.joints().iter().zip(forces).zip(&rates);
+    let power = joints.map(|((joint, force), rate)| {
+        let capacity = joint.friction * (force.normal[0] + force.normal[1]);
+        (force.shear.abs() - capacity).max(0.0) * rate.slip.abs()
+    });
+    if live > 0.0 {
+        power.sum::<f64>() / live
+    } else {
+        f64::INFINITY
+    }
+}

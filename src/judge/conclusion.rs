@@ -1,0 +1,267 @@
+//! What all answers about one scene come to, in one line: the best of them, how far those that prove
+//! something differ, and whether that is explained.
+
+use std::fmt;
+
+use super::heard::LowerState;
+use crate::answer::{Bracket, Status};
+use crate::number::{number, percent};
+use crate::scene::HeadJoints;
+
+/// What the harness answers for one scene.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Conclusion {
+    /// Head joints of the scene.
+    pub head_joints: HeadJoints,
+    /// The best answer.
+    pub basis: Basis,
+    /// Whose it is; several where they say the same without a number; where there is none, who was
+    /// asked and did not decline.
+    pub methods: Vec<String>,
+    /// What the best answer is worth.
+    pub status: Status,
+    /// Its multiplier: of a collapse state that is one number, of what was seen or estimated may be
+    /// a range.
+    pub bracket: Option<Bracket>,
+    /// Of a lowest state, the highest state that is verified beside it: with head joints in contact,
+    /// say, several mechanisms have one.
+    pub highest_state: Option<f64>,
+    /// What the other proofs say that is not the same.
+    pub difference: Option<Difference>,
+    /// What speaks against the best answer and is not explained.
+    pub doubts: Vec<Doubt>,
+}
+
+/// What the best answer rests on, from best to worst.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Basis {
+    /// It falls under its own weight.
+    Falls,
+    /// A collapse state without dilatancy: the lowest that anybody verified. No lower bound.
+    LowestState,
+    /// No push is too large, also without dilatancy.
+    Stands,
+    /// A bound that no collapse multiplier exceeds, and no state.
+    UpperBound,
+    /// What was seen, without a proof.
+    Observed,
+    /// A number without a proof.
+    Estimate,
+    /// Nothing.
+    Nothing,
+}
+
+impl Basis {
+    /// The word in JSON.
+    pub fn name(self) -> &'static str {
+        match self {
+            Basis::Falls => "falls",
+            Basis::LowestState => "lowest-state-found",
+            Basis::Stands => "stands",
+            Basis::UpperBound => "upper-bound",
+            Basis::Observed => "observed",
+            Basis::Estimate => "estimate",
+            Basis::Nothing => "nothing",
+        }
+    }
+}
+
+/// How far proofs are apart from the lowest state, explained by what they prove: with dilatancy a
+/// joint opens as it slips, which takes more push, so that λ_A bounds what happens without.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Difference {
+    /// Whose upper bound by associative friction it is.
+    pub method: String,
+    /// The bound; `None` where it stands, so that there is none.
+    pub associative: Option<f64>,
+    /// How far it is above the state, relative to that.
+    pub relative: Option<f64>,
+    /// Why that is no contradiction.
+    pub explanation: Explanation,
+}
+
+/// Why associative friction gives more than the lowest state.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Explanation {
+    /// With dilatancy joints open as they slip, which takes more push than any state found.
+    Dilatancy,
+    /// States are verified up to there: which of them happens nobody knows of a real wall.
+    SeveralStates,
+}
+
+impl Explanation {
+    /// The word in JSON.
+    pub fn name(self) -> &'static str {
+        match self {
+            Explanation::Dilatancy => "dilatancy",
+            Explanation::SeveralStates => "several-states",
+        }
+    }
+}
+
+/// What is not explained.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Doubt {
+    /// Somebody lies lower.
+    Lower(LowerState),
+    /// A proof contradicts: it bounds the multiplier by less.
+    Bound {
+        /// Whose.
+        by: String,
+        /// The bound.
+        lambda: f64,
+    },
+    /// Somebody lies above what no collapse multiplier exceeds.
+    Above {
+        /// Who.
+        by: String,
+        /// The multiplier.
+        lambda: f64,
+        /// How far above, relative to the bound.
+        above: f64,
+    },
+    /// Somebody gives what no multiplier can be.
+    Impossible {
+        /// Who.
+        by: String,
+        /// The number.
+        lambda: f64,
+    },
+    /// This method proves that nothing collapses.
+    Stands {
+        /// Who.
+        by: String,
+    },
+    /// This method says that it falls under its own weight.
+    Falls {
+        /// Who.
+        by: String,
+    },
+}
+
+impl Conclusion {
+    /// Whether nothing speaks against the best answer but what is explained.
+    pub fn is_explained(&self) -> bool {
+        self.doubts.is_empty()
+    }
+}
+
+/// Differences below this are none: λ with the digits that tables show.
+pub(super) const ALIKE: f64 = 1e-4;
+
+impl fmt::Display for Conclusion {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let by = self.methods.join(", ");
+        let status = self.status.name();
+        let lambda = self.bracket.map_or_else(String::new, |bracket| {
+            let proved = self.status != Status::Estimate;
+            let decimals = if proved { 5 } else { 4 };
+            let [low, high] = [bracket.lower, bracket.upper].map(|end| number(end, decimals));
+            if low == high {
+                low
+            } else {
+                format!("{low} - {high}")
+            }
+        });
+        match self.basis {
+            Basis::Falls => write!(f, "falls under its own weight ({by})"),
+            Basis::LowestState => {
+                write!(f, "λ = {lambda} {status}, the lowest state found ({by}")?;
+                match self.highest_state {
+                    Some(highest) => write!(f, "; others up to {})", number(highest, 5)),
+                    None => write!(f, ")"),
+                }
+            }
+            Basis::Stands => write!(f, "stands: no push is too large ({by})"),
+            Basis::UpperBound => {
+                let upper = self.bracket.map_or(f64::NAN, |bracket| bracket.upper);
+                let upper = number(upper, 5);
+                write!(
+                    f,
+                    "λ at most {upper} {status} ({by}); no collapse state is verified"
+                )
+            }
+            Basis::Observed => write!(
+                f,
+                "λ = {lambda} {status}, as seen ({by}); nothing is proved"
+            ),
+            Basis::Estimate => write!(f, "λ = {lambda} {status} ({by}); nothing is proved"),
+            Basis::Nothing if self.methods.is_empty() => write!(f, "no answer"),
+            Basis::Nothing => write!(f, "no answer ({by})"),
+        }?;
+        if let Some(difference) = &self.difference {
+            write!(f, "; {difference}")?;
+        }
+        for (place, doubt) in self.doubts.iter().enumerate() {
+            let lead = if place == 0 {
+                "; NOT EXPLAINED: "
+            } else {
+                ", "
+            };
+            write!(f, "{lead}{doubt}")?;
+        }
+        Ok(())
+    }
+}
+
+impl fmt::Display for Difference {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let method = &self.method;
+        let (Some(lambda), Some(relative)) = (self.associative, self.relative) else {
+            return write!(f, "{method} stands, {}", self.explanation);
+        };
+        if relative.abs() <= ALIKE {
+            return write!(f, "{method} meets it");
+        }
+        let lambda = number(lambda, 5);
+        if relative > 0.0 {
+            let above = percent(relative);
+            write!(
+                f,
+                "{method} {lambda} is {above} above, {}",
+                self.explanation
+            )
+        } else {
+            write!(f, "{method} {lambda}")
+        }
+    }
+}
+
+impl fmt::Display for Explanation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Explanation::Dilatancy => "explained by its dilatancy",
+            Explanation::SeveralStates => "explained: states are verified up to there",
+        })
+    }
+}
+
+impl fmt::Display for Doubt {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Doubt::Lower(lower) => {
+                let lambda = number(lower.lambda, lower.decimals);
+                let (by, below) = (&lower.by, percent(lower.below));
+                write!(
+                    f,
+                    "{by} {lambda} lies {below} below: a lower state may exist"
+                )
+            }
+            Doubt::Above { by, lambda, above } => {
+                let (lambda, above) = (number(*lambda, 4), percent(*above));
+                write!(
+                    f,
+                    "{by} {lambda} lies {above} above what no collapse multiplier exceeds"
+                )
+            }
+            Doubt::Impossible { by, lambda } => {
+                write!(f, "{by} {lambda:.1e} can be no multiplier")
+            }
+            Doubt::Bound { by, lambda } => {
+                write!(f, "{by} proves that none is above {}", number(*lambda, 5))
+            }
+            Doubt::Stands { by } => write!(f, "{by} stands"),
+            Doubt::Falls { by } => write!(f, "{by} falls under its own weight"),
+        }
+    }
+}

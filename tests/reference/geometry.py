@@ -1,0 +1,231 @@
+"""What a scene owes its polygons and its case file, for `judge.py`: centroids, loads and joints are
+derived here again, and what differs is told in a line each."""
+import re
+
+import numpy as np
+
+try:
+    import tomllib
+except ImportError:  # Python before 3.11: scenes are not laid again
+    tomllib = None
+
+TOUCH = 1e-6  # edges touch within this part of the smaller body's extent, unless the file says otherwise
+
+
+def area_and_centroid(corners):
+    p = corners - corners[0]
+    q = np.roll(p, -1, axis=0)
+    cross = p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0]
+    area = cross.sum() / 2
+    return area, corners[0] + ((p + q) * cross[:, None]).sum(0) / (6 * area)
+
+
+def extent(corners):
+    return np.hypot(*np.ptp(corners, axis=0))
+
+
+def violations(scene, touch=None):
+    """Lines about blocks whose loads do not add up and joints that the polygons do not have, or lack."""
+    blocks = [np.array(b["corners"], float) for b in scene["blocks"]]
+    supports = [np.array(s["corners"], float) for s in scene["supports"]]
+    for index, (corners, block) in enumerate(zip(blocks, scene["blocks"])):
+        area, centre = area_and_centroid(corners)
+        size = extent(corners)
+        if not area > 0:
+            yield f"block {index} runs clockwise"
+        # Thin blocks far from the origin lose digits in any order of summation.
+        slack = 1e-9 * size + 1e-13 * np.abs(corners).max() * size * size / abs(area)
+        if not np.hypot(*(centre - block["centroid"])) <= slack:
+            yield f"block {index}: its centroid is {centre}, not {block['centroid']}"
+        for part in ("dead", "live"):
+            forces = np.array([load[part] for load in block["loads"]], float).reshape(-1, 2)
+            arms = np.array([load["point"] for load in block["loads"]], float).reshape(-1, 2) - block["centroid"]
+            total = np.append(forces.sum(0), (arms[:, 0] * forces[:, 1] - arms[:, 1] * forces[:, 0]).sum())
+            unit = np.abs(forces).sum() * np.array([1, 1, size + np.abs(arms).max(initial=0)])
+            if not (np.abs(total - block[part]) <= 1e-9 * unit).all():
+                yield f"block {index}: its {part} loads add up to {total}, not {block[part]}"
+    yield from joint_violations(scene, blocks, supports, touch or TOUCH)
+
+
+def joint_violations(scene, blocks, supports, touch):
+    listed = {}
+    for index, joint in enumerate(scene["joints"]):
+        from_block, from_support = joint["from_block"], joint["from_support"]
+        if (from_block is None) == (from_support is None):
+            yield f"joint {index} has no one body that it comes from"
+            continue
+        source = supports[from_support] if from_block is None else blocks[from_block]
+        to = blocks[joint["to"]]
+        near = max(touch, TOUCH) * min(extent(source), extent(to)) * 1.001
+        ends, normal = np.array(joint["ends"], float), np.array(joint["normal"], float)
+        along = ends[1] - ends[0]
+        length = np.hypot(*along)
+        if not (abs(np.hypot(*normal) - 1) < 1e-9 and abs(normal @ along) <= 1e-9 * length):
+            yield f"joint {index}: its normal is no unit vector across it"
+        if not np.allclose(joint["tangent"], [normal[1], -normal[0]], rtol=0, atol=1e-12):
+            yield f"joint {index}: its tangent is not the normal turned clockwise"
+        # Both bodies reach the joint, and lie on their own sides of it.
+        heights = [(body - ends[0]) @ normal for body in (source, to)]
+        if not (-2 * near <= heights[0].max() <= 2 * near and -2 * near <= heights[1].min() <= 2 * near):
+            yield f"joint {index}: its normal does not point from one body into the other"
+        for name, body in (("first", source), ("second", to)):
+            far = max(distance(end, body) for end in ends)
+            if not far <= 2 * near:
+                yield f"joint {index}: an end lies {far:.1e} off the boundary of its {name} body"
+        if not (np.isfinite(joint["friction"]) and joint["friction"] >= 0):
+            yield f"joint {index}: friction {joint['friction']}"
+        kind = "base" if from_block is None else "bed" if abs(normal[1]) >= abs(normal[0]) else "head"
+        # Between voussoirs every joint is a bed joint.
+        if joint["class"] != kind and not (kind == "head" and joint["class"] == "bed"):
+            yield f"joint {index} is called {joint['class']}, but is {kind}"
+        if scene["head_joints"] == "open" and joint["class"] == "head":
+            yield f"joint {index} is a head joint where those are open"
+        listed.setdefault((from_block, from_support, joint["to"]), []).append(ends)
+    yield from missing(scene, blocks, supports, touch, listed)
+
+
+def distance(point, corners):
+    """From a point to the outline."""
+    start, edge = corners, np.roll(corners, -1, axis=0) - corners
+    share = np.clip(((point - start) * edge).sum(1) / (edge**2).sum(1), 0, 1)
+    return np.hypot(*(point - start - share[:, None] * edge).T).min()
+
+
+def missing(scene, blocks, supports, touch, listed):
+    """Contacts that the polygons have beyond doubt and the scene does not list, and the other way round twice."""
+    bodies = supports + blocks
+    many = len(supports)
+    low = np.array([body.min(0) for body in bodies])
+    high = np.array([body.max(0) for body in bodies])
+    slack = touch * np.array([extent(body) for body in bodies])
+    low, high = low - slack[:, None], high + slack[:, None]
+    for second in range(many, len(bodies)):
+        meets = (low[:second] <= high[second]).all(1) & (high[:second] >= low[second]).all(1)
+        for first in np.flatnonzero(meets):
+            source, to = bodies[first], bodies[second]
+            size = min(extent(source), extent(to))
+            key = (None, int(first), second - many) if first < many else (int(first) - many, None, second - many)
+            known = listed.get(key, [])
+            sure = [c for c in contacts(source, to, 0.5 * touch * size) if c[2] > 3 * touch * size]
+            for ends, normal, length in sure:
+                head = first >= many and abs(normal[1]) < abs(normal[0])
+                if head and scene["head_joints"] == "open":
+                    continue
+                middle = (ends[0] + ends[1]) / 2
+                if not any(distance(middle, np.array(k)) <= 3 * touch * size for k in known):
+                    yield f"bodies {first} and {second} touch along {length:.3g} at {middle} without a joint"
+            for ends in known:
+                length = np.hypot(*(ends[1] - ends[0]))
+                among = [c[2] for c in contacts(source, to, 2 * touch * size)
+                         if distance((ends[0] + ends[1]) / 2, np.array(c[0])) <= 3 * touch * size]
+                if not any(abs(length - own) <= 3 * touch * size for own in among):
+                    yield f"the joint of bodies {first} and {second} at {ends.mean(0)} is {length:.6g} long, not {among}"
+
+
+def contacts(source, to, near):
+    """Where edges of two polygons face each other within a distance: ends, normal, length."""
+    for a, b in zip(source, np.roll(source, -1, axis=0)):
+        along = (b - a) / np.hypot(*(b - a))
+        normal = np.array([along[1], -along[0]])
+        for c, d in zip(to, np.roll(to, -1, axis=0)):
+            if (d - c) @ along >= 0 or max(abs((c - a) @ normal), abs((d - a) @ normal)) > near:
+                continue
+            start, end = max((d - a) @ along, 0.0), min((c - a) @ along, np.hypot(*(b - a)))
+            if end > start:
+                yield (a + along * start, a + along * end), normal, end - start
+
+
+def case_files(folder):
+    """Every case file below a folder that can be laid again here, by the name of its case."""
+    files = {}
+    for path in sorted(folder.rglob("*.toml")) if tomllib else []:
+        if not path.name.endswith(".sweep.toml"):
+            files[path.stem] = tomllib.loads(path.read_text())
+    return files
+
+
+WIDTHS = {"1": 1.0, "g": 1.0, "h": 0.5, "q": 0.25}
+
+
+def laid_again(file, scene):
+    """Lines about what differs between a scene and its file; None where this program cannot lay the file."""
+    friction = file["friction"]
+    friction = friction if isinstance(friction, dict) else {"bed": friction}
+    lines = []
+    for index, joint in enumerate(scene["joints"]):
+        given = friction.get(joint["class"], friction["bed"])
+        if joint["friction"] != given:
+            lines.append(f"joint {index}: friction {joint['friction']}, in the file {given}")
+    pushes = {"both": ("right", "left")}.get(file.get("push", "right"), (file.get("push", "right"),))
+    if scene["push"] not in pushes:
+        lines.append(f"pushed {scene['push']}, in the file {pushes}")
+    if isinstance(file.get("courses"), list):
+        expected = courses(file)
+    elif "blocks" in file and all("corners" in block for block in file.get("block", [{}])):
+        expected = bodies(file)
+    else:
+        return None
+    sign = 1.0 if scene["push"] == "right" else -1.0
+    if len(expected) != len(scene["blocks"]):
+        return lines + [f"{len(scene['blocks'])} blocks, in the file {len(expected)}"]
+    for index, ((corners, loads), block) in enumerate(zip(expected, scene["blocks"])):
+        own = np.array(block["corners"])
+        if any(np.hypot(*(own - corner).T).min() > 1e-9 * extent(own) for corner in corners):
+            lines.append(f"block {index} has the corners {block['corners']}, in the file {corners}")
+        for part in ("dead", "live"):
+            wanted = np.zeros(3)
+            for point, dead, live in loads:
+                force = np.array(dead) if part == "dead" else np.array([sign * live[0], live[1]])
+                arm = np.subtract(point, block["centroid"])
+                wanted += [*force, arm[0] * force[1] - arm[1] * force[0]]
+            unit = np.abs(wanted).max() + 1e-300
+            if np.abs(wanted - block[part]).max() > 1e-8 * unit * max(1.0, extent(own)):
+                lines.append(f"block {index}: {part} load {block[part]}, by the file {wanted.tolist()}")
+    return lines
+
+
+def weighed(corners, weight, live=True):
+    point = area_and_centroid(np.array(corners, float))[1]
+    return corners, [(point, (0.0, -weight), (weight if live else 0.0, 0.0))]
+
+
+def courses(file):
+    """Blocks of a wall of course strings: corners and loads (point, dead, live for a push to the right)."""
+    length, height, weight = (file["unit"][key] for key in ("length", "height", "weight"))
+    rows = file["courses"] * file.get("repeat", 1)
+    blocks = []
+    for row, course in enumerate(rows):
+        x = 0.0
+        for kind, count in re.findall(r"([1hgq])(?:\*(\d+))?", course):
+            for _ in range(int(count or 1)):
+                wide = WIDTHS[kind] * length
+                if kind != "g":
+                    low, high = row * height, (row + 1) * height
+                    block = weighed([(x, low), (x + wide, low), (x + wide, high), (x, high)], weight * WIDTHS[kind])
+                    if row + 1 == len(rows):
+                        # p / (gamma H) times gamma H times the width.
+                        on_top = file.get("overburden", 0.0) * len(rows) * weight * WIDTHS[kind]
+                        block[1].append(((x + wide / 2, high), (0.0, -on_top), (on_top, 0.0)))
+                    blocks.append(block)
+                x += wide
+    return blocks
+
+
+def bodies(file):
+    """Blocks with corners in the file, with the forces on them."""
+    shared, live = file["blocks"], file.get("live", "weight") == "weight"
+    blocks, places = [], {}
+    for body in file["block"]:
+        area = abs(area_and_centroid(np.array(body["corners"], float))[0])
+        weight = body.get("weight")
+        if weight is None:
+            weight = shared["specific_weight"] * area * shared.get("thickness", 1.0)
+        places[body["name"]] = len(blocks)
+        blocks.append(weighed([tuple(c) for c in body["corners"]], weight, live))
+    for load in file.get("load", []):
+        line = np.array(load.get("along", [load.get("at")] * 2), float)
+        # A line load is a force per length, and acts at the middle of its line.
+        length = np.hypot(*(line[1] - line[0])) if "along" in load else 1.0
+        dead, live_part = (length * np.array(load.get(part, (0.0, 0.0))) for part in ("dead", "live"))
+        blocks[places[load["block"]]][1].append((line.mean(0), dead, live_part))
+    return blocks

@@ -1,0 +1,226 @@
+#!/usr/bin/env python3
+"""Random scenes as case files, from a fixed seed, for `judge.py`.
+
+    tests/reference/scenes.py FOLDER [COUNT] [SEED]
+
+Walls in running bond, of irregular units, with openings, under overburden or a heavy cap; piles cut
+from a box at random, some of which fall; stacks; arches. Weights and sizes spread over decades, live
+loads small and large, friction from none to Heyman's. Shares nothing with the program.
+"""
+import sys
+from pathlib import Path
+
+import numpy as np
+
+from geometry import contacts
+
+
+def rounded(value, digits=3):
+    return round(float(value), digits)
+
+
+def spread(rng, low, high):
+    return float(f"{10 ** rng.uniform(low, high):.4g}")
+
+
+def head(rng, kind):
+    return [f"# {kind}", f"friction = {friction(rng)}", f'head_joints = "{rng.choice(["contact", "open"])}"',
+            f'push = "{rng.choice(["right", "right", "left", "both"])}"']
+
+
+def friction(rng):
+    few = rng.random()
+    return 0.0 if few < 0.03 else spread(rng, 1, 6) if few < 0.06 else rounded(rng.uniform(0.2, 1.2))
+
+
+def running(rng, courses, units):
+    rows = ["1" * units, "h" + "1" * (units - 1) + "h"]
+    first = rng.integers(2)
+    return [rows[(first + k) % 2] for k in range(courses)]
+
+
+def with_holes(rng, rows, holes):
+    """Whole units left out below the top course."""
+    for _ in range(holes):
+        k = int(rng.integers(0, len(rows) - 1))
+        at = [i for i, piece in enumerate(rows[k]) if piece == "1"]
+        if len(at) > 1:
+            i = int(rng.choice(at))
+            rows[k] = rows[k][:i] + "g" + rows[k][i + 1:]
+    return rows
+
+
+def coursed(rng, kind):
+    rows = running(rng, int(rng.integers(2, 7)), int(rng.integers(2, 5)))
+    if kind == "openings":
+        rows = with_holes(rng, rows, int(rng.integers(1, 4)))
+    over = 0.0 if kind == "running" else rounded(rng.choice([0.0, rng.uniform(0, 6)]))
+    size = spread(rng, -3, 3) if rng.random() < 0.2 else 1.0
+    courses = ", ".join(f'"{row}"' for row in rows)
+    return head(rng, kind) + [
+        f"unit = {{ length = {rounded(rng.uniform(1, 4.5)) * size!r}, height = {rounded(rng.uniform(0.6, 2.4)) * size!r}, "
+        f"weight = {spread(rng, -3, 6)!r} }}", f"courses = [{courses}]", f"overburden = {over}"]
+
+
+def shapes_file(lines, shapes, weights, supports, live="weight", loads=()):
+    lines = lines + [f'live = "{live}"', "[blocks]", "specific_weight = 1.0"]
+    corner = lambda shape: "[" + ", ".join(f"[{x!r}, {y!r}]" for x, y in shape) + "]"
+    for index, shape in enumerate(supports):
+        lines += ["[[support]]", f'name = "s{index}"', f"corners = {corner(shape)}"]
+    for index, (shape, weight) in enumerate(zip(shapes, weights)):
+        lines += ["[[block]]", f'name = "b{index}"', f"corners = {corner(shape)}"]
+        lines += [f"weight = {weight!r}"] if weight else []
+    for index, live_x, live_y, dead_y in loads:
+        x, y = np.mean(shapes[index], axis=0)
+        lines += ["[[load]]", f'block = "b{index}"', f"at = [{float(x)!r}, {float(y)!r}]",
+                  f"dead = [0.0, {dead_y!r}]", f"live = [{live_x!r}, {live_y!r}]"]
+    return lines
+
+
+def box(x0, x1, y0, y1):
+    return [(x0, y0), (x1, y0), (x1, y1), (x0, y1)]
+
+
+def irregular(rng, _kind):
+    """Courses of unequal heights and units, sometimes under a heavy cap."""
+    y, shapes, weights, before = 0.0, [], [], []
+    decades = rng.choice([0, 0, 0, 2, 6])
+    for _ in range(int(rng.integers(2, 6))):
+        h = rounded(rng.uniform(0.5, 1.6), 2)
+        for _ in range(200):
+            parts = rng.uniform(0.6, 1.8, int(rng.integers(2, 5)))
+            cuts = [rounded(c, 2) for c in (np.cumsum(parts) / parts.sum() * 8)[:-1]]
+            if all(abs(c - b) > 0.1 for c in cuts for b in before):
+                break
+        before, ends = cuts, [0.0, *cuts, 8.0]
+        top = rounded(y + h, 2)
+        shapes += [box(a, b, y, top) for a, b in zip(ends, ends[1:])]
+        weights += [spread(rng, -decades / 2, decades / 2) if decades else None for _ in ends[1:]]
+        y = top
+    if rng.random() < 0.3:
+        shapes.append(box(0.0, 8.0, y, y + 0.5))
+        weights.append(spread(rng, 0, 2))
+    return shapes_file(head(rng, "irregular"), shapes, weights, [box(-20.0, 30.0, -1.0, 0.0)])
+
+
+def cut(shape, through, along):
+    """The two parts of a convex polygon on both sides of a line."""
+    sides, count = ([], []), len(shape)
+    height = [along[0] * (y - through[1]) - along[1] * (x - through[0]) for x, y in shape]
+    for i in range(count):
+        (p, a), (q, b) = (shape[i], height[i]), (shape[(i + 1) % count], height[(i + 1) % count])
+        sides[int(a < 0)].append(p)
+        if (a < 0) != (b < 0):
+            on = tuple(float(v) for v in np.array(p) + (np.array(q) - p) * (a / (a - b)))
+            sides[0].append(on), sides[1].append(on)
+    return sides
+
+
+def area(shape):
+    p = np.array(shape)
+    q = np.roll(p, -1, axis=0)
+    return float((p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0]).sum() / 2)
+
+
+def sound(shape, whole):
+    """Big enough, and without an edge or a bend that a case file would be refused for."""
+    p = np.array(shape)
+    edges = np.roll(p, -1, axis=0) - p
+    long = np.hypot(*edges.T)
+    if len(shape) < 3 or area(shape) < 0.01 * whole or long.min() < 0.02 * long.max():
+        return False
+    turn = edges[:, 0] * np.roll(edges[:, 1], -1) - edges[:, 1] * np.roll(edges[:, 0], -1)
+    return (turn > 0.02 * long * np.roll(long, -1)).all()
+
+
+def held(shapes, supports):
+    """The pieces that a chain of joints connects with a support: others are no scene."""
+    touch = lambda a, b: any(c[2] > 1e-6 for c in contacts(np.array(a), np.array(b), 1e-6))
+    reached, kept, left = list(supports), [], list(shapes)
+    while reached:
+        body = reached.pop()
+        new = [shape for shape in left if touch(body, shape) or touch(shape, body)]
+        left = [shape for shape in left if shape not in new]
+        reached += new
+        kept += new
+    return sorted(kept)
+
+
+def pile(rng, _kind):
+    """A box cut at random, some pieces missing, perhaps between walls."""
+    wide, high = rng.uniform(2, 6), rng.uniform(1.5, 5)
+    shapes = [box(0.0, rounded(wide), 0.0, rounded(high))]
+    wide, high = shapes[0][2]
+    for _ in range(int(rng.integers(3, 10))):
+        largest = max(range(len(shapes)), key=lambda i: area(shapes[i]))
+        low, top = np.min(shapes[largest], axis=0), np.max(shapes[largest], axis=0)
+        through = low + (top - low) * rng.uniform(0.3, 0.7, 2)
+        angle = rng.choice([0.0, 0.0, np.pi / 2, rng.uniform(0, np.pi)])
+        along = (1.0, 0.0) if angle == 0 else (0.0, 1.0) if angle == np.pi / 2 else (np.cos(angle), np.sin(angle))
+        parts = cut(shapes[largest], through, along)
+        if all(sound(part, wide * high) for part in parts):
+            shapes[largest:largest + 1] = parts
+    kept = [shape for shape in shapes if rng.random() > 0.08]
+    supports = [box(-20.0, 30.0, -1.0, 0.0)]
+    supports += [box(wide, wide + 1.0, 0.0, high)] if rng.random() < 0.4 else []
+    supports += [box(-1.0, 0.0, 0.0, high)] if rng.random() < 0.2 else []
+    kept = held(kept, supports) or held(shapes, supports)
+    decades = rng.choice([0, 0, 1, 3, 6])
+    weights = [float(f"{area(s) * spread(rng, -decades / 2, decades / 2):.6g}") for s in kept]
+    return shapes_file(head(rng, "pile"), kept, weights, supports)
+
+
+def stack(rng, _kind):
+    """Blocks on one another, pushed by their weights or by a force on one of them."""
+    shapes, y, x = [], 0.0, 0.0
+    size = spread(rng, -3, 3)
+    for _ in range(int(rng.integers(1, 6))):
+        wide, tall = rng.uniform(0.5, 3, 2)
+        x += rng.uniform(-0.15, 0.15)
+        shapes.append(box(*(float(f"{v * size:.6g}") for v in (x - wide / 2, x + wide / 2)), y,
+                          float(f"{y + tall * size:.6g}")))
+        y = shapes[-1][2][1]
+    weights = [float(f"{area(s) * spread(rng, -1, 1):.6g}") for s in shapes]
+    ground = box(-50 * size, 50 * size, -size, 0.0)
+    if rng.random() < 0.5:
+        return shapes_file(head(rng, "stack"), shapes, weights, [ground])
+    index, push = int(rng.integers(len(shapes))), spread(rng, -6, 6)
+    load = (index, float(f"{push * max(weights):.6g}"), 0.0, -float(f"{rng.uniform(0, 2) * max(weights):.6g}"))
+    return shapes_file(head(rng, "stack"), shapes, weights, [ground], "loads", [load])
+
+
+def arch(rng, kind):
+    radius = spread(rng, -2, 2)
+    thickness = float(f"{radius * rng.uniform(0.05, 0.4):.5g}")
+    lines = head(rng, kind)
+    # An arch has no head joints.
+    return [line for line in lines if not line.startswith("head_joints")] + [
+        "[arch]", f"mean_radius = {radius!r}", f"thickness = {thickness!r}", f"embrace = {rounded(rng.uniform(60, 180), 1)}",
+        f"voussoirs = {int(rng.integers(3, 16))}", f"specific_weight = {spread(rng, -2, 3)!r}"]
+
+
+def one(rng, kind):
+    makers = {"irregular": irregular, "pile": pile, "stack": stack, "arch": arch}
+    lines = makers.get(kind, coursed)(rng, kind)
+    return "\n".join(lines) + "\n"
+
+
+KINDS = ["running", "openings", "overburden", "irregular", "pile", "pile", "stack", "arch"]
+
+
+def main():
+    folder = Path(sys.argv[1])
+    count = int(sys.argv[2]) if len(sys.argv) > 2 else 500
+    seed = int(sys.argv[3]) if len(sys.argv) > 3 else 12
+    folder.mkdir(parents=True, exist_ok=True)
+    for index in range(count):
+        # Each scene has a seed of its own, so that any of them can be made alone.
+        rng = np.random.default_rng([seed, index])
+        kind = KINDS[index % len(KINDS)]
+        (folder / f"{kind}-{index:04d}.toml").write_text(one(rng, kind))
+
+
+if __name__ == "__main__":
+    if len(sys.argv) < 2:
+        sys.exit(__doc__)
+    main()
