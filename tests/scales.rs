@@ -122,7 +122,18 @@ struct Counts {
 }
 
 fn judged(method: &dyn Method, scene: &Scene) -> Outcome {
-    let mut outcome = method.solve(scene, &Settings::default());
+    judged_with(method, scene, &Settings::default())
+}
+
+/// With two starts of a search: where the question is not whether it finds the lowest state.
+fn judged_quickly(method: &dyn Method, scene: &Scene) -> Outcome {
+    let mut settings = Settings::default();
+    settings.interval.starts = 2;
+    judged_with(method, scene, &settings)
+}
+
+fn judged_with(method: &dyn Method, scene: &Scene, settings: &Settings) -> Outcome {
+    let mut outcome = method.solve(scene, settings);
     judge(scene, &mut outcome);
     outcome
 }
@@ -140,6 +151,9 @@ impl Counts {
             }
             _ => &mut self.wrong,
         };
+        if answer.0 == Status::Undecided {
+            println!("{what}: refused: {}", outcome.reason());
+        }
         *count += 1;
         if self.wrong > 0 {
             panic!("{what}: {answer:?} for {truth:?}: {}", outcome.reason());
@@ -285,7 +299,7 @@ fn ten() -> Vec<(String, Scene)> {
 
 /// Same statuses, and λ in proportion, whatever the size of the live loads.
 fn assert_live_loads_scale(method: &dyn Method, name: &str, one: &Scene, powers: &[i32], to: f64) {
-    let reference = judged(method, one);
+    let reference = judged_quickly(method, one);
     assert!(
         reference.bracket.is_some(),
         "{name}: {}",
@@ -294,7 +308,7 @@ fn assert_live_loads_scale(method: &dyn Method, name: &str, one: &Scene, powers:
     for power in powers {
         let factor = 10f64.powi(*power);
         let scaled = one.clone().with_loads(|load, _| load.live *= factor);
-        let outcome = judged(method, &scaled);
+        let outcome = judged_quickly(method, &scaled);
         let what = format!("{} {name} {power}: {}", method.name(), outcome.reason());
         assert_eq!(outcome.status, reference.status, "{what}");
         let ends = |outcome: &Outcome| outcome.bracket.map(|b| [b.lower, b.upper]);
@@ -329,7 +343,7 @@ fn live_loads_of_any_size_give_the_same_pushover() {
 }
 
 /// From nothing that holds to nothing that slides: λ_A is answered and grows with μ, and no collapse
-/// state lies above it.
+/// state lies above it. Those of walls that hardly slip are not always found.
 #[test]
 fn friction_of_any_size_is_answered() {
     for (name, one) in ten() {
@@ -349,7 +363,7 @@ fn friction_of_any_size_is_answered() {
             if ![0.0, 1e-3, 1.0, 1e3].contains(&friction) {
                 continue;
             }
-            let found = judged(&Interval, &scene);
+            let found = judged_quickly(&Interval, &scene);
             let what = format!("{what}; {:?} {}", found.status, found.reason());
             match (found.status, found.bracket) {
                 (Status::Verified, Some(bracket)) => {
