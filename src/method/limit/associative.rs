@@ -2,7 +2,7 @@
 //! law admit. It bounds every non-associative collapse multiplier from above (Radenkovic 1961).
 
 use super::ending::Ending;
-use super::equilibration::{Evening, needs_own_units};
+use super::equilibration::{Evening, evenings, needs_own_units};
 use super::own_weight::{own_weight, without_optimum};
 use super::program::{Margins, Program};
 use super::reduction;
@@ -62,24 +62,19 @@ struct Optimum {
     bracket: Bracket,
 }
 
-/// The optimum with units of unequal blocks evened out the one way, and the other where that proves
-/// nothing.
+/// The optimum, with units of unequal blocks evened out in the ways there are until one proves it.
 fn optimum(scene: &Scene, user: &Settings, work: &mut Work) -> Result<Optimum, Ending> {
-    let found = evened(scene, Evening::CubeRoot, user, work);
-    let done = match &found {
-        Ok(found) => is_exact(scene, found, user),
-        Err(ending) => matches!(ending, Ending::Unbounded),
-    };
-    if done || !needs_own_units(scene) {
-        return found;
+    let mut best = None;
+    for evening in evenings(scene) {
+        let found = evened(scene, *evening, user, work);
+        match &found {
+            Ok(optimum) if is_exact(scene, optimum, user) => return found,
+            Err(Ending::Unbounded) => return found,
+            Ok(optimum) if proves(scene, optimum) => best = Some(found),
+            _ => best = best.or(Some(found)),
+        }
     }
-    let other = evened(scene, Evening::SquareRoot, user, work);
-    match (found, other) {
-        (_, Ok(other)) if is_exact(scene, &other, user) => Ok(other),
-        (Ok(found), Ok(other)) if !proves(scene, &found) && proves(scene, &other) => Ok(other),
-        (Err(_), Ok(other)) => Ok(other),
-        (found, _) => found,
-    }
+    best.expect("there is one way at least")
 }
 
 fn is_exact(scene: &Scene, found: &Optimum, user: &Settings) -> bool {

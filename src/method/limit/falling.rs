@@ -2,7 +2,7 @@
 //! program over the whole scene does not see the light blocks.
 
 use super::ending::Ending;
-use super::equilibration::Evening;
+use super::equilibration::{Evening, needs_own_units};
 use super::program::Program;
 use super::reduction::ScenePart;
 use crate::answer::{BlockResidual, Mechanism, Motion, VERIFIED_RESIDUAL, Work, falling_violation};
@@ -19,8 +19,7 @@ const RESTING: f64 = 1e-6;
 /// nothing. Where blocks have units of their own in a program, those at rest and those that fall can
 /// pull it apart, so that others come after, and one unit for all at last.
 pub(super) fn programs(scene: &Scene) -> impl Iterator<Item = Program> + '_ {
-    let first = Program::with_slack(scene, 0.0, Evening::CubeRoot);
-    let evenings: &[Evening] = if first.has_own_units() {
+    let evenings: &[Evening] = if needs_own_units(scene) {
         &[Evening::CubeRoot, Evening::SquareRoot, Evening::Common]
     } else {
         &[Evening::CubeRoot]

@@ -182,16 +182,11 @@ impl Program {
         }
     }
 
-    /// Whether blocks or joints have units of their own in it.
-    pub(super) fn has_own_units(&self) -> bool {
-        self.equilibration.is_some()
-    }
-
     /// Asks for less of the solver's linear systems, for a search that solves many programs and proves
     /// what it keeps: a quarter less time for the same states (measured on walls of 20 to 40 blocks).
     /// Programs with units of their own stay as they are.
     pub(super) fn refine_less(&mut self) {
-        if self.has_own_units() {
+        if self.equilibration.is_some() {
             return;
         }
         let settings = DefaultSettings {

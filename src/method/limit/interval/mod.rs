@@ -14,6 +14,7 @@ mod search;
 mod starts;
 
 use super::ending::Ending;
+use super::equilibration::{Evening, evenings};
 use super::own_weight::{own_weight, ray, stands_without_dilatancy, without_optimum};
 use super::reduction::{self, ScenePart};
 use super::scale::Scale;
@@ -83,7 +84,7 @@ fn solve(scene: &Scene, request: &Request) -> Outcome {
     let reduce = request.settings.programs.reduction;
     for part in reduction::parts(scene).into_iter().filter(|_| reduce) {
         let place = Place::part(scene, &part);
-        let Ok(explored) = explore(place, request, &at_rest, &mut work) else {
+        let Ok(explored) = explore(place, Evening::CubeRoot, request, &at_rest, &mut work) else {
             continue;
         };
         // On 96 courses the whole wall closed no gap either, in minutes more.
@@ -97,10 +98,21 @@ fn solve(scene: &Scene, request: &Request) -> Outcome {
             return outcome;
         }
     }
-    match explore(Place::whole(scene), request, &at_rest, &mut work) {
-        Ok(explored) => report(scene, &explored, &at_rest, &mut work)
-            .unwrap_or_else(|| undecided(explored, work)),
-        Err(Ending::Unbounded) => without_bound(scene, request, &at_rest, work),
+    // Where one way of evening out unequal blocks finds nothing, the next is tried.
+    let mut first = None;
+    for evening in evenings(scene) {
+        let explored = explore(Place::whole(scene), *evening, request, &at_rest, &mut work);
+        match explored {
+            Ok(explored) => match report(scene, &explored, &at_rest, &mut work) {
+                Some(outcome) => return outcome,
+                None => first = first.or(Some(Ok(explored))),
+            },
+            Err(Ending::Unbounded) => return without_bound(scene, request, &at_rest, work),
+            Err(ending) => first = first.or(Some(Err(ending))),
+        }
+    }
+    match first.expect("there is one way at least") {
+        Ok(explored) => undecided(explored, work),
         Err(ending) => without_optimum(scene, &ending, at_rest, &mut work),
     }
 }
@@ -270,11 +282,12 @@ struct Explored {
 /// Searches a part of the scene, or the whole of it.
 fn explore(
     place: Place,
+    evening: Evening,
     request: &Request,
     at_rest: &[JointForce],
     work: &mut Work,
 ) -> Result<Explored, Ending> {
-    let mut search = Search::new(place.searched());
+    let mut search = Search::evened(place.searched(), evening);
     let associative = search.associative()?;
     let further = request.further.iter();
     let further = further.map(|normal| place.normal_of(normal)).collect();

@@ -12,7 +12,9 @@
 use super::noise::Noise;
 use crate::answer::{JointForce, SearchFailure, Work, dead_power};
 use crate::method::limit::ending::{Ending, Solution};
+use crate::method::limit::equilibration::Evening;
 use crate::method::limit::program::{FrictionLaw, Program};
+use crate::method::settings::LP_TOLERANCE;
 use crate::scene::Scene;
 
 /// Largest gap of a collapse state. The judge allows 1e-8; a state must keep away from that.
@@ -110,11 +112,16 @@ pub(super) struct Search<'a> {
 
 impl<'a> Search<'a> {
     pub(super) fn new(scene: &'a Scene) -> Self {
+        Self::evened(scene, Evening::CubeRoot)
+    }
+
+    /// As [`Search::new`], with units of unequal blocks that are evened out like this.
+    pub(super) fn evened(scene: &'a Scene, evening: Evening) -> Self {
         let coulomb = scene.joints().iter().map(|joint| FrictionLaw {
             slope: joint.friction,
             intercept: 0.0,
         });
-        let mut program = Program::new(scene);
+        let mut program = Program::evened(scene, LP_TOLERANCE, evening);
         program.refine_less();
         Self {
             scene,
