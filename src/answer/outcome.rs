@@ -80,6 +80,13 @@ impl Outcome {
         fact::sentence(&self.facts)
     }
 
+    /// The same without what a search counts, which may differ between machines.
+    pub fn settled_reason(&self) -> String {
+        let settled = |fact: &&Fact| !matches!(fact, Fact::Search(_));
+        let facts: Vec<Fact> = self.facts.iter().filter(settled).cloned().collect();
+        fact::sentence(&facts)
+    }
+
     /// Whether the judge found that forces and mechanism do not prove what they are put forward as.
     pub fn is_refuted(&self) -> bool {
         let refuted = |fact: &Fact| {

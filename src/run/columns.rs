@@ -2,7 +2,7 @@
 //! it; a new one is one entry.
 
 use super::row::Row;
-use crate::answer::{Bracket, Status, magnitude};
+use crate::answer::{Bracket, Coverage, Status, magnitude};
 use crate::case::{Quantity, Reference, SourceKind};
 use crate::method::Kind;
 use crate::number::{nine_digits, number, short};
@@ -141,6 +141,13 @@ pub static COLUMNS: &[Column] = &[
     }),
     data("friction", |row| row.friction_words().into()),
     data("push", |row| row.push.name().into()),
+    data("starts", |row| coverage(row, |found| found.starts)),
+    data("states", |row| coverage(row, |found| found.distinct)),
+    data("lowest_met", |row| coverage(row, |found| found.lowest_met)),
+    data("unseen", |row| {
+        let search = row.outcome.search();
+        search.map(|search| search.coverage().unseen).into()
+    }),
     words("head_joints", |row| row.head_joints.name().into()),
     words("lambda", multiplier),
     words("lambda_reference", multiplier_reference),
@@ -241,13 +248,20 @@ fn slope(row: &Row) -> Value {
     text.into()
 }
 
+/// A count of the search for collapse states, where there was one.
+fn coverage(row: &Row, count: fn(&Coverage) -> usize) -> Value {
+    let search = row.outcome.search();
+    let count = search.map(|search| count(&search.coverage()) as f64);
+    count.into()
+}
+
 fn width(value: Option<f64>) -> Value {
     value.map(|value| short(value, 3)).into()
 }
 
 /// The reason, and the residual where it fails what `verified` asks for.
 fn note(row: &Row) -> String {
-    let mut note = row.outcome.reason();
+    let mut note = row.outcome.settled_reason();
     let fails = row
         .residual
         .is_some_and(|r| r > crate::answer::VERIFIED_RESIDUAL);
