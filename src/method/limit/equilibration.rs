@@ -65,7 +65,7 @@ const LIGHT: f64 = 1e-3;
 
 /// The same as a share of the largest block's: on many blocks of much the same size each is a small
 /// part of the scene, and none is lost.
-const UNEQUAL: f64 = 1e-2;
+const UNEQUAL: f64 = 1e-3;
 
 impl Equilibration {
     /// Units for a scene that needs them.
