@@ -297,9 +297,9 @@ fn every_mistake_in_a_sweep_gets_its_line_and_a_way_out() {
         ),
         (
             4,
-            format!("{top}[settings]\nstarts = 0"),
-            "`starts` is `0`",
-            "a whole number from 1",
+            format!("{top}[settings]\nstarts = 10001"),
+            "`starts` is `10001`",
+            "a whole number from 0",
         ),
         (
             4,
@@ -363,9 +363,9 @@ fn every_mistake_in_a_sweep_gets_its_line_and_a_way_out() {
         ),
         (
             5,
-            vary("\"settings.starts\" = [0]"),
-            "`starts` is `0`",
-            "from 1 to",
+            vary("\"settings.starts\" = [10001]"),
+            "`starts` is `10001`",
+            "from 0 to",
         ),
         (
             5,

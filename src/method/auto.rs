@@ -62,7 +62,11 @@ impl Method for Auto {
         let mut heard = ladder.heard_below(stop_below, lower);
         if heard.is_some() {
             let mut longer = *settings;
-            longer.interval.starts = SEARCH_ON * searched.max(1);
+            // As many as the scene allows, or more than those where that was not enough.
+            longer.interval.starts = match settings.interval.starts {
+                0 => SEARCH_ON * searched,
+                _ => 0,
+            };
             let further = ladder.states(&longer, stop_below);
             searched += starts(&further);
             if let Some(bracket) = further.bracket.filter(|bracket| bracket.lower < lower) {

@@ -7,6 +7,7 @@
 //! a unit is a power of the block's force, between 0 (the scene's unit) and 1 (the block's). On blocks
 //! of much the same weight own units do harm, as [`Scale`] says.
 
+use super::columns::Entries;
 use super::scale::Scale;
 use super::vertical;
 use crate::answer::{JointForce, reach};
@@ -65,7 +66,7 @@ const LIGHT: f64 = 1e-3;
 
 /// The same as a share of the largest block's: on many blocks of much the same size each is a small
 /// part of the scene, and none is lost.
-const UNEQUAL: f64 = 1e-2;
+const UNEQUAL: f64 = 1e-3;
 
 impl Equilibration {
     /// Units for a scene that needs them.
@@ -107,6 +108,32 @@ impl Equilibration {
             2 => 1.0 / (force * length),
             _ => 1.0 / force,
         }
+    }
+
+    /// Scales the equilibrium rows (`right` is their right side) by the blocks' units and the joints'
+    /// columns by theirs; `friction_at` tells where a joint's friction coefficients stand. A joint's
+    /// inequalities have its unit on both sides.
+    pub(super) fn scale(
+        &self,
+        entries: &mut Entries,
+        right: &mut [f64],
+        friction_at: &[[usize; 4]],
+    ) {
+        for (at, shear) in friction_at.iter().zip(&self.shears) {
+            at.iter().for_each(|&at| entries.values[at] /= shear);
+        }
+        for column in 0..entries.starts.len() - 1 {
+            let of_joint = self.joints.get(column / 3).copied().unwrap_or(1.0);
+            let of_shear = self.shears.get(column / 3).filter(|_| column % 3 == 2);
+            let unit = of_joint * of_shear.copied().unwrap_or(1.0);
+            for at in entries.starts[column]..entries.starts[column + 1] {
+                let row = entries.rows[at];
+                if row < right.len() {
+                    entries.values[at] *= unit * self.of_row(row);
+                }
+            }
+        }
+        self.scale_rows(right);
     }
 }
 

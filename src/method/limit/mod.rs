@@ -11,6 +11,7 @@ mod program;
 mod reduction;
 mod scale;
 mod sequential;
+mod solver;
 mod vertical;
 
 pub use associative::Associative;

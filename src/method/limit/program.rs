@@ -12,7 +12,7 @@
 
 use clarabel::algebra::CscMatrix;
 use clarabel::solver::{
-    DefaultSettings, DefaultSolver, IPSolver, SolverStatus,
+    DefaultSolver, IPSolver, SolverStatus,
     SupportedConeT::{NonnegativeConeT, ZeroConeT},
 };
 
@@ -20,6 +20,7 @@ use super::columns::{Entries, joint_columns, multiplier_column, right_side, slac
 use super::ending::{Ending, Solution};
 use super::equilibration::{Equilibration, Evening};
 use super::scale::Scale;
+use super::solver::{rough, settings};
 use crate::answer::{JointForce, Work};
 use crate::method::settings::LP_TOLERANCE;
 use crate::scene::Scene;
@@ -148,12 +149,7 @@ impl Program {
         }
         let equilibration = Equilibration::of(scene, &scale, evening);
         if let Some(units) = &equilibration {
-            equilibrate(
-                units,
-                &mut entries,
-                &mut right[..rows_of_blocks],
-                &friction_at,
-            );
+            units.scale(&mut entries, &mut right[..rows_of_blocks], &friction_at);
         }
         let matrix = CscMatrix::new(rows, columns, entries.starts, entries.rows, entries.values);
         let mut cost = vec![0.0; columns];
@@ -189,11 +185,7 @@ impl Program {
         if self.equilibration.is_some() {
             return;
         }
-        let settings = DefaultSettings {
-            iterative_refinement_reltol: ROUGH_REFINEMENT,
-            iterative_refinement_abstol: ROUGH_REFINEMENT,
-            ..settings(LP_TOLERANCE, false)
-        };
+        let settings = rough(settings(LP_TOLERANCE, false));
         let updated = self.solver.update_settings(settings);
         updated.expect("refinement may change at any time");
     }
@@ -363,59 +355,3 @@ impl Program {
         }
     }
 }
-
-/// Scales the equilibrium rows by the blocks' units and the joints' columns by theirs. A joint's
-/// inequalities have its unit on both sides.
-fn equilibrate(
-    units: &Equilibration,
-    entries: &mut Entries,
-    right: &mut [f64],
-    friction_at: &[[usize; 4]],
-) {
-    for (at, shear) in friction_at.iter().zip(&units.shears) {
-        at.iter().for_each(|&at| entries.values[at] /= shear);
-    }
-    for column in 0..entries.starts.len() - 1 {
-        let of_joint = units.joints.get(column / 3).copied().unwrap_or(1.0);
-        let of_shear = units.shears.get(column / 3).filter(|_| column % 3 == 2);
-        let unit = of_joint * of_shear.copied().unwrap_or(1.0);
-        for at in entries.starts[column]..entries.starts[column + 1] {
-            let row = entries.rows[at];
-            if row < right.len() {
-                entries.values[at] *= unit * units.of_row(row);
-            }
-        }
-    }
-    units.scale_rows(right);
-}
-
-fn settings(tolerance: f64, tight: bool) -> DefaultSettings<f64> {
-    let settings = DefaultSettings {
-        verbose: false,
-        max_threads: 1,
-        direct_solve_method: "qdldl".to_owned(),
-        // Presolve would drop rows and forbid data updates.
-        presolve_enable: false,
-        tol_gap_abs: tolerance,
-        tol_gap_rel: tolerance,
-        tol_feas: tolerance,
-        ..DefaultSettings::default()
-    };
-    if !tight {
-        return settings;
-    }
-    // What is left of a light block's velocities comes back divided by its force unit, so that
-    // these programs are solved to the last digit.
-    DefaultSettings {
-        tol_feas: LAST_DIGIT,
-        iterative_refinement_abstol: 0.0,
-        iterative_refinement_reltol: 0.0,
-        ..settings
-    }
-}
-
-/// Residual of the solver's linear systems in a search.
-const ROUGH_REFINEMENT: f64 = 1e-8;
-
-/// Infeasibility that the solver is to reach where blocks have units of their own.
-const LAST_DIGIT: f64 = 1e-15;

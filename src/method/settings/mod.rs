@@ -185,15 +185,15 @@ mod tests {
         for (name, value, what, advice) in [
             (
                 "starts",
-                "0",
-                "`starts` is `0`",
-                "write a whole number from 1 to 10000",
+                "10001",
+                "`starts` is `10001`",
+                "write a whole number from 0 to 10000",
             ),
             (
                 "starts",
                 "x",
                 "`starts` is `x`",
-                "write a whole number from 1 to 10000",
+                "write a whole number from 0 to 10000",
             ),
             (
                 "accuracy",

@@ -357,6 +357,9 @@ fn follow(
     }
 }
 
+/// How far above λ_A a state may lie, relative to that: what the program for λ_A leaves.
+const ABOVE_BOUND: f64 = 1e-8;
+
 /// The states found that are states of the whole scene. Each one of a part costs a program, so that
 /// of those only the lowest and the highest are completed.
 fn whole_states(
@@ -382,9 +385,12 @@ fn whole_states(
     higher.extend(found.highest().cloned());
     higher.sort_by(|a, b| b.lambda.total_cmp(&a.lambda));
     let known = states[states.len() - 1].lambda;
+    // The gap that a state may leave could lift it above λ_A where that is small.
+    let bound = search.associative.unwrap_or(f64::INFINITY);
+    let bound = bound + ABOVE_BOUND * bound.abs();
     let higher = higher
         .iter()
-        .filter(|state| state.lambda * scale.multiplier > known);
+        .filter(|state| state.lambda * scale.multiplier > known && state.lambda <= bound);
     states.extend(
         higher
             .filter_map(|state| place.state(scale, state, work))
