@@ -204,11 +204,13 @@ pub const CLASSES: [(&str, &str); 6] = [
          sssffffsfffsssssfsfssssfssfffsffssssffsssssssffsssssffsfsfssssfsfffsssfsssfsssfs\
          ffssssfsssfsfsfsffffsssfssssfffsfsfsssss",
     ),
+    // 186: HiGHS reports no forces. It stands: the force states of λ_A pushed right and left, both
+    // proved block by block, have one at λ = 0 between them.
     (
         "pile, weights over 9 decades",
         "fssffsfsfsfssfssffsfsfsfsssfsssfsssfsfffsssssssssfsfsssffffsfsfsssssfsssffsffssf\
          ffsssfffffssfsssffsfsfssfsfssssssssfsssfsfssssfssffffsfssfssfssfsssssssfsssfssff\
-         ffssssfsfsssffsssssffsfsssfssssffsfsfssf",
+         ffssssfsfsssffsssssffsfssssssssffsfsfssf",
     ),
     (
         "stack about to tip",
