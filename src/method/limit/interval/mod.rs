@@ -27,7 +27,7 @@ use crate::method::{Method, Settings};
 use crate::scene::Scene;
 use descent::Branch;
 use found::{Budget, Found};
-use search::{Search, State, totals};
+use search::{Refinement, Search, State, totals};
 use starts::Starts;
 
 /// `lower` and `upper` are the lowest and the highest verified λ found.
@@ -84,7 +84,13 @@ fn solve(scene: &Scene, request: &Request) -> Outcome {
     let reduce = request.settings.programs.reduction;
     for part in reduction::parts(scene).into_iter().filter(|_| reduce) {
         let place = Place::part(scene, &part);
-        let Ok(explored) = explore(place, Evening::CubeRoot, request, &at_rest, &mut work) else {
+        let Ok(explored) = explore(
+            place,
+            (Evening::CubeRoot, Refinement::Rough),
+            request,
+            &at_rest,
+            &mut work,
+        ) else {
             continue;
         };
         // On 96 courses the whole wall closed no gap either, in minutes more.
@@ -98,10 +104,17 @@ fn solve(scene: &Scene, request: &Request) -> Outcome {
             return outcome;
         }
     }
-    // Where one way of evening out unequal blocks finds nothing, the next is tried.
+    // Where one way of evening out unequal blocks finds nothing, the next is tried; then with all
+    // refinement, which programs of unequal blocks have at once.
+    let mut ways: Vec<_> = (evenings(scene).iter())
+        .map(|&evening| (evening, Refinement::Rough))
+        .collect();
+    if ways.len() == 1 {
+        ways.push((Evening::CubeRoot, Refinement::Full));
+    }
     let mut first = None;
-    for evening in evenings(scene) {
-        let explored = explore(Place::whole(scene), *evening, request, &at_rest, &mut work);
+    for way in ways {
+        let explored = explore(Place::whole(scene), way, request, &at_rest, &mut work);
         match explored {
             Ok(explored) => match report(scene, &explored, &at_rest, &mut work) {
                 Some(outcome) => return outcome,
@@ -282,12 +295,12 @@ struct Explored {
 /// Searches a part of the scene, or the whole of it.
 fn explore(
     place: Place,
-    evening: Evening,
+    program: (Evening, Refinement),
     request: &Request,
     at_rest: &[JointForce],
     work: &mut Work,
 ) -> Result<Explored, Ending> {
-    let mut search = Search::evened(place.searched(), evening);
+    let mut search = Search::evened(place.searched(), program.0, program.1);
     let associative = search.associative()?;
     let further = request.further.iter();
     let further = further.map(|normal| place.normal_of(normal)).collect();

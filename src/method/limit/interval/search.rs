@@ -92,6 +92,15 @@ pub(super) fn totals(forces: &[JointForce]) -> Vec<f64> {
         .collect()
 }
 
+/// How far the solver refines its linear systems.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Refinement {
+    /// A quarter less time, and enough for most scenes.
+    Rough,
+    /// As far as it can.
+    Full,
+}
+
 /// The programs of one scene.
 pub(super) struct Search<'a> {
     pub(super) scene: &'a Scene,
@@ -112,17 +121,19 @@ pub(super) struct Search<'a> {
 
 impl<'a> Search<'a> {
     pub(super) fn new(scene: &'a Scene) -> Self {
-        Self::evened(scene, Evening::CubeRoot)
+        Self::evened(scene, Evening::CubeRoot, Refinement::Full)
     }
 
-    /// As [`Search::new`], with units of unequal blocks that are evened out like this.
-    pub(super) fn evened(scene: &'a Scene, evening: Evening) -> Self {
+    /// The same, with units of unequal blocks that are evened out like this, and so much refinement.
+    pub(super) fn evened(scene: &'a Scene, evening: Evening, refinement: Refinement) -> Self {
         let coulomb = scene.joints().iter().map(|joint| FrictionLaw {
             slope: joint.friction,
             intercept: 0.0,
         });
         let mut program = Program::evened(scene, LP_TOLERANCE, evening);
-        program.refine_less();
+        if refinement == Refinement::Rough {
+            program.refine_less();
+        }
         Self {
             scene,
             program,

@@ -7,8 +7,9 @@
 use super::descent::{Approach, Branch, Descent};
 use super::found::Found;
 use super::noise::Noise;
-use super::search::{Prices, Search, State, totals};
+use super::search::{Prices, Refinement, Search, State, totals};
 use crate::answer::{SearchFailure, SearchStart};
+use crate::method::limit::equilibration::Evening;
 use crate::scene::{HeadJoints, JointClass};
 
 /// Normal forces to begin with.
@@ -278,7 +279,7 @@ fn open_state(search: &mut Search) -> Option<Vec<f64>> {
         return None;
     }
     let open = scene.clone().with_head_joints(HeadJoints::Open);
-    let mut inner = Search::new(&open);
+    let mut inner = Search::evened(&open, Evening::CubeRoot, Refinement::Rough);
     let state = inner.associative().ok().and_then(|normal| {
         let mut descent = Descent {
             search: &mut inner,
