@@ -1,8 +1,8 @@
 """What a scene owes its polygons and its case file, for `judge.py`: centroids, loads and joints are
 derived here again, and what differs is told in a line each."""
-import re
-
 import numpy as np
+
+import bonds
 
 try:
     import tomllib
@@ -140,11 +140,24 @@ def case_files(folder):
     files = {}
     for path in sorted(folder.rglob("*.toml")) if tomllib else []:
         if not path.name.endswith(".sweep.toml"):
-            files[path.stem] = tomllib.loads(path.read_text())
+            files[path.stem] = read_case(path)
     return files
 
 
-WIDTHS = {"1": 1.0, "g": 1.0, "h": 0.5, "q": 0.25}
+def read_case(path):
+    """A case file, the outlines of its CSV among its blocks and supports."""
+    file = tomllib.loads(path.read_text())
+    if "csv" in file.get("blocks", {}):
+        outlines = {}
+        for line in (path.parent / file["blocks"]["csv"]).read_text().splitlines():
+            if line and not line.startswith("#") and line != "block,x,y":
+                name, x, y = line.split(",")
+                outlines.setdefault(name.strip(), []).append([float(x), float(y)])
+        still = file["blocks"].get("supports", [])
+        for name, corners in outlines.items():
+            kind = "support" if name in still else "block"
+            file.setdefault(kind, []).append({"name": name, "corners": corners})
+    return file
 
 
 def laid_again(file, scene):
@@ -159,7 +172,7 @@ def laid_again(file, scene):
     pushes = {"both": ("right", "left")}.get(file.get("push", "right"), (file.get("push", "right"),))
     if scene["push"] not in pushes:
         lines.append(f"pushed {scene['push']}, in the file {pushes}")
-    if isinstance(file.get("courses"), list):
+    if "unit" in file:
         expected = courses(file)
     elif "blocks" in file and all("corners" in block for block in file.get("block", [{}])):
         expected = bodies(file)
@@ -190,24 +203,23 @@ def weighed(corners, weight, live=True):
 
 
 def courses(file):
-    """Blocks of a wall of course strings: corners and loads (point, dead, live for a push to the right)."""
+    """Blocks of a coursed wall: corners and loads (point, dead, live for a push to the right)."""
     length, height, weight = (file["unit"][key] for key in ("length", "height", "weight"))
-    rows = file["courses"] * file.get("repeat", 1)
+    rows = bonds.rows(file)
     blocks = []
     for row, course in enumerate(rows):
         x = 0.0
-        for kind, count in re.findall(r"([1hgq])(?:\*(\d+))?", course):
-            for _ in range(int(count or 1)):
-                wide = WIDTHS[kind] * length
-                if kind != "g":
-                    low, high = row * height, (row + 1) * height
-                    block = weighed([(x, low), (x + wide, low), (x + wide, high), (x, high)], weight * WIDTHS[kind])
-                    if row + 1 == len(rows):
-                        # p / (gamma H) times gamma H times the width.
-                        on_top = file.get("overburden", 0.0) * len(rows) * weight * WIDTHS[kind]
-                        block[1].append(((x + wide / 2, high), (0.0, -on_top), (on_top, 0.0)))
-                    blocks.append(block)
-                x += wide
+        for kind, part in course:
+            wide = part * length
+            if kind != "g":
+                low, high = row * height, (row + 1) * height
+                block = weighed([(x, low), (x + wide, low), (x + wide, high), (x, high)], weight * part)
+                if row + 1 == len(rows):
+                    # p / (gamma H) times gamma H times the width.
+                    on_top = file.get("overburden", 0.0) * len(rows) * weight * part
+                    block[1].append(((x + wide / 2, high), (0.0, -on_top), (on_top, 0.0)))
+                blocks.append(block)
+            x += wide
     return blocks
 
 
@@ -222,10 +234,15 @@ def bodies(file):
             weight = shared["specific_weight"] * area * shared.get("thickness", 1.0)
         places[body["name"]] = len(blocks)
         blocks.append(weighed([tuple(c) for c in body["corners"]], weight, live))
+    add_forces(file, blocks, places)
+    return blocks
+
+
+def add_forces(file, blocks, places):
+    """The forces of a file on its blocks, which have their places by name."""
     for load in file.get("load", []):
         line = np.array(load.get("along", [load.get("at")] * 2), float)
         # A line load is a force per length, and acts at the middle of its line.
         length = np.hypot(*(line[1] - line[0])) if "along" in load else 1.0
         dead, live_part = (length * np.array(load.get(part, (0.0, 0.0))) for part in ("dead", "live"))
         blocks[places[load["block"]]][1].append((line.mean(0), dead, live_part))
-    return blocks

@@ -9,7 +9,7 @@ Every bound, collapse state, `falls` and `stands` in the output comes with force
 This program recomputes from them what they are said to prove: equilibrium, Coulomb's law, flow
 rules, complementarity, multipliers, the ends of the brackets; and the scene itself from its
 polygons: centroids, loads, joints. With `--cases` it also lays the scenes again from the case
-files (walls of course strings, blocks with corners in the file) and compares friction and weights.
+files (coursed walls, blocks with corners in the file or its CSV) and compares friction and weights.
 Prints a line for each claim that is refuted and a summary; exit status 1 where there is one, 2 where
 the output cannot be read or says nothing.
 
