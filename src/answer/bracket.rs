@@ -14,6 +14,15 @@ pub fn magnitude(lambda: f64, unit: f64) -> f64 {
     lambda.abs().max(SMALL * unit)
 }
 
+/// Largest difference of λ between collapse states that count as one, relative to the [`magnitude`]
+/// of λ.
+const SAME_MULTIPLIER: f64 = 1e-6;
+
+/// Whether collapse states of these λ count as one, λ being in a scene's `unit`.
+pub fn is_same_multiplier(lambda: f64, other: f64, unit: f64) -> bool {
+    (lambda - other).abs() <= SAME_MULTIPLIER * magnitude(other, unit)
+}
+
 /// Lower and upper value of a collapse multiplier; what each means is the method's to say.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bracket {

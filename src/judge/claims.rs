@@ -1,7 +1,7 @@
 //! What the answers about one scene claim, whoever gives them: outside programs say it themselves,
 //! of our own methods the table does.
 
-use crate::answer::{Bracket, Claim, Outcome, Status, VERIFIED_RESIDUAL};
+use crate::answer::{Bracket, Claim, Outcome, Status, VERIFIED_RESIDUAL, magnitude};
 use crate::method::{Kind, kind};
 use crate::scene::{HeadJoints, JointClass, Scene};
 
@@ -64,12 +64,9 @@ pub(super) struct Claims<'a> {
     pub head_joints: HeadJoints,
     /// Whether there are head joints in contact.
     pub heads_touch: bool,
-    /// The multiplier at which the live loads add up to the weight: λ = `unit` · λ*.
+    /// [`Scene::multiplier_unit`]: λ = `unit` · λ*.
     unit: f64,
 }
-
-/// Multipliers relative to no less than this many units.
-const LEAST: f64 = 1e-3;
 
 impl<'a> Claims<'a> {
     pub fn of(scene: &Scene, answers: &'a Answers<'a>) -> Self {
@@ -81,13 +78,12 @@ impl<'a> Claims<'a> {
                 outcome,
             })
         });
-        let unit = scene.total_weight() / scene.total_live();
         Self {
             answers,
             answered: answered.collect(),
             head_joints: scene.head_joints(),
             heads_touch: scene.joints().iter().any(|j| j.class == JointClass::Head),
-            unit: if unit.is_finite() { unit } else { 1.0 },
+            unit: scene.multiplier_unit(),
         }
     }
 
@@ -102,10 +98,10 @@ impl<'a> Claims<'a> {
         lambda / self.unit
     }
 
-    /// How far a multiplier is above another, relative to that one; below where it is negative. A
-    /// multiplier near zero is measured in the unit instead, of which it is no part.
+    /// How far a multiplier is above another, relative to the [`magnitude`] of that one; below where
+    /// it is negative.
     pub fn excess(&self, lambda: f64, over: f64) -> f64 {
-        (lambda - over) / over.abs().max(LEAST * self.unit)
+        (lambda - over) / magnitude(over, self.unit)
     }
 
     /// Whether a multiplier is above another by more than an error that is relative to itself.
@@ -121,7 +117,7 @@ impl<'a> Claims<'a> {
     /// How far apart, relative to `lambda`, multipliers may be that are proved to the residual of
     /// `verified`.
     pub fn proof_slack(&self, lambda: f64) -> f64 {
-        1e-6 + VERIFIED_RESIDUAL * self.unit / lambda.abs().max(LEAST * self.unit)
+        1e-6 + VERIFIED_RESIDUAL * self.unit / magnitude(lambda, self.unit)
     }
 }
 

@@ -164,7 +164,8 @@ fn conclude_state(
 }
 
 /// The residual of what proves `falls` (a mechanism) or `stands` (forces at λ = 0 and a ray, without
-/// friction where the claim is not one of associative friction): refutes the status where that fails, lowers it to `undecided` where nothing is given.
+/// friction where the claim is not one of associative friction): refutes the status where that
+/// fails, lowers it to `undecided` where nothing is given.
 fn judge_certificate(scene: &Scene, outcome: &mut Outcome) -> Option<f64> {
     let (residual, blocks) = match (
         outcome.status,

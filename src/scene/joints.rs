@@ -98,6 +98,44 @@ pub(super) fn find_joints(tolerance: f64, shapes: &[&Polygon], supports: &[Polyg
     joints
 }
 
+/// Component along y of a unit normal from which on a steep joint is inclined and not plumb.
+const INCLINED: f64 = 1e-3;
+
+/// Steep joints of voussoirs carry the arch's thrust, however steep: they are called bed joints, as
+/// those of a radial arch. A voussoir rests on nothing but steep joints, one of them inclined; the
+/// plumb joint between two of them, in the crown, is theirs too. In walls of level courses none is.
+pub(super) fn call_voussoir_joints_beds(joints: &mut [Joint], blocks: usize) {
+    let (mut rests, mut wedged) = (vec![false; blocks], vec![false; blocks]);
+    for joint in joints.iter() {
+        let ends = [
+            (Some(joint.to), joint.normal.y),
+            (block(joint.from), -joint.normal.y),
+        ];
+        for (of, upward) in ends {
+            let Some(of) = of else { continue };
+            match joint.class {
+                JointClass::Base | JointClass::Bed => rests[of] |= upward > INCLINED,
+                JointClass::Head => wedged[of] |= upward.abs() > INCLINED,
+            }
+        }
+    }
+    let is_voussoir = |of: Option<usize>| of.is_some_and(|of| wedged[of] && !rests[of]);
+    for joint in joints.iter_mut().filter(|j| j.class == JointClass::Head) {
+        let of = [Some(joint.to), block(joint.from)].map(is_voussoir);
+        let inclined = joint.normal.y.abs() > INCLINED;
+        if of[0] && of[1] || inclined && (of[0] || of[1]) {
+            joint.class = JointClass::Bed;
+        }
+    }
+}
+
+fn block(side: Side) -> Option<usize> {
+    match side {
+        Side::Block(block) => Some(block),
+        Side::Support(_) => None,
+    }
+}
+
 /// Pairs whose bounding boxes meet within `tolerance`: (body, block) with the body first in the
 /// order supports, blocks. Sorted.
 ///

@@ -93,14 +93,7 @@ impl Scene {
     /// without dimension that smallness is measured by. Exactly 1 where every live force is as large
     /// as the dead one, also where there is no live load.
     pub fn multiplier_unit(&self) -> f64 {
-        let (dead, live) = (self.total_weight(), self.total_live());
-        let unit = dead / live;
-        // Inclined loads may differ from the weight by rounding.
-        if dead == 0.0 || live == 0.0 || (unit - 1.0).abs() <= 1e-12 {
-            1.0
-        } else {
-            unit
-        }
+        multiplier_unit(self.total_weight(), self.total_live())
     }
 
     /// Lower-left and upper-right corner of all blocks.
@@ -114,5 +107,17 @@ impl Scene {
     pub fn height(&self) -> f64 {
         let (low, high) = self.bounds();
         high.y - low.y
+    }
+}
+
+/// Multiplier at which live loads of the magnitude `live` add up to dead ones of the magnitude
+/// `dead`; 1 where there are none.
+pub(crate) fn multiplier_unit(dead: f64, live: f64) -> f64 {
+    let unit = dead / live;
+    // Inclined loads may differ from the weight by rounding.
+    if dead == 0.0 || live == 0.0 || (unit - 1.0).abs() <= 1e-12 {
+        1.0
+    } else {
+        unit
     }
 }

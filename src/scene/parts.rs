@@ -2,7 +2,7 @@
 
 use super::block::{Block, Load};
 use super::friction::Friction;
-use super::joints::{JointClass, TOUCHING, find_joints};
+use super::joints::{JointClass, TOUCHING, call_voussoir_joints_beds, find_joints};
 use super::labels::Labels;
 use super::model::Scene;
 use super::polygon::Polygon;
@@ -95,6 +95,7 @@ impl Scene {
         }
         let shapes: Vec<&Polygon> = parts.blocks.iter().map(|block| &block.shape).collect();
         let mut joints = find_joints(parts.tolerance, &shapes, &parts.supports);
+        call_voussoir_joints_beds(&mut joints, shapes.len());
         for joint in &mut joints {
             if parts.radial && joint.class == JointClass::Head {
                 joint.class = JointClass::Bed;

@@ -1,6 +1,7 @@
 //! What makes an assembly one: no block inside another, no joint missed by a hair, none in the air.
 
 use super::assembly::Assembly;
+use super::connected::connected;
 use super::joints::{Side, close_pairs, extent, find_joints, shared_edges};
 use super::polygon::Polygon;
 
@@ -83,24 +84,9 @@ impl Assembly {
     fn floating(&self) -> Option<usize> {
         let shapes: Vec<&Polygon> = self.blocks.iter().map(|block| &block.shape).collect();
         let supports: Vec<Polygon> = self.supports.iter().map(|s| s.shape.clone()).collect();
-        let mut held = vec![false; shapes.len()];
-        let mut beside = vec![Vec::new(); shapes.len()];
-        let mut reached = Vec::new();
-        for joint in find_joints(self.tolerance, &shapes, &supports) {
-            match joint.from {
-                Side::Support(_) => reached.push(joint.to),
-                Side::Block(from) => {
-                    beside[from].push(joint.to);
-                    beside[joint.to].push(from);
-                }
-            }
-        }
-        while let Some(block) = reached.pop() {
-            if !std::mem::replace(&mut held[block], true) {
-                reached.extend(&beside[block]);
-            }
-        }
-        held.iter().position(|held| !held)
+        let joints = find_joints(self.tolerance, &shapes, &supports);
+        let connected = connected(shapes.len(), &joints);
+        connected.iter().position(|connected| !connected)
     }
 }
 

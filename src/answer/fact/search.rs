@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::answer::bracket::magnitude;
+use crate::answer::bracket::is_same_multiplier;
 
 /// How every start of a search for collapse states ended, in the order in which they ran.
 #[derive(Clone, Debug, PartialEq)]
@@ -63,7 +63,9 @@ pub enum SearchStart {
 /// How a start ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SearchEnding {
-    /// With collapse states.
+    /// With collapse states. Where a part of the scene is searched, these are proved as states of the
+    /// part: one lower than all before it is completed to a state of the whole scene at once, any
+    /// other later, where the answer rests on it.
     Verified {
         /// λ of the lowest one.
         lowest: f64,
@@ -114,10 +116,6 @@ impl fmt::Display for SearchFailure {
     }
 }
 
-/// Largest difference of λ between states that count as one, relative to the [`magnitude`]
-/// of λ.
-const SAME_LAMBDA: f64 = 1e-6;
-
 /// How far the starts of a search cover the states that there are.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Coverage {
@@ -160,7 +158,7 @@ impl SearchFacts {
     /// How far the starts cover the states.
     pub fn coverage(&self) -> Coverage {
         let lambdas = self.lambdas();
-        let same = |a: &f64, b: &f64| b - a <= SAME_LAMBDA * magnitude(*a, self.multiplier_unit);
+        let same = |a: &f64, b: &f64| is_same_multiplier(*b, *a, self.multiplier_unit);
         let met: Vec<usize> = lambdas.chunk_by(same).map(<[f64]>::len).collect();
         let once = met.iter().filter(|&&times| times == 1).count();
         Coverage {
