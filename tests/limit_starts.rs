@@ -3,7 +3,7 @@
 mod scenes;
 
 use scenes::{laid, small_walls};
-use trilith::answer::{SearchEnding, SearchFailure, Status};
+use trilith::answer::{SearchEnding, SearchFailure, SearchStart, Status};
 use trilith::judge::judge;
 use trilith::method::limit::Interval;
 use trilith::method::{Method, Settings};
@@ -52,4 +52,25 @@ fn four_starts_end_verified() {
 #[ignore = "minutes: 1600 starts, each one followed down"]
 fn two_hundred_starts_end_verified() {
     assert_most_are_verified(200);
+}
+
+/// States of neighbours are followed beside the starts that a user asks for, however few.
+#[test]
+fn neighbours_come_beside_the_starts_asked_for() {
+    let (_, wall) = small_walls().into_iter().next().expect("there are some");
+    let scene = laid(&wall, HeadJoints::Contact);
+    for starts in 1..4 {
+        let mut settings = Settings::default();
+        settings.interval.starts = starts;
+        let alone = Interval.solve(&scene, &settings);
+        let forces = alone.forces.as_ref().expect("of the lowest state");
+        let unit = scene.total_weight();
+        let normal = forces.iter().map(|f| (f.normal[0] + f.normal[1]) / unit);
+        let outcome = Interval.solve_from(&scene, &settings, &[normal.collect()]);
+        let search = outcome.search().expect("starts are reported");
+        let kinds = search.starts.iter().map(|ending| ending.start);
+        let neighbours = kinds.filter(|&start| start == SearchStart::Neighbour);
+        assert_eq!(neighbours.count(), 1, "{starts} starts");
+        assert_eq!(search.starts.len(), starts + 1);
+    }
 }

@@ -13,6 +13,8 @@ pub struct Work {
     pub iterations: usize,
     /// Time steps of the pushover, times the blocks that can move.
     pub block_steps: usize,
+    /// Linear programs that another solver had to solve than the one that was asked for.
+    pub fallbacks: usize,
 }
 
 impl Add for Work {
@@ -24,6 +26,7 @@ impl Add for Work {
             programs: self.programs + other.programs,
             iterations: self.iterations + other.iterations,
             block_steps: self.block_steps + other.block_steps,
+            fallbacks: self.fallbacks + other.fallbacks,
         }
     }
 }

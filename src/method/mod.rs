@@ -12,8 +12,8 @@ pub use auto::Auto;
 pub use contract::Method;
 pub use macro_block::MacroBlock;
 pub use settings::{
-    Accuracy, Allowed, AutoSettings, Collapse, IntervalSettings, ProgramSettings, PushoverSettings,
-    SequentialSettings, Setting, SettingError, Settings,
+    Accuracy, Allowed, AutoSettings, Collapse, Engine, IntervalSettings, ProgramSettings,
+    PushoverSettings, SequentialSettings, Setting, SettingError, Settings,
 };
 pub use table::{
     Changes, Cost, Kind, Look, METHODS, Mark, MethodEntry, Rung, Scenes, defaults, entry, kind,

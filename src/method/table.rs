@@ -181,6 +181,7 @@ pub static METHODS: &[MethodEntry] = &[
             all(&[("lp-tolerance", "1e-4")]),
             all(&[("lp-tolerance", "1e-6")]),
             all(&[("lp-tolerance", "1e-8")]),
+            all(&[("engine", "clarabel")]),
             large(&[("reduction", "false")]),
         ],
     },
@@ -197,6 +198,7 @@ pub static METHODS: &[MethodEntry] = &[
             small(&[("beta", "0.3")]),
             small(&[("c0", "1e-4")]),
             all(&[("lp-tolerance", "1e-6")]),
+            all(&[("engine", "clarabel")]),
         ],
     },
     MethodEntry {
@@ -213,6 +215,7 @@ pub static METHODS: &[MethodEntry] = &[
             small(&[("starts", "4")]),
             small(&[("starts", "8")]),
             small(&[("starts", "16")]),
+            all(&[("engine", "clarabel")]),
             large(&[("reduction", "false")]),
         ],
     },

@@ -148,6 +148,7 @@ pub static COLUMNS: &[Column] = &[
         let search = row.outcome.search();
         search.map(|search| search.coverage().unseen).into()
     }),
+    data("fallbacks", |row| Value::Count(row.outcome.work.fallbacks)),
     words("head_joints", |row| row.head_joints.name().into()),
     words("lambda", multiplier),
     words("lambda_reference", multiplier_reference),

@@ -34,7 +34,7 @@ struct KeptRow {
     reason: String,
     refuted: bool,
     /// Blocks that were modelled as movable, linear programs, their iterations, block steps.
-    work: [usize; 4],
+    work: [usize; 5],
     seconds: f64,
 }
 
@@ -71,6 +71,7 @@ impl From<Row> for KeptRow {
                 work.programs,
                 work.iterations,
                 work.block_steps,
+                work.fallbacks,
             ],
             seconds: rounded(row.seconds).unwrap_or(0.0),
             id: row.id,
@@ -111,7 +112,7 @@ impl TryFrom<KeptRow> for Row {
         let pushes = [Push::Right, Push::Left];
         let status = named("status", Status::ALL, Status::name, kept.status)?;
         let claim = named("claim", Claim::ALL, Claim::name, kept.claim)?;
-        let [modelled, programs, iterations, block_steps] = kept.work;
+        let [modelled, programs, iterations, block_steps, fallbacks] = kept.work;
         let ends = kept.lower.zip(kept.upper);
         let crack = kept.tan_beta.map(|tan_beta| Crack {
             c: kept.c,
@@ -137,6 +138,7 @@ impl TryFrom<KeptRow> for Row {
                     programs,
                     iterations,
                     block_steps,
+                    fallbacks,
                 },
                 ..Outcome::without_number(
                     status,

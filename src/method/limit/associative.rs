@@ -11,7 +11,7 @@ use crate::answer::{
     Status, VELOCITY_THRESHOLDS, VERIFIED_RESIDUAL, Work, associative_violation, crack_slope,
     kinematic_multiplier, magnitude,
 };
-use crate::method::settings::LP_TOLERANCE;
+use crate::method::settings::{Engine, LP_TOLERANCE};
 use crate::method::{Method, Settings};
 use crate::scene::{HeadJoints, Scene};
 
@@ -60,6 +60,7 @@ struct Optimum {
     forces: Vec<JointForce>,
     mechanism: Mechanism,
     bracket: Bracket,
+    engine: Engine,
 }
 
 /// The optimum, with units of unequal blocks evened out in the ways there are until one proves it.
@@ -82,16 +83,39 @@ fn is_exact(scene: &Scene, found: &Optimum, user: &Settings) -> bool {
     one && (loose(user) || proves(scene, found))
 }
 
-/// Solves the program with margins; with finer ones, or none, where those are too wide for a small λ
-/// or prove nothing; without any where it has no optimum with them: a scene that can lock, or one
-/// without slack anywhere, may still have one.
+/// The optimum by the engine that is asked for; by Clarabel where what another one leaves is more than
+/// a proof takes.
 fn evened(
     scene: &Scene,
     evening: Evening,
     user: &Settings,
     work: &mut Work,
 ) -> Result<Optimum, Ending> {
-    let mut solved = |margins| solved(scene, margins, evening, user, work);
+    let found = by_engine(scene, evening, user.programs.engine, user, work);
+    match found {
+        Ok(found) if found.engine != Engine::Clarabel && !is_exact(scene, &found, user) => {
+            work.fallbacks += 1;
+            by_engine(scene, evening, Engine::Clarabel, user, work)
+        }
+        found => found,
+    }
+}
+
+/// Solves the program with margins; with finer ones, or none, where those are too wide for a small λ
+/// or prove nothing; without any where it has no optimum with them: a scene that can lock, or one
+/// without slack anywhere, may still have one.
+fn by_engine(
+    scene: &Scene,
+    evening: Evening,
+    engine: Engine,
+    user: &Settings,
+    work: &mut Work,
+) -> Result<Optimum, Ending> {
+    let mut solved = |margins| {
+        let tolerance = user.programs.lp_tolerance;
+        let program = Program::evened(scene, tolerance, evening).by(engine);
+        solved(scene, program, margins, work)
+    };
     let Ok(found) = solved(Some(WIDE_MARGINS)) else {
         return solved(None);
     };
@@ -103,18 +127,17 @@ fn evened(
     // margins ends with can be a little out of balance.
     let others = [Some(NARROW_MARGINS), None].into_iter();
     let others = others.take(if loose(user) { 1 } else { 2 });
+    let others = others.chain(sticky_margins(scene).map(Some));
     let mut others = others.filter_map(|margins| solved(margins).ok());
     Ok(others.find(is_exact).unwrap_or(found))
 }
 
 fn solved(
     scene: &Scene,
+    mut program: Program,
     margins: Option<Margins>,
-    evening: Evening,
-    user: &Settings,
     work: &mut Work,
 ) -> Result<Optimum, Ending> {
-    let mut program = Program::evened(scene, user.programs.lp_tolerance, evening);
     if let Some(margins) = margins {
         program.set_margins(margins);
     }
@@ -132,6 +155,7 @@ fn solved(
                 forces: program.scale().forces(&solution.forces),
                 bracket: Bracket { lower, upper },
                 mechanism,
+                engine: solution.engine,
             })
         }
         ending => Err(ending),
@@ -149,6 +173,22 @@ const NARROW_MARGINS: Margins = Margins {
     force: 3e-13,
     opening: 3e-12,
 };
+
+/// What the solver leaves of a slip, which comes back multiplied by the friction as an opening that
+/// is missing.
+const SLIP_LEFT: f64 = 1e-13;
+
+/// Margins that cover what is left of slips, for scenes whose friction needs wider ones than
+/// [`WIDE_MARGINS`].
+fn sticky_margins(scene: &Scene) -> Option<Margins> {
+    let friction = scene.joints().iter().map(|joint| joint.friction);
+    let opening = SLIP_LEFT * friction.fold(0.0, f64::max);
+    let margins = Margins {
+        opening,
+        ..WIDE_MARGINS
+    };
+    (opening > WIDE_MARGINS.opening).then_some(margins)
+}
 
 /// The outcome of both sides of λ_A.
 fn outcome(scene: &Scene, optimum: Optimum, user: &Settings, work: Work) -> Outcome {
@@ -210,6 +250,7 @@ fn residual(scene: &Scene, optimum: &Optimum) -> f64 {
         forces,
         mechanism,
         bracket,
+        ..
     } = optimum;
     let statics = StaticResidual::of(scene, forces, bracket.lower).largest();
     statics.max(associative_violation(scene, mechanism))
@@ -221,6 +262,7 @@ fn of_blocks(scene: &Scene, optimum: &Optimum) -> BlockResidual {
         forces,
         mechanism,
         bracket,
+        ..
     } = optimum;
     let of_forces = BlockResidual::of_forces(scene, forces, bracket.lower);
     of_forces.worse(BlockResidual::of_flow(scene, mechanism))

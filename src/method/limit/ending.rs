@@ -1,6 +1,7 @@
 //! How a linear program ended.
 
 use crate::answer::{JointForce, SolverEnding};
+use crate::method::settings::Engine;
 
 /// How a program ended.
 #[derive(Clone, Debug)]
@@ -40,4 +41,6 @@ pub struct Solution {
     pub velocity: Vec<f64>,
     /// Interior-point iterations.
     pub iterations: usize,
+    /// Which solver found it.
+    pub engine: Engine,
 }

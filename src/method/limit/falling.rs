@@ -6,7 +6,7 @@ use super::equilibration::{Evening, needs_own_units};
 use super::program::Program;
 use super::reduction::ScenePart;
 use crate::answer::{BlockResidual, Mechanism, Motion, VERIFIED_RESIDUAL, Work, falling_violation};
-use crate::scene::{Scene, Side, Vector};
+use crate::scene::{Scene, Vector, connected};
 
 /// Openings beyond the flow rule, the mechanism's total opening and slip being 1: first enough to
 /// cover what the solver leaves, then none, for scenes that do not fall by much.
@@ -43,7 +43,7 @@ pub(super) fn proves(scene: &Scene, mechanism: &Mechanism) -> bool {
 /// own dead loads, all at one velocity, so that no joint opens or slips. No program is needed, and
 /// none that asks for openings sees it.
 pub(super) fn adrift(scene: &Scene) -> Option<Mechanism> {
-    let held = held(scene);
+    let held = connected(scene.blocks().len(), scene.joints());
     let loose = || (scene.blocks().iter().zip(&held)).filter(|(_, held)| !**held);
     let pull = loose().fold(Vector::zeros(), |sum, (block, _)| {
         let [x, y, _] = block.dead();
@@ -57,28 +57,6 @@ pub(super) fn adrift(scene: &Scene) -> Option<Mechanism> {
     Some(Mechanism {
         motions: motions.collect(),
     })
-}
-
-/// Which blocks a chain of joints connects with a support.
-fn held(scene: &Scene) -> Vec<bool> {
-    let mut held = vec![false; scene.blocks().len()];
-    let mut beside = vec![Vec::new(); held.len()];
-    let mut reached = Vec::new();
-    for joint in scene.joints() {
-        match joint.from {
-            Side::Support(_) => reached.push(joint.to),
-            Side::Block(from) => {
-                beside[from].push(joint.to);
-                beside[joint.to].push(from);
-            }
-        }
-    }
-    while let Some(block) = reached.pop() {
-        if !std::mem::replace(&mut held[block], true) {
-            reached.extend(&beside[block]);
-        }
-    }
-    held
 }
 
 /// A mechanism of the whole scene that proves its fall, found on a part of it while every other

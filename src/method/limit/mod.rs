@@ -3,6 +3,7 @@
 mod associative;
 mod columns;
 mod ending;
+mod engine;
 mod equilibration;
 mod falling;
 mod interval;

@@ -1,4 +1,4 @@
-//! The one linear program of the limit analysis, assembled once and solved by Clarabel.
+//! The one linear program of the limit analysis, assembled once and solved for many numbers.
 //!
 //! Variables: two corner forces n1, n2 and one shear t a joint, then λ*. Rows: three equilibrium
 //! equations a block, A q + λ* f_L = −f_D, then four inequalities a joint,
@@ -11,18 +11,14 @@
 //! slope, intercept and cost, so an iteration changes numbers and never the pattern.
 
 use clarabel::algebra::CscMatrix;
-use clarabel::solver::{
-    DefaultSolver, IPSolver, SolverStatus,
-    SupportedConeT::{NonnegativeConeT, ZeroConeT},
-};
 
 use super::columns::{Entries, joint_columns, multiplier_column, right_side, slack_column};
 use super::ending::{Ending, Solution};
 use super::equilibration::{Equilibration, Evening};
 use super::scale::Scale;
-use super::solver::{rough, settings};
+use super::solver::{Change, Numbers, Solver, Verdict};
 use crate::answer::{JointForce, Work};
-use crate::method::settings::LP_TOLERANCE;
+use crate::method::settings::{Engine, LP_TOLERANCE};
 use crate::scene::Scene;
 
 /// Friction law of one joint: |t| ≤ slope · (n1 + n2) + intercept, the intercept in units of the
@@ -47,12 +43,10 @@ pub(super) struct Margins {
 
 /// The program of one scene.
 pub struct Program {
-    solver: DefaultSolver<f64>,
-    values: Vec<f64>,
-    right: Vec<f64>,
-    /// Where a joint's four friction coefficients stand in `values`: rows ±t, columns n1 and n2.
+    solver: Solver,
+    numbers: Numbers,
+    /// Where a joint's four friction coefficients stand in the matrix: rows ±t, columns n1 and n2.
     friction_at: Vec<[usize; 4]>,
-    rows_of_blocks: usize,
     scale: Scale,
     /// Units of blocks and joints inside the program, where it needs them.
     equilibration: Option<Equilibration>,
@@ -156,38 +150,47 @@ impl Program {
         if let Some(last) = cost.get_mut(3 * joints) {
             *last = -1.0;
         }
-        let cones = [ZeroConeT(rows_of_blocks), NonnegativeConeT(inequalities)];
-        let solver = DefaultSolver::new(
-            &CscMatrix::zeros((columns, columns)),
-            &cost,
-            &matrix,
-            &right,
-            &cones,
-            settings(tolerance, equilibration.is_some()),
-        )
-        .expect("dimensions agree by construction");
-        Self {
-            values: matrix.nzval,
+        let slopes = friction_at.iter().map(|at| -matrix.nzval[at[0]]);
+        let numbers = Numbers {
+            slopes: slopes.collect(),
+            matrix,
             right,
-            solver,
-            friction_at,
+            cost,
             rows_of_blocks,
+            tolerance,
+            has_own_units: equilibration.is_some(),
+            has_slack: matches!(goal, Goal::Slack(_)),
+        };
+        Self {
+            solver: Solver::new(Engine::Structured, &numbers),
+            numbers,
+            friction_at,
             scale,
             equilibration,
             goal,
         }
     }
 
-    /// Asks for less of the solver's linear systems, for a search that solves many programs and proves
+    /// The same program, solved by the engine that is asked for from the beginning.
+    pub(super) fn by(mut self, engine: Engine) -> Self {
+        if engine != Engine::Structured {
+            self.solver = Solver::new(engine, &self.numbers);
+        }
+        self
+    }
+
+    /// Asks for less of Clarabel's linear systems, for a search that solves many programs and proves
     /// what it keeps: a quarter less time for the same states (measured on walls of 20 to 40 blocks).
     /// Programs with units of their own stay as they are.
     pub(super) fn refine_less(&mut self) {
-        if self.equilibration.is_some() {
-            return;
+        if self.equilibration.is_none() {
+            self.solver.refine_less(&self.numbers);
         }
-        let settings = rough(settings(LP_TOLERANCE, false));
-        let updated = self.solver.update_settings(settings);
-        updated.expect("refinement may change at any time");
+    }
+
+    /// Which engine solves it first.
+    pub(super) fn engine(&self) -> Engine {
+        self.solver.engine()
     }
 
     /// Units of this program.
@@ -203,11 +206,10 @@ impl Program {
     /// bracket of 1e-9 (33 blocks) to 6e-9 (1176 blocks) instead of 1e-12, at the same number of
     /// iterations (measured); margins ten times larger cost ten times the width and save nothing.
     pub(super) fn set_margins(&mut self, margins: Margins) {
-        for right in &mut self.right[self.rows_of_blocks..] {
+        for right in &mut self.numbers.right[self.numbers.rows_of_blocks..] {
             *right -= margins.force;
         }
-        let updated = self.solver.update_b(&self.right);
-        updated.expect("presolve is off, so updates are allowed");
+        self.solver.update(&self.numbers, Change::Right);
         self.set_opening(margins.opening);
     }
 
@@ -220,18 +222,18 @@ impl Program {
     /// Changes the friction law of every joint; one law a joint, in the scene's order.
     pub(super) fn set_friction(&mut self, laws: &[FrictionLaw]) {
         for (j, law) in laws.iter().enumerate() {
-            for at in self.friction_at[j] {
-                self.values[at] = -law.slope / self.shear_unit(j);
-            }
-            let first = self.rows_of_blocks + 4 * j;
+            let slope = law.slope / self.shear_unit(j);
             let intercept = law.intercept / (self.joint_unit(j) * self.shear_unit(j));
-            self.right[first + 2] = intercept;
-            self.right[first + 3] = intercept;
+            let numbers = &mut self.numbers;
+            numbers.slopes[j] = slope;
+            for at in self.friction_at[j] {
+                numbers.matrix.nzval[at] = -slope;
+            }
+            let first = numbers.rows_of_blocks + 4 * j;
+            numbers.right[first + 2..first + 4].fill(intercept);
         }
-        let updated = self.solver.update_A(&self.values);
-        updated.expect("presolve is off, so updates are allowed");
-        let updated = self.solver.update_b(&self.right);
-        updated.expect("presolve is off, so updates are allowed");
+        self.solver.update(&self.numbers, Change::Matrix);
+        self.solver.update(&self.numbers, Change::Right);
     }
 
     /// Asks for forces at another λ (in the case's unit), of a program for forces at a given one.
@@ -241,18 +243,17 @@ impl Program {
         if let Some(units) = &self.equilibration {
             units.scale_rows(&mut balanced);
         }
-        self.right[..self.rows_of_blocks].copy_from_slice(&balanced);
-        let updated = self.solver.update_b(&self.right);
-        updated.expect("presolve is off, so updates are allowed");
+        self.numbers.right[..balanced.len()].copy_from_slice(&balanced);
+        self.solver.update(&self.numbers, Change::Right);
     }
 
     /// Changes the cost of every force, which is to be smallest: two corner forces and the shear of
     /// each joint, in the program's own units.
     pub(super) fn set_force_cost(&mut self, cost: &[[f64; 3]]) {
-        let mut cost = cost.concat();
-        cost.resize(self.solver.solution.x.len(), 0.0);
-        let updated = self.solver.update_q(&cost);
-        updated.expect("presolve is off, so updates are allowed");
+        let all = &mut self.numbers.cost;
+        all.fill(0.0);
+        all[..3 * cost.len()].copy_from_slice(cost.as_flattened());
+        self.solver.update(&self.numbers, Change::Cost);
     }
 
     /// Changes the cost: `lambda` · λ* (or the slack) − Σ price · (n1 + n2) is to be largest, with
@@ -267,7 +268,8 @@ impl Program {
     /// As [`Program::set_cost`], with prices in the program's own units.
     fn change_cost(&mut self, lambda: f64, price: impl Fn(usize) -> f64) {
         let joints = self.friction_at.len();
-        let mut cost = vec![0.0; self.solver.solution.x.len()];
+        let cost = &mut self.numbers.cost;
+        cost.fill(0.0);
         for j in 0..joints {
             cost[3 * j] = price(j);
             cost[3 * j + 1] = price(j);
@@ -275,35 +277,38 @@ impl Program {
         if let Some(last) = cost.get_mut(3 * joints) {
             *last = -lambda;
         }
-        let updated = self.solver.update_q(&cost);
-        updated.expect("presolve is off, so updates are allowed");
+        self.solver.update(&self.numbers, Change::Cost);
     }
 
     /// Solves the program as it stands and counts it.
     pub(super) fn solve_counted(&mut self, work: &mut Work) -> Ending {
-        let ending = self.solve();
+        let solved = self.solver.solve(&self.numbers);
         work.programs += 1;
-        work.iterations += self.solver.solution.iterations as usize;
-        ending
+        work.iterations += solved.iterations;
+        work.fallbacks += usize::from(self.solver.engine() != solved.engine);
+        match solved.verdict {
+            Verdict::Optimum {
+                variables,
+                velocities,
+            } => {
+                let (forces, lambda) = self.forces(&variables);
+                Ending::Solved(Solution {
+                    lambda,
+                    forces,
+                    velocity: self.velocity(&velocities),
+                    iterations: solved.iterations,
+                    engine: solved.engine,
+                })
+            }
+            Verdict::Infeasible { velocities } => Ending::Infeasible(self.velocity(&velocities)),
+            Verdict::Unbounded => Ending::Unbounded,
+            Verdict::GaveUp(why) => Ending::GaveUp(why),
+        }
     }
 
     /// Solves the program as it stands.
     pub fn solve(&mut self) -> Ending {
-        self.solver.solve();
-        let solution = &self.solver.solution;
-        match solution.status {
-            SolverStatus::Solved | SolverStatus::AlmostSolved => Ending::Solved(self.read()),
-            SolverStatus::PrimalInfeasible | SolverStatus::AlmostPrimalInfeasible => {
-                Ending::Infeasible(self.velocity())
-            }
-            SolverStatus::DualInfeasible | SolverStatus::AlmostDualInfeasible => Ending::Unbounded,
-            status @ (SolverStatus::Unsolved
-            | SolverStatus::MaxIterations
-            | SolverStatus::MaxTime
-            | SolverStatus::NumericalError
-            | SolverStatus::InsufficientProgress
-            | SolverStatus::CallbackTerminated) => Ending::GaveUp(format!("{status:?}")),
-        }
+        self.solve_counted(&mut Work::default())
     }
 
     /// Force unit of a joint in the program, in that of the scale.
@@ -324,19 +329,18 @@ impl Program {
             .map_or(1.0, |units| units.shears[joint])
     }
 
-    fn velocity(&self) -> Vec<f64> {
-        let rates = self.solver.solution.z[..self.rows_of_blocks].iter();
+    fn velocity(&self, rates: &[f64]) -> Vec<f64> {
         match &self.equilibration {
-            None => rates.copied().collect(),
-            Some(units) => (rates.enumerate())
+            None => rates.to_vec(),
+            Some(units) => (rates.iter().enumerate())
                 .map(|(row, rate)| rate * units.of_row(row))
                 .collect(),
         }
     }
 
-    fn read(&self) -> Solution {
-        let solution = &self.solver.solution;
-        let (corners, lambda) = solution.x.split_at(3 * self.friction_at.len());
+    /// Forces of the joints and λ*.
+    fn forces(&self, variables: &[f64]) -> (Vec<JointForce>, f64) {
+        let (corners, last) = variables.split_at(3 * self.friction_at.len());
         let forces = corners.chunks_exact(3).enumerate().map(|(j, q)| {
             let unit = self.joint_unit(j);
             JointForce {
@@ -344,14 +348,10 @@ impl Program {
                 shear: q[2] * unit * self.shear_unit(j),
             }
         });
-        Solution {
-            lambda: match self.goal.fixed() {
-                None => lambda[0],
-                Some(lambda) => lambda / self.scale.multiplier,
-            },
-            forces: forces.collect(),
-            velocity: self.velocity(),
-            iterations: solution.iterations as usize,
-        }
+        let lambda = match self.goal.fixed() {
+            None => last[0],
+            Some(lambda) => lambda / self.scale.multiplier,
+        };
+        (forces.collect(), lambda)
     }
 }

@@ -129,11 +129,9 @@ impl ScenePart {
             force: 1e-11,
             opening: 0.0,
         });
-        work.programs += 1;
-        let Ending::Solved(solution) = program.solve() else {
+        let Ending::Solved(solution) = program.solve_counted(work) else {
             return None;
         };
-        work.iterations += solution.iterations;
         for (&j, force) in rest.joints.iter().zip(scale.forces(&solution.forces)) {
             all[j] = force;
         }

@@ -48,7 +48,8 @@ fn sequential(scene: &Scene, settings: &Settings) -> Outcome {
         Ok(forces) => forces,
         Err(outcome) => return *outcome,
     };
-    let mut program = Program::to_tolerance(scene, settings.programs.lp_tolerance);
+    let program = Program::to_tolerance(scene, settings.programs.lp_tolerance);
+    let mut program = program.by(settings.programs.engine);
     let mut ceiling = None;
     let (mut frozen, mut lambdas) = match program.solve_counted(&mut work) {
         Ending::Solved(solution) => {
@@ -122,9 +123,9 @@ fn converged(scene: &Scene, program: &Program, last: &Solution, facts: Sequentia
     }
 }
 
-/// What λ may be off by, relative to it: as much as it moves in the steps that settle it, and what c0 and capacities
-/// that lag behind their normal forces let joints carry beyond Coulomb's law, measured by how far
-/// that can lift λ above λ_A, whose mechanism is `ceiling`.
+/// What λ may be off by, relative to it: as much as it moves in the steps that settle it, and what
+/// c0 and capacities that lag behind their normal forces let joints carry beyond Coulomb's law,
+/// measured by how far that can lift λ above λ_A, whose mechanism is `ceiling`.
 fn stated_error(scene: &Scene, outcome: &Outcome, ceiling: &Mechanism) -> Option<f64> {
     let forces = outcome.forces.as_deref()?;
     let lambda = outcome.bracket?.upper;

@@ -1,9 +1,201 @@
-//! How Clarabel is to solve the programs.
+//! What solves the programs: the interior point that knows their structure, or Clarabel.
+//!
+//! The structured one counts only where its answer satisfies the conditions of an optimum; where it
+//! gives up, as on every program without an optimum, Clarabel solves the program from scratch.
 
-use clarabel::solver::DefaultSettings;
+use clarabel::algebra::CscMatrix;
+use clarabel::solver::{
+    DefaultSettings, DefaultSolver, IPSolver, SolverStatus,
+    SupportedConeT::{NonnegativeConeT, ZeroConeT},
+};
 
-/// Settings for programs to this tolerance; `tight` where blocks or joints have units of their own.
-pub(super) fn settings(tolerance: f64, tight: bool) -> DefaultSettings<f64> {
+use super::engine::{InteriorPoint, Problem};
+use crate::method::settings::Engine;
+
+/// The numbers of a program, in its own units.
+pub(super) struct Numbers {
+    /// Equilibrium rows, then inequalities.
+    pub(super) matrix: CscMatrix<f64>,
+    pub(super) right: Vec<f64>,
+    pub(super) cost: Vec<f64>,
+    /// Slope of the friction law of every joint.
+    pub(super) slopes: Vec<f64>,
+    pub(super) rows_of_blocks: usize,
+    /// Relative tolerance of gap and residuals.
+    pub(super) tolerance: f64,
+    /// Whether blocks or joints have units of their own.
+    pub(super) has_own_units: bool,
+    /// Whether there is a slack that all inequalities share.
+    pub(super) has_slack: bool,
+}
+
+/// What a solver says of a program: values of all variables and velocities, or why there are none.
+pub(super) enum Verdict {
+    Optimum {
+        variables: Vec<f64>,
+        velocities: Vec<f64>,
+    },
+    Infeasible {
+        velocities: Vec<f64>,
+    },
+    Unbounded,
+    GaveUp(String),
+}
+
+/// A solved program.
+pub(super) struct Solved {
+    pub(super) verdict: Verdict,
+    pub(super) iterations: usize,
+    /// Who says so.
+    pub(super) engine: Engine,
+}
+
+/// A solver of one scene's programs, one after the other.
+pub(super) enum Solver {
+    Structured(Box<InteriorPoint>),
+    Clarabel(Box<DefaultSolver<f64>>),
+}
+
+impl Solver {
+    /// The solver that is asked for, or Clarabel for programs that the structured one does not know.
+    pub(super) fn new(engine: Engine, numbers: &Numbers) -> Self {
+        let knows = !numbers.has_own_units && !numbers.has_slack;
+        match engine {
+            Engine::Structured if knows => {
+                let matrix = &numbers.matrix;
+                Solver::Structured(Box::new(InteriorPoint::new(
+                    numbers.rows_of_blocks / 3,
+                    numbers.slopes.len(),
+                    (&matrix.colptr, &matrix.rowval, &matrix.nzval),
+                )))
+            }
+            Engine::Structured | Engine::Clarabel => {
+                let settings = settings(numbers.tolerance, numbers.has_own_units);
+                Solver::Clarabel(Box::new(clarabel(numbers, settings)))
+            }
+        }
+    }
+
+    /// Takes changes of the numbers: of the matrix, the right sides or the costs.
+    pub(super) fn update(&mut self, numbers: &Numbers, change: Change) {
+        let Solver::Clarabel(solver) = self else {
+            return;
+        };
+        let updated = match change {
+            Change::Matrix => solver.update_A(&numbers.matrix.nzval),
+            Change::Right => solver.update_b(&numbers.right),
+            Change::Cost => solver.update_q(&numbers.cost),
+        };
+        updated.expect("presolve is off, so updates are allowed");
+    }
+
+    /// Asks Clarabel to refine its linear systems less, where it is the one that was asked for.
+    pub(super) fn refine_less(&mut self, numbers: &Numbers) {
+        if let Solver::Clarabel(solver) = self {
+            let rough = rough(settings(numbers.tolerance, false));
+            let updated = solver.update_settings(rough);
+            updated.expect("refinement may change at any time");
+        }
+    }
+
+    /// Solves the program as it stands.
+    pub(super) fn solve(&mut self, numbers: &Numbers) -> Solved {
+        let solver = match self {
+            Solver::Clarabel(solver) => return solved(solver, numbers),
+            Solver::Structured(solver) => solver,
+        };
+        let answer = solver.solve(&Problem {
+            right: &numbers.right,
+            cost: &numbers.cost,
+            slopes: &numbers.slopes,
+            tolerance: numbers.tolerance,
+        });
+        match answer {
+            Ok(answer) => Solved {
+                verdict: Verdict::Optimum {
+                    variables: answer.forces,
+                    velocities: answer.velocities,
+                },
+                iterations: answer.iterations,
+                engine: Engine::Structured,
+            },
+            Err(iterations) => {
+                let mut clarabel = clarabel(numbers, settings(numbers.tolerance, false));
+                let solved = solved(&mut clarabel, numbers);
+                Solved {
+                    iterations: iterations + solved.iterations,
+                    ..solved
+                }
+            }
+        }
+    }
+
+    /// Which solver this is.
+    pub(super) fn engine(&self) -> Engine {
+        match self {
+            Solver::Structured(_) => Engine::Structured,
+            Solver::Clarabel(_) => Engine::Clarabel,
+        }
+    }
+}
+
+/// What has changed of a program's numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Change {
+    Matrix,
+    Right,
+    Cost,
+}
+
+fn clarabel(numbers: &Numbers, settings: DefaultSettings<f64>) -> DefaultSolver<f64> {
+    let columns = numbers.cost.len();
+    let inequalities = numbers.right.len() - numbers.rows_of_blocks;
+    let cones = [
+        ZeroConeT(numbers.rows_of_blocks),
+        NonnegativeConeT(inequalities),
+    ];
+    let solver = DefaultSolver::new(
+        &CscMatrix::zeros((columns, columns)),
+        &numbers.cost,
+        &numbers.matrix,
+        &numbers.right,
+        &cones,
+        settings,
+    );
+    solver.expect("dimensions agree by construction")
+}
+
+fn solved(solver: &mut DefaultSolver<f64>, numbers: &Numbers) -> Solved {
+    solver.solve();
+    let solution = &solver.solution;
+    let velocities = || solution.z[..numbers.rows_of_blocks].to_vec();
+    let verdict = match solution.status {
+        SolverStatus::Solved | SolverStatus::AlmostSolved => Verdict::Optimum {
+            variables: solution.x.clone(),
+            velocities: velocities(),
+        },
+        SolverStatus::PrimalInfeasible | SolverStatus::AlmostPrimalInfeasible => {
+            let velocities = velocities();
+            Verdict::Infeasible { velocities }
+        }
+        SolverStatus::DualInfeasible | SolverStatus::AlmostDualInfeasible => Verdict::Unbounded,
+        status @ (SolverStatus::Unsolved
+        | SolverStatus::MaxIterations
+        | SolverStatus::MaxTime
+        | SolverStatus::NumericalError
+        | SolverStatus::InsufficientProgress
+        | SolverStatus::CallbackTerminated) => Verdict::GaveUp(format!("{status:?}")),
+    };
+    Solved {
+        verdict,
+        iterations: solution.iterations as usize,
+        engine: Engine::Clarabel,
+    }
+}
+
+/// Settings of Clarabel for programs to this tolerance; `tight` where blocks or joints have units of
+/// their own.
+fn settings(tolerance: f64, tight: bool) -> DefaultSettings<f64> {
     let settings = DefaultSettings {
         verbose: false,
         max_threads: 1,
@@ -28,11 +220,11 @@ pub(super) fn settings(tolerance: f64, tight: bool) -> DefaultSettings<f64> {
     }
 }
 
-/// Infeasibility that the solver is to reach where blocks have units of their own.
+/// Infeasibility that Clarabel is to reach where blocks have units of their own.
 const LAST_DIGIT: f64 = 1e-15;
 
 /// The same with less refinement of the linear systems.
-pub(super) fn rough(settings: DefaultSettings<f64>) -> DefaultSettings<f64> {
+fn rough(settings: DefaultSettings<f64>) -> DefaultSettings<f64> {
     DefaultSettings {
         iterative_refinement_reltol: ROUGH_REFINEMENT,
         iterative_refinement_abstol: ROUGH_REFINEMENT,
@@ -42,3 +234,65 @@ pub(super) fn rough(settings: DefaultSettings<f64>) -> DefaultSettings<f64> {
 
 /// Residual of the linear systems that is refined no further.
 const ROUGH_REFINEMENT: f64 = 1e-8;
+
+#[cfg(test)]
+mod tests {
+    use crate::answer::Work;
+    use crate::method::limit::ending::Ending;
+    use crate::method::limit::program::Program;
+    use crate::method::limit::scale::Scale;
+    use crate::method::settings::Engine;
+    use crate::scene::{HeadJoints, Piece, Push, Scene, Wall};
+
+    fn wall() -> Scene {
+        let wall = Wall {
+            unit_length: 4.0,
+            unit_height: 1.75,
+            thickness: 1.0,
+            unit_weight: 1.0,
+            courses: vec![vec![Piece::Unit; 3]; 4],
+            friction: 0.65.into(),
+            overburden: 0.0,
+            push: Push::Right,
+        };
+        wall.scene(HeadJoints::Contact).expect("it can be laid")
+    }
+
+    #[test]
+    fn both_engines_find_the_same_multiplier() {
+        let scene = wall();
+        let found = [Engine::Structured, Engine::Clarabel].map(|engine| {
+            let mut work = Work::default();
+            let mut program = Program::new(&scene).by(engine);
+            let Ending::Solved(solution) = program.solve_counted(&mut work) else {
+                panic!("it has an optimum");
+            };
+            assert_eq!(solution.engine, engine);
+            assert_eq!((work.programs, work.fallbacks), (1, 0));
+            solution.lambda
+        });
+        assert!((found[0] - found[1]).abs() < 1e-9, "{found:?}");
+    }
+
+    #[test]
+    fn a_program_without_forces_is_left_to_clarabel_and_counted() {
+        let scene = wall();
+        let mut work = Work::default();
+        let mut program = Program::at_multiplier(&scene, 0.5, Scale::of(&scene));
+        let standing = program.solve_counted(&mut work);
+        assert!(matches!(standing, Ending::Solved(_)));
+        assert_eq!(work.fallbacks, 0);
+        program.set_multiplier(&scene, 2.0);
+        let falling = program.solve_counted(&mut work);
+        assert!(matches!(falling, Ending::Infeasible(_)));
+        assert_eq!((work.programs, work.fallbacks), (2, 1));
+        // What came before leaves no trace.
+        program.set_multiplier(&scene, 0.5);
+        let again = program.solve_counted(&mut work);
+        let forces = |ending| match ending {
+            Ending::Solved(solution) => solution.forces,
+            ending => panic!("{ending:?}"),
+        };
+        assert_eq!(forces(standing), forces(again));
+    }
+}

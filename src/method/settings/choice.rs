@@ -22,3 +22,12 @@ pub enum Collapse {
     /// A joint has slipped by a thousandth of the course height, though it may come to rest.
     FirstSlip,
 }
+
+/// What solves the linear programs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Engine {
+    /// An interior point that knows the structure of joints and blocks; Clarabel where it gives up.
+    Structured,
+    /// Clarabel, which solves any cone program.
+    Clarabel,
+}

@@ -12,7 +12,7 @@ mod value;
 
 use std::sync::LazyLock;
 
-pub use choice::{Accuracy, Collapse};
+pub use choice::{Accuracy, Collapse, Engine};
 pub use error::SettingError;
 pub use value::Allowed;
 use value::SettingValue;
@@ -54,6 +54,8 @@ settings! {
         lp_tolerance: f64 = LP_TOLERANCE, Allowed::Number(1e-14..=0.1), "of λ";
         /// Whether the limit analyses first try the part of a wall that the crack can reach.
         reduction: bool = true, Allowed::Switch, "";
+        /// What solves the linear programs of the limit analyses.
+        engine: Engine = Engine::Structured, Allowed::words::<Engine>(), "";
     }
 
     /// Settings of the sequential method; those who use it differ in them.

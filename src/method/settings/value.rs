@@ -6,7 +6,7 @@ use std::ops::RangeInclusive;
 use clap::ValueEnum;
 use clap::builder::PossibleValue;
 
-use super::choice::{Accuracy, Collapse};
+use super::choice::{Accuracy, Collapse, Engine};
 use crate::number::nine_digits;
 
 /// What a setting may be.
@@ -119,4 +119,4 @@ macro_rules! words {
     )+};
 }
 
-words!(Accuracy, Collapse);
+words!(Accuracy, Collapse, Engine);

@@ -16,12 +16,13 @@ const COMPARED: [&str; 1] = ["verdict"];
 
 /// Columns of `times.csv` behind the id and before and behind those of what varies.
 const TASK: [&str; 2] = ["case", "method"];
-const EFFORT: [&str; 5] = [
+const EFFORT: [&str; 6] = [
     "seconds",
     "modelled",
     "programs",
     "iterations",
     "block_steps",
+    "fallbacks",
 ];
 
 /// Names of the parameters of all rows, as they first come.

@@ -2,7 +2,7 @@
 
 use super::noise::Noise;
 use super::search::{CLOSED, COST_CHANGES, Prices, Search, State, totals};
-use crate::answer::SearchFailure;
+use crate::answer::{SearchFailure, is_same_multiplier};
 use crate::method::limit::ending::Solution;
 use crate::scene::JointClass;
 
@@ -12,7 +12,8 @@ pub(super) enum Approach {
     /// To the Coulomb state's normal forces where that halves the gap: few programs, and it ends on
     /// higher states.
     Quick,
-    /// Half the way to the forces of the frozen program, always: more programs, and lower states.
+    /// A random part of the way to the forces of the frozen program, always: more programs, and
+    /// lower states.
     Blending,
     /// Nowhere: it ends at a mechanism without states. For normal forces of a state, raised a little.
     Nearby,
@@ -30,12 +31,9 @@ const MAX_STEPS: usize = 40;
 /// Infeasible frozen programs of one start until it goes back to a Coulomb state's own forces.
 const MAX_INFEASIBLE: usize = 4;
 
-/// Largest difference of λ between states that count as one, relative to max(|λ|, 1e-3).
-const SAME_LAMBDA: f64 = 1e-6;
-
-/// Whether two states count as one by their λ.
+/// Whether two states count as one by their λ*.
 pub(super) fn is_same(lambda: f64, other: f64) -> bool {
-    (lambda - other).abs() <= SAME_LAMBDA * other.abs().max(1e-3)
+    is_same_multiplier(lambda, other, 1.0)
 }
 
 /// Whether a state lies below another one.
@@ -43,10 +41,10 @@ pub(super) fn is_below(lambda: f64, other: f64) -> bool {
     lambda < other && !is_same(lambda, other)
 }
 
-/// Largest random raise of a joint's frozen normal force, in mean block weights. Without it the
-/// solver lands in the middle of all mechanisms that are equally good, where most joints move and
-/// the fewest states remain; with it, on one mechanism.
-const RAISE: f64 = 1e-3;
+/// Largest change of a joint's frozen normal force, in mean block weights, at random or in head
+/// joints. Without it the solver lands in the middle of all mechanisms that are equally good, where
+/// most joints move and the fewest states remain; with it, on one mechanism.
+const CHANGE: f64 = 1e-3;
 
 /// One start on its way.
 pub(super) struct Descent<'a, 'b> {
@@ -116,10 +114,10 @@ impl Descent<'_, '_> {
                 break;
             }
             self.search.coulomb_normal = Some(coulomb.clone());
-            normal = if self.approach == Approach::Quick && gap < 0.5 * last_gap {
-                coulomb.clone()
-            } else {
-                halfway(&normal, &totals(&above.forces))
+            normal = match self.approach {
+                Approach::Quick if gap < 0.5 * last_gap => coulomb.clone(),
+                Approach::Quick | Approach::Nearby => blend(&normal, &totals(&above.forces), 0.5),
+                Approach::Blending => blend(&normal, &totals(&above.forces), self.noise.uniform()),
             };
             last_gap = gap;
             refused = Some(Refused {
@@ -131,26 +129,26 @@ impl Descent<'_, '_> {
         branch.ok_or(failure)
     }
 
-    /// Program (a), with capacities raised by so little that the state hardly changes: at random, or
-    /// in the head joints once the quick way has reached a state.
+    /// Program (a), with capacities changed by so little that the state hardly changes: at random, or
+    /// raised in the head joints once the quick way has reached a state.
     fn frozen(&mut self, normal: &[f64], has_state: bool) -> Result<Solution, SearchFailure> {
-        let mut raised = normal.to_vec();
+        let mut changed = normal.to_vec();
         for (j, (joint, n)) in self
             .search
             .scene
             .joints()
             .iter()
-            .zip(&mut raised)
+            .zip(&mut changed)
             .enumerate()
         {
             let share = match self.approach {
-                Approach::Blending => self.noise.uniform(),
+                Approach::Blending => self.noise.between(-1.0, 1.0),
                 Approach::Quick if has_state && joint.class == JointClass::Head => 1.0,
                 Approach::Quick | Approach::Nearby => continue,
             };
-            *n += RAISE * share * self.search.unit(j);
+            *n = (*n + CHANGE * share * self.search.unit(j)).max(0.0);
         }
-        self.search.frozen(&raised)
+        self.search.frozen(&changed)
     }
 
     /// The lowest state of a mechanism, or how far it is from having one.
@@ -202,7 +200,7 @@ impl Descent<'_, '_> {
         Ok(if infeasible == MAX_INFEASIBLE {
             coulomb
         } else {
-            halfway(normal, &coulomb)
+            blend(normal, &coulomb, 0.5)
         })
     }
 }
@@ -222,6 +220,8 @@ enum Tested {
     None { gap: f64, normal: Vec<f64> },
 }
 
-fn halfway(a: &[f64], b: &[f64]) -> Vec<f64> {
-    a.iter().zip(b).map(|(a, b)| (a + b) / 2.0).collect()
+/// Normal forces that lie such a share of the way from some to others.
+fn blend(from: &[f64], to: &[f64], share: f64) -> Vec<f64> {
+    let both = from.iter().zip(to);
+    both.map(|(from, to)| from + share * (to - from)).collect()
 }

@@ -2,6 +2,9 @@
 
 use super::descent::{Branch, is_same};
 use super::search::State;
+use crate::answer::Work;
+use crate::method::settings::Engine;
+use crate::scene::Scene;
 
 /// A state and how often starts have ended on it.
 pub(super) struct Met {
@@ -64,47 +67,67 @@ impl Found {
     }
 }
 
-/// Starts are dear where fewer than so many fit into the budget.
+/// Starts are dear where fewer than so many fit into the budget (chosen: on walls of 150 blocks and
+/// more, where small steps from the lowest state found more than further starts did).
 const DEAR: usize = 10;
 
+/// What a program costs with Clarabel, in programs of the engine that knows their structure: 3 to 7
+/// times as much in searches on walls of 28 to 650 blocks (measured).
+const CLARABEL: usize = 4;
+
 /// How long a search goes on.
-pub(super) struct Budget {
-    /// Starts that a user asks for; none where the programs decide.
-    pub(super) starts: Option<usize>,
-    /// Programs after which it ends where the lowest state was met more than once.
-    pub(super) programs: usize,
-    /// Whether starts are dear: fewer than [`DEAR`] fit into the budget.
-    pub(super) dear: bool,
+pub(super) enum Budget {
+    /// For so many starts.
+    Starts(usize),
+    /// For as long as its programs last.
+    Programs {
+        /// Programs after which it ends where the lowest state was met more than once.
+        programs: usize,
+        /// Whether starts are dear: fewer than [`DEAR`] fit into the budget.
+        dear: bool,
+    },
 }
 
 impl Budget {
-    /// The budget of a scene. A program's time grows with the blocks by a power of about 1.5, so that
-    /// a scene of 25 blocks takes 0.9 s, one of 150 blocks 4 s, one of 650 blocks 30 s; a scene of
-    /// few joints has few states to look for.
-    pub(super) fn of(blocks: usize, joints: usize, starts: usize) -> Self {
-        let programs = 7000.0 / (blocks as f64).powf(0.6);
-        Self {
-            starts: (starts > 0).then_some(starts),
-            programs: (programs as usize).min(20 * joints),
+    /// The budget of a scene, chosen for time: about a second for 15 to 40 blocks. A program's time
+    /// grows with the blocks by a power of about 1.5, so that a search's grows by 0.9. A scene of few
+    /// joints has few states to look for. Where Clarabel solves the programs there are fewer.
+    pub(super) fn of(scene: &Scene, engine: Engine) -> Self {
+        let programs = 20_000.0 / (scene.blocks().len() as f64).powf(0.6);
+        let programs = match engine {
+            Engine::Structured => programs as usize,
+            Engine::Clarabel => programs as usize / CLARABEL,
+        };
+        Budget::Programs {
+            programs: programs.min(60 * scene.joints().len()),
             dear: false,
         }
     }
 
     /// Learns from the first start, which took so many programs, whether starts are dear.
-    pub(super) fn learn(&mut self, programs: usize) {
-        self.dear = programs * DEAR > self.programs;
+    pub(super) fn learn(&mut self, first: usize) {
+        if let Budget::Programs { programs, dear } = self {
+            *dear = first * DEAR > *programs;
+        }
     }
 
-    /// Whether a search of so many starts and programs goes on. Where the lowest state was met once
+    /// Whether starts are known to be dear.
+    pub(super) fn is_dear(&self) -> bool {
+        matches!(self, Budget::Programs { dear: true, .. })
+    }
+
+    /// Whether a search of so many starts goes on after its work. Where the lowest state was met once
     /// only, others may be missed, and it gets half as many programs again.
-    pub(super) fn goes_on(&self, starts: usize, programs: usize, found: &Found) -> bool {
-        match self.starts {
-            Some(asked) => starts < asked,
+    pub(super) fn goes_on(&self, starts: usize, work: &Work, found: &Found) -> bool {
+        let spent = work.programs + (CLARABEL - 1) * work.fallbacks;
+        match *self {
+            Budget::Starts(asked) => starts < asked,
+            Budget::Programs { programs, .. } if found.lowest().is_none() => spent < programs,
             // Where starts are dear, two that end alike are worth more than many elsewhere.
-            None if found.is_lowest_met_again() => {
-                programs < self.programs / if self.dear { 2 } else { 1 }
+            Budget::Programs { programs, dear } if found.is_lowest_met_again() => {
+                spent < programs / if dear { 2 } else { 1 }
             }
-            None => 2 * programs < 3 * self.programs,
+            Budget::Programs { programs, .. } => 2 * spent < 3 * programs,
         }
     }
 }

@@ -12,9 +12,9 @@
 use super::noise::Noise;
 use crate::answer::{JointForce, SearchFailure, Work, dead_power};
 use crate::method::limit::ending::{Ending, Solution};
-use crate::method::limit::equilibration::Evening;
+use crate::method::limit::equilibration::{Evening, evenings};
 use crate::method::limit::program::{FrictionLaw, Program};
-use crate::method::settings::LP_TOLERANCE;
+use crate::method::settings::{Engine, LP_TOLERANCE};
 use crate::scene::Scene;
 
 /// Largest gap of a collapse state. The judge allows 1e-8; a state must keep away from that.
@@ -101,9 +101,52 @@ pub(super) enum Refinement {
     Full,
 }
 
+/// How the programs of a search are written and solved.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Numerics {
+    /// How units of unequal blocks are evened out.
+    pub(super) evening: Evening,
+    /// What solves them.
+    pub(super) engine: Engine,
+    /// How far Clarabel refines.
+    pub(super) refinement: Refinement,
+}
+
+impl Numerics {
+    /// Those that are tried first, enough for most scenes.
+    pub(super) fn first(engine: Engine) -> Numerics {
+        Numerics {
+            evening: Evening::CubeRoot,
+            engine,
+            refinement: Refinement::Rough,
+        }
+    }
+
+    /// Those that are tried on a scene one after the other, until one of them finds a state: where
+    /// blocks are unequal, each way to even them out, else Clarabel with full refinement, which
+    /// programs of unequal blocks have at once.
+    pub(super) fn of(scene: &Scene, engine: Engine) -> Vec<Numerics> {
+        let first = Self::first(engine);
+        let evened = evenings(scene)
+            .iter()
+            .map(|&evening| Numerics { evening, ..first });
+        let mut all: Vec<_> = evened.collect();
+        if all.len() == 1 {
+            all.push(Numerics {
+                engine: Engine::Clarabel,
+                refinement: Refinement::Full,
+                ..first
+            });
+        }
+        all
+    }
+}
+
 /// The programs of one scene.
 pub(super) struct Search<'a> {
     pub(super) scene: &'a Scene,
+    /// What solves the programs.
+    pub(super) engine: Engine,
     program: Program,
     /// The program for forces at a given λ, once it is needed.
     statics: Option<Program>,
@@ -120,22 +163,19 @@ pub(super) struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    pub(super) fn new(scene: &'a Scene) -> Self {
-        Self::evened(scene, Evening::CubeRoot, Refinement::Full)
-    }
-
-    /// The same, with units of unequal blocks that are evened out like this, and so much refinement.
-    pub(super) fn evened(scene: &'a Scene, evening: Evening, refinement: Refinement) -> Self {
+    pub(super) fn new(scene: &'a Scene, numerics: Numerics) -> Self {
         let coulomb = scene.joints().iter().map(|joint| FrictionLaw {
             slope: joint.friction,
             intercept: 0.0,
         });
-        let mut program = Program::evened(scene, LP_TOLERANCE, evening);
-        if refinement == Refinement::Rough {
+        let program = Program::evened(scene, LP_TOLERANCE, numerics.evening);
+        let mut program = program.by(numerics.engine);
+        if numerics.refinement == Refinement::Rough {
             program.refine_less();
         }
         Self {
             scene,
+            engine: numerics.engine,
             program,
             statics: None,
             unlimited: false,
@@ -250,9 +290,10 @@ impl<'a> Search<'a> {
         let scale = self.program.scale();
         let scene = self.scene;
         let lambda = lambda * scale.multiplier;
+        let engine = self.engine;
         let program = self
             .statics
-            .get_or_insert_with(|| Program::at_multiplier(scene, lambda, scale));
+            .get_or_insert_with(|| Program::at_multiplier(scene, lambda, scale).by(engine));
         program.set_multiplier(scene, lambda);
         let cost = scene.joints().iter();
         let cost: Vec<[f64; 3]> = cost

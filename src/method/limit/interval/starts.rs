@@ -7,9 +7,8 @@
 use super::descent::{Approach, Branch, Descent};
 use super::found::Found;
 use super::noise::Noise;
-use super::search::{Prices, Refinement, Search, State, totals};
+use super::search::{Numerics, Prices, Search, State, totals};
 use crate::answer::{SearchFailure, SearchStart};
-use crate::method::limit::equilibration::Evening;
 use crate::scene::{HeadJoints, JointClass};
 
 /// Normal forces to begin with.
@@ -20,6 +19,16 @@ pub(super) struct Start {
     pub(super) normal: Vec<f64>,
     /// How it goes on.
     pub(super) approach: Approach,
+}
+
+impl Start {
+    fn quick(kind: SearchStart, normal: Vec<f64>) -> Self {
+        Self {
+            kind,
+            normal,
+            approach: Approach::Quick,
+        }
+    }
 }
 
 /// Kinds of starts that a search takes in turn once those chosen on purpose are used up.
@@ -64,32 +73,20 @@ impl Starts {
     /// head joints (nothing on head joints: the state before pushing) and the associative state,
     /// which lies in the middle of the optimal face. With open head joints the associative state
     /// comes first and is followed by the forces of a few programs with frozen capacities.
-    pub(super) fn of(
-        search: &mut Search,
-        associative: Vec<f64>,
-        at_rest: Vec<f64>,
-        further: Vec<Vec<f64>>,
-    ) -> Self {
-        let quick = |kind, normal| Start {
-            kind,
-            normal,
-            approach: Approach::Quick,
-        };
+    pub(super) fn of(search: &mut Search, associative: Vec<f64>, at_rest: Vec<f64>) -> Self {
         let mut chosen = Vec::new();
         let open = (search.scene.head_joints() == HeadJoints::Contact)
             .then(|| open_state(search))
             .flatten();
         if let Some(normal) = &open {
-            chosen.push(quick(SearchStart::OpenState, normal.clone()));
+            chosen.push(Start::quick(SearchStart::OpenState, normal.clone()));
         }
-        chosen.push(quick(SearchStart::Associative, associative.clone()));
+        chosen.push(Start::quick(SearchStart::Associative, associative.clone()));
         if open.is_none()
             && let Some(normal) = frozen_state(search, associative)
         {
-            chosen.push(quick(SearchStart::Frozen, normal));
+            chosen.push(Start::quick(SearchStart::Frozen, normal));
         }
-        let further = further.into_iter();
-        chosen.extend(further.map(|normal| quick(SearchStart::Neighbour, normal)));
         chosen.reverse();
         Self {
             chosen,
@@ -106,17 +103,22 @@ impl Starts {
     pub(super) fn without_associative(search: &mut Search, at_rest: Vec<f64>) -> Self {
         search.coulomb_normal = Some(at_rest.clone());
         Self {
-            chosen: vec![Start {
-                kind: SearchStart::OwnWeight,
-                normal: at_rest.clone(),
-                approach: Approach::Quick,
-            }],
+            chosen: vec![Start::quick(SearchStart::OwnWeight, at_rest.clone())],
             open: at_rest.clone(),
             at_rest,
             dear: false,
             turn: 0,
             sequence: 0,
         }
+    }
+
+    /// Takes normal forces of neighbours after so many of the starts chosen on purpose, so that they
+    /// are followed however few starts are asked for.
+    pub(super) fn add_neighbours(&mut self, after: usize, neighbours: Vec<Vec<f64>>) {
+        let starts = neighbours.into_iter().rev();
+        let starts = starts.map(|normal| Start::quick(SearchStart::Neighbour, normal));
+        let at = self.chosen.len().saturating_sub(after);
+        self.chosen.splice(at..at, starts);
     }
 
     /// Goes on to the next kind, unless the last start lowered λ: then its kind is taken again.
@@ -279,7 +281,7 @@ fn open_state(search: &mut Search) -> Option<Vec<f64>> {
         return None;
     }
     let open = scene.clone().with_head_joints(HeadJoints::Open);
-    let mut inner = Search::evened(&open, Evening::CubeRoot, Refinement::Rough);
+    let mut inner = Search::new(&open, Numerics::first(search.engine));
     let state = inner.associative().ok().and_then(|normal| {
         let mut descent = Descent {
             search: &mut inner,
@@ -289,8 +291,7 @@ fn open_state(search: &mut Search) -> Option<Vec<f64>> {
         };
         Some(descent.follow(normal).ok()?.lowest)
     });
-    search.work.programs += inner.work.programs;
-    search.work.iterations += inner.work.iterations;
+    search.work = search.work + inner.work;
     let mut beds = totals(&state?.forces).into_iter();
     let all = scene.joints().iter().map(|joint| match joint.class {
         JointClass::Head => Some(0.0),

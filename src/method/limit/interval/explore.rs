@@ -1,0 +1,154 @@
+//! One search: starts followed down to their lowest states until the budget ends.
+
+use super::found::{Budget, Found};
+use super::place::Place;
+use super::search::{Numerics, Search, State};
+use super::starts::Starts;
+use crate::answer::{
+    BlockResidual, CollapseState, JointForce, SearchEnding, SearchFacts, SearchFailure,
+    StartEnding, Work,
+};
+use crate::method::Settings;
+use crate::method::limit::ending::Ending;
+
+/// What a search is asked for.
+pub(super) struct Request<'a> {
+    pub(super) settings: &'a Settings,
+    /// The search stops at the first state below this λ.
+    pub(super) stop_below: f64,
+    /// Normal forces of neighbours: N of every joint over the whole scene's weight. The search
+    /// starts from them too, beside the starts that its settings ask for.
+    pub(super) neighbours: &'a [Vec<f64>],
+}
+
+/// What a search has found.
+pub(super) struct Explored {
+    /// Verified states of the whole scene, the lowest first.
+    pub(super) states: Vec<CollapseState>,
+    pub(super) facts: SearchFacts,
+    /// Where a state was none because of one block: its residual.
+    pub(super) unresolved: Option<BlockResidual>,
+}
+
+/// Searches a part of the scene, or the whole of it.
+pub(super) fn explore(
+    place: Place,
+    numerics: Numerics,
+    request: &Request,
+    at_rest: &[JointForce],
+    work: &mut Work,
+) -> Result<Explored, Ending> {
+    let mut search = Search::new(place.searched(), numerics);
+    let associative = search.associative()?;
+    let starts = Starts::of(&mut search, associative, place.normal(at_rest));
+    Ok(follow(place, request, search, starts, work))
+}
+
+/// Follows one start after the other down to its lowest state.
+pub(super) fn follow(
+    place: Place,
+    request: &Request,
+    mut search: Search,
+    mut starts: Starts,
+    work: &mut Work,
+) -> Explored {
+    let searched = place.searched();
+    let neighbours = request.neighbours.iter();
+    let neighbours: Vec<_> = neighbours.map(|n| place.normal_of(n)).collect();
+    let asked = request.settings.interval.starts;
+    let mut budget = match asked {
+        0 => Budget::of(searched, search.program().engine()),
+        asked => Budget::Starts(asked + neighbours.len()),
+    };
+    let after = if asked > 0 { asked } else { usize::MAX };
+    starts.add_neighbours(after, neighbours);
+    let scale = search.program().scale();
+    let mut found = Found::default();
+    let mut endings = Vec::new();
+    let mut unresolved = None;
+    while budget.goes_on(endings.len(), &search.work, &found) {
+        let lowest = found.lowest().map_or(f64::INFINITY, |state| state.lambda);
+        let before = search.work.programs;
+        let (start, branch) = starts.follow_next(&mut search, &found);
+        if endings.is_empty() {
+            budget.learn(search.work.programs - before);
+            starts.dear = budget.is_dear();
+        }
+        let branch = branch.and_then(|mut branch| {
+            let proof = place.prove(scale, &mut branch, lowest, work);
+            if proof == Err(SearchFailure::Unproved) {
+                let blocks = place.unresolved(scale, &branch.lowest);
+                unresolved = unresolved.or(blocks);
+            }
+            proof.map(|()| branch)
+        });
+        let (ending, lambda) = match branch {
+            Ok(branch) => {
+                let lambda = branch.lowest.lambda;
+                found.take(branch);
+                let lowest = lambda * scale.multiplier;
+                (SearchEnding::Verified { lowest }, lambda)
+            }
+            Err(failure) => (SearchEnding::Failed(failure), f64::INFINITY),
+        };
+        endings.push(StartEnding { start, ending });
+        starts.go_on(lambda < lowest);
+        if lambda * scale.multiplier <= request.stop_below {
+            break;
+        }
+    }
+    let states = whole_states(place, &mut search, &found, work);
+    *work = *work + search.work;
+    work.modelled = searched.blocks().len();
+    let facts = SearchFacts {
+        starts: endings,
+        multiplier_unit: scale.multiplier,
+    };
+    Explored {
+        states,
+        facts,
+        unresolved,
+    }
+}
+
+/// How far above λ_A a state may lie, relative to that: what the program for λ_A leaves.
+const ABOVE_BOUND: f64 = 1e-8;
+
+/// The states found that are states of the whole scene. Each one of a part costs a program, so that
+/// of those only the lowest and the highest are completed.
+fn whole_states(
+    place: Place,
+    search: &mut Search,
+    found: &Found,
+    work: &mut Work,
+) -> Vec<CollapseState> {
+    let scale = search.program().scale();
+    let mut whole = |state: &State| place.state(scale, state, work);
+    let mut lowest = found
+        .states()
+        .filter_map(|state| Some((state, whole(state)?)));
+    let Some((of_part, first)) = lowest.next() else {
+        return Vec::new();
+    };
+    let mut states = vec![first];
+    if !place.is_part() {
+        states.extend(lowest.map(|(_, state)| state));
+    }
+    let mut higher: Vec<State> = vec![search.highest_of(of_part)];
+    higher.extend(found.highest().next().map(|state| search.highest_of(state)));
+    higher.extend(found.highest().cloned());
+    higher.sort_by(|a, b| b.lambda.total_cmp(&a.lambda));
+    let known = states[states.len() - 1].lambda;
+    // The gap that a state may leave could lift it above λ_A where that is small.
+    let bound = search.associative.unwrap_or(f64::INFINITY);
+    let bound = bound + ABOVE_BOUND * bound.abs();
+    let higher = higher
+        .iter()
+        .filter(|state| state.lambda * scale.multiplier > known && state.lambda <= bound);
+    states.extend(
+        higher
+            .filter_map(|state| place.state(scale, state, work))
+            .next(),
+    );
+    states
+}

@@ -1,0 +1,122 @@
+//! Where a search takes place: in a scene or in a part of it, whose states are completed.
+
+use super::descent::Branch;
+use super::search::{State, totals};
+use crate::answer::{
+    BlockResidual, CollapseResidual, CollapseState, JointForce, SearchFailure, StaticResidual,
+    VERIFIED_RESIDUAL, Work,
+};
+use crate::method::limit::reduction::ScenePart;
+use crate::method::limit::scale::Scale;
+use crate::scene::Scene;
+
+/// Where a search takes place: a scene, or a part of it.
+#[derive(Clone, Copy)]
+pub(super) struct Place<'a> {
+    whole: &'a Scene,
+    part: Option<&'a ScenePart>,
+}
+
+impl<'a> Place<'a> {
+    pub(super) fn whole(whole: &'a Scene) -> Self {
+        Self { whole, part: None }
+    }
+
+    pub(super) fn part(whole: &'a Scene, part: &'a ScenePart) -> Self {
+        let part = Some(part);
+        Self { whole, part }
+    }
+
+    /// The scene that is searched.
+    pub(super) fn searched(&self) -> &'a Scene {
+        self.part.map_or(self.whole, |part| &part.scene)
+    }
+
+    /// Whether it is a part of the scene.
+    pub(super) fn is_part(&self) -> bool {
+        self.part.is_some()
+    }
+
+    /// N of the joints that are searched, over the weight of the scene that is searched, from forces
+    /// of the whole scene.
+    pub(super) fn normal(&self, forces: &[JointForce]) -> Vec<f64> {
+        let unit = self.whole.total_weight();
+        let normal = totals(forces).into_iter().map(|n| n / unit);
+        self.normal_of(&normal.collect::<Vec<_>>())
+    }
+
+    /// The same from N over the whole scene's weight.
+    pub(super) fn normal_of(&self, normal: &[f64]) -> Vec<f64> {
+        let Some(part) = self.part else {
+            return normal.to_vec();
+        };
+        let unit = self.whole.total_weight() / part.scene.total_weight();
+        let joints = part.joints.iter();
+        joints.map(|&joint| normal[joint] * unit).collect()
+    }
+
+    /// A state in the case's units, completed to one of the whole scene; `None` where its residuals
+    /// prove nothing.
+    pub(super) fn state(
+        &self,
+        scale: Scale,
+        state: &State,
+        work: &mut Work,
+    ) -> Option<CollapseState> {
+        let mut state = in_units(scale, state);
+        if let Some(part) = self.part {
+            state.forces = part.complete(self.whole, state.lambda, &state.forces, work)?;
+            state.mechanism = part.extend(self.whole, &state.mechanism);
+        }
+        is_proved(self.whole, &state).then_some(state)
+    }
+
+    /// The block that keeps a state of the scene that is searched from being proved.
+    pub(super) fn unresolved(&self, scale: Scale, state: &State) -> Option<BlockResidual> {
+        let blocks = BlockResidual::of_state(self.searched(), &in_units(scale, state));
+        (!blocks.is_small()).then_some(blocks)
+    }
+
+    /// Whether the branch's states are proved in the scene that is searched: what a program calls
+    /// solved need not be. A state of a part that is lower than all others must be one of the whole
+    /// scene too, as the search goes on from it.
+    pub(super) fn prove(
+        &self,
+        scale: Scale,
+        branch: &mut Branch,
+        lowest: f64,
+        work: &mut Work,
+    ) -> Result<(), SearchFailure> {
+        let searched = Place::whole(self.searched());
+        let is_proved = |place: &Place, state: &State, work: &mut Work| {
+            place.state(scale, state, work).is_some()
+        };
+        if !is_proved(&searched, &branch.lowest, work) {
+            return Err(SearchFailure::Unproved);
+        }
+        let is_lower = self.is_part() && branch.lowest.lambda < lowest;
+        if is_lower && !is_proved(self, &branch.lowest, work) {
+            return Err(SearchFailure::PartOnly);
+        }
+        if !is_proved(&searched, &branch.first, work) {
+            branch.first = branch.lowest.clone();
+        }
+        Ok(())
+    }
+}
+
+/// A state in the case's units.
+fn in_units(scale: Scale, state: &State) -> CollapseState {
+    CollapseState {
+        lambda: state.lambda * scale.multiplier,
+        forces: scale.forces(&state.forces),
+        mechanism: scale.mechanism(&state.velocity),
+    }
+}
+
+fn is_proved(scene: &Scene, state: &CollapseState) -> bool {
+    let statics = StaticResidual::of(scene, &state.forces, state.lambda);
+    let collapse = CollapseResidual::of(scene, &state.forces, &state.mechanism);
+    let of_scene = statics.largest().max(collapse.largest());
+    of_scene <= VERIFIED_RESIDUAL && BlockResidual::of_state(scene, state).is_small()
+}
