@@ -66,7 +66,7 @@ fn a_long_range_is_not_run_unless_asked_for() {
     let outcome = Pushover.solve(&scene("paper-3", HeadJoints::Contact), &Settings::default());
     assert_eq!(outcome.status, Status::Undecided);
     let not_run = PushoverFact::RangeNotRun {
-        pushovers: 6,
+        pushovers: 8,
         blocks: 1176,
     };
     assert_eq!(outcome.facts, [not_run.into()]);

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use super::super::bracket::Bracket;
 use super::super::self_check::{SelfCheck, Variation};
 
 /// What a pushover ends with, or why it has no answer.
@@ -24,6 +25,17 @@ pub enum PushoverFact {
     NoBlocks,
     /// No block has a weight.
     NoWeight,
+    /// Weights of blocks that act on each other differ by more than can be judged.
+    UnequalWeights {
+        /// The lightest block.
+        light: String,
+        /// The heaviest.
+        heavy: String,
+        /// Their ratio.
+        ratio: f64,
+        /// The largest that is answered.
+        most: f64,
+    },
     /// Joints with supports have more coefficients of friction than the engine tells apart.
     SupportFrictions {
         /// Coefficients in the scene.
@@ -43,6 +55,14 @@ pub enum PushoverFact {
     Fell {
         /// Displacement that it exceeded, in course heights.
         distance: f64,
+        /// Time within which it did, in √(H_c/g).
+        time: f64,
+    },
+    /// The scene fell under its weight alone, but stands with a push against the live load, or with
+    /// shorter substeps: its multiplier is too near to 0 to tell.
+    NearZero {
+        /// What λ is told to be below.
+        resolution: f64,
     },
     /// The scene did not come to rest under its weight alone.
     NotSettled {
@@ -71,12 +91,26 @@ pub enum PushoverFact {
         /// Blocks of the scene.
         blocks: usize,
     },
+    /// A range over variations took too long, and no more time was asked for.
+    RangeUnfinished {
+        /// Pushovers that were run.
+        run: usize,
+        /// Pushovers that it is made of.
+        pushovers: usize,
+        /// The range of those that were run, where any had an answer.
+        so_far: Option<Bracket>,
+    },
     /// The scene cannot be mirrored, which a range needs.
     NoMirror,
     /// The bracket is a range over both directions and several contact stiffnesses.
     Range {
         /// The softest contacts, as a multiple of what the substep allows.
         softest: f64,
+    },
+    /// Levels of substep do not agree on one multiplier.
+    LevelsDisagree {
+        /// Their brackets, from the longest substep to the shortest.
+        brackets: Vec<Bracket>,
     },
     /// One variation of a range has no answer, for the reasons after this one.
     Without(Variation),
@@ -106,6 +140,16 @@ impl fmt::Display for PushoverFact {
             }
             Self::NoBlocks => write!(f, "the scene has no blocks"),
             Self::NoWeight => write!(f, "no block has a weight"),
+            Self::UnequalWeights {
+                light,
+                heavy,
+                ratio,
+                most,
+            } => write!(
+                f,
+                "{heavy} is {ratio:.1e} times as heavy as {light}, and beyond {most:.0e} the \
+                 lighter one's rest cannot be told"
+            ),
             Self::SupportFrictions { found, most } => write!(
                 f,
                 "joints with supports have {found} coefficients of friction, and the engine tells \
@@ -121,10 +165,15 @@ impl fmt::Display for PushoverFact {
             ),
             Self::TooStiff => write!(f, "the contacts are stiffer than the substep can hold"),
             Self::ShapeRefused => write!(f, "the engine cannot take a shape of the scene"),
-            Self::Fell { distance } => write!(
+            Self::Fell { distance, time } => write!(
                 f,
-                "under its weight alone a block moved by more than {distance} course heights and \
-                 was not slowing down"
+                "under its weight alone a block moved by more than {distance} course heights \
+                 within t = {time:.0} √(H_c/g) and was not slowing down"
+            ),
+            Self::NearZero { resolution } => write!(
+                f,
+                "λ is nearer to 0 than {resolution}, which is too near to tell whether the scene \
+                 falls under its weight alone"
             ),
             Self::NotSettled { time } => write!(
                 f,
@@ -147,6 +196,20 @@ impl fmt::Display for PushoverFact {
                 "not run: with head joints in contact the answer is a range over {pushovers} \
                  pushovers, which {blocks} blocks make long"
             ),
+            Self::RangeUnfinished {
+                run,
+                pushovers,
+                so_far,
+            } => {
+                write!(
+                    f,
+                    "not ended: {run} of the {pushovers} pushovers of a range were run"
+                )?;
+                match so_far {
+                    Some(Bracket { lower, upper }) => write!(f, ", so far {lower:.5}-{upper:.5}"),
+                    None => Ok(()),
+                }
+            }
             Self::NoMirror => write!(f, "the scene cannot be mirrored"),
             Self::Range { softest } => write!(
                 f,
@@ -154,6 +217,21 @@ impl fmt::Display for PushoverFact {
                  joints in contact the answer is not unique",
                 1.0 / softest
             ),
+            Self::LevelsDisagree { brackets } => {
+                write!(
+                    f,
+                    "several collapse states: blocks slide before the scene collapses"
+                )?;
+                if !brackets.is_empty() {
+                    write!(f, "; shorter and shorter substeps gave ")?;
+                }
+                for (level, bracket) in brackets.iter().enumerate() {
+                    let comma = if level == 0 { "" } else { ", " };
+                    let Bracket { lower, upper } = bracket;
+                    write!(f, "{comma}{lower:.5}-{upper:.5}")?;
+                }
+                Ok(())
+            }
             Self::Without(variation) => variation.fmt(f),
         }
     }

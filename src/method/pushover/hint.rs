@@ -9,18 +9,21 @@ pub struct Hint {
     runaways: Vec<(u64, f64)>,
     /// The last step ran away below the estimate: it was too long.
     overshot: bool,
+    /// Where another pushover saw the collapse, while nothing here contradicts it.
+    expected: Option<[u64; 2]>,
 }
 
 /// Part of the distance to the nearest runaway by which an extrapolation may be wrong.
 const DOUBT: f64 = 0.05;
 
 impl Hint {
-    /// Nothing known; the first step is `increment`.
-    pub fn new(increment: u64) -> Self {
+    /// The first step is `increment` where no limit is `expected`.
+    pub fn new(increment: u64, expected: Option<[u64; 2]>) -> Self {
         Self {
             increment,
             runaways: Vec::new(),
             overshot: false,
+            expected,
         }
     }
 
@@ -41,6 +44,9 @@ impl Hint {
 
     /// A load near the limit, as far as known: what the finest step is measured with.
     pub fn near(&self, lower: u64) -> u64 {
+        if let Some([from, to]) = self.expected {
+            return from.midpoint(to);
+        }
         self.high()
             .map_or(lower + self.increment, |high| lower.midpoint(high))
     }
@@ -49,7 +55,9 @@ impl Hint {
     /// seems to lie in between, and then so that it lies in the middle.
     pub fn next(&self, lower: u64, finest: u64) -> u64 {
         let Some(high) = self.high() else {
-            return lower + self.increment;
+            let stop = self.approach(finest).into_iter().flatten();
+            let next = stop.into_iter().find(|&stop| stop > lower);
+            return next.unwrap_or(lower + self.increment);
         };
         if high - lower <= finest {
             return lower + finest;
@@ -73,9 +81,27 @@ impl Hint {
         above.clamp(lower + finest, high)
     }
 
+    /// Loads at which to rest on the way to where the limit is expected: not in one step, which
+    /// would shake the blocks, and first a little below it.
+    fn approach(&self, finest: u64) -> Option<[u64; 6]> {
+        let [from, to] = self.expected?;
+        let below = from.saturating_sub(2 * finest);
+        let part = |of: u64| below / 32 * of / finest * finest;
+        let stops = [part(16), part(28), part(31), below, from];
+        let [half, most, nearly, below, from] = stops;
+        Some([half, most, nearly, below, from, to.max(from + finest)])
+    }
+
     /// The scene rests at `lower`.
     pub fn rested(&mut self, lower: u64, finest: u64) {
         self.overshot = false;
+        if let Some([from, to]) = self.expected {
+            if lower >= to.max(from + finest) {
+                self.expected = None;
+                self.increment = 2 * finest;
+            }
+            return;
+        }
         match self.high() {
             None => self.increment = larger(self.increment),
             Some(high) if high <= lower => {
@@ -89,6 +115,7 @@ impl Hint {
 
     /// A step to `load` ran away with this acceleration.
     pub fn ran_away(&mut self, load: u64, acceleration: f64) {
+        self.expected = None;
         self.overshot = self.estimate().is_some_and(|at| load as f64 <= at);
         self.runaways.retain(|&(known, _)| known > load);
         self.runaways.push((load, acceleration));
@@ -106,7 +133,7 @@ pub fn finest_increment(lambda: u64, tolerance: f64) -> u64 {
 }
 
 /// The next increment of the series 1, 2, 5, 10, …
-fn larger(increment: u64) -> u64 {
+pub fn larger(increment: u64) -> u64 {
     match leading_digit(increment) {
         2 => increment / 2 * 5,
         _ => increment * 2,

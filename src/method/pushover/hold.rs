@@ -2,8 +2,8 @@
 
 use super::engine::{BodyState, Engine};
 use super::measure::{displacement, speed, twice_kinetic_energy};
-use super::model::Model;
-use super::parameters::{GRID, Parameters};
+use super::model::{GRID, Model};
+use super::parameters::Parameters;
 
 /// How a hold at constant λ ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -27,6 +27,8 @@ pub struct Hold<'a> {
     pub frames: Vec<Vec<BodyState>>,
     /// Time steps between two frames.
     stride: usize,
+    /// Time that the last hold took.
+    pub elapsed: f64,
 }
 
 impl<'a> Hold<'a> {
@@ -37,6 +39,7 @@ impl<'a> Hold<'a> {
             parameters,
             frames: Vec::new(),
             stride: 1,
+            elapsed: 0.0,
         }
     }
 
@@ -44,6 +47,17 @@ impl<'a> Hold<'a> {
     pub fn settle(&mut self, engine: &mut Engine) -> Held {
         let parameters = self.parameters;
         self.hold(engine, [0.0; 2], parameters.settled_speed, parameters.fall)
+    }
+
+    /// The scene under its weight and a small push against its live loads.
+    pub fn settle_against(&mut self, engine: &mut Engine, push: f64) -> Held {
+        let parameters = self.parameters;
+        self.hold(
+            engine,
+            [-push; 2],
+            parameters.settled_speed,
+            parameters.fall,
+        )
     }
 
     /// From rest at one λ* to another, in grid units. `last`: a collapse counts.
@@ -90,6 +104,7 @@ impl<'a> Hold<'a> {
                 let part = ((window * steps + step + 1) as f64 / ramp).min(1.0);
                 engine.multiplier = loads[0] + part * (loads[1] - loads[0]);
                 engine.step();
+                self.elapsed = (window * steps + step + 1) as f64 * engine.dt();
                 if engine.broken {
                     return Held::Unclear;
                 }

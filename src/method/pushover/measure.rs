@@ -1,4 +1,5 @@
-//! How far and how fast: pure functions of states.
+//! How far and how fast: pure functions of states. What light and small blocks do is magnified, so
+//! that it is seen beside heavy ones.
 
 use super::engine::BodyState;
 use super::model::{EngineBody, Model};
@@ -7,7 +8,7 @@ use super::model::{EngineBody, Model};
 pub fn speed(model: &Model, states: &[BodyState]) -> f64 {
     let of = |(state, block): (&BodyState, &EngineBody)| {
         let [x, y] = state.velocity;
-        (x * x + y * y).sqrt() + state.spin.abs() * block.reach
+        block.slowness * ((x * x + y * y).sqrt() + state.spin.abs() * block.reach)
     };
     states.iter().zip(&model.blocks).map(of).fold(0.0, f64::max)
 }
@@ -21,16 +22,20 @@ pub fn displacement(model: &Model, from: &[BodyState], to: &[BodyState]) -> f64 
 pub fn farthest(blocks: &[EngineBody], from: &[BodyState], to: &[BodyState]) -> f64 {
     let of = |((a, b), block): ((&BodyState, &BodyState), &EngineBody)| {
         let (x, y) = (b.position[0] - a.position[0], b.position[1] - a.position[1]);
-        (x * x + y * y).sqrt() + (b.rotation - a.rotation).abs() * block.reach
+        block.smallness * ((x * x + y * y).sqrt() + (b.rotation - a.rotation).abs() * block.reach)
     };
     from.iter().zip(to).zip(blocks).map(of).fold(0.0, f64::max)
 }
+
+/// Mass below which a block's energy counts as if it had this mass.
+const SEEN: f64 = 0.05;
 
 /// Twice the kinetic energy.
 pub fn twice_kinetic_energy(model: &Model, states: &[BodyState]) -> f64 {
     let of = |(state, block): (&BodyState, &EngineBody)| {
         let [x, y] = state.velocity;
-        block.mass * (x * x + y * y) + block.inertia * state.spin * state.spin
+        let energy = block.mass * (x * x + y * y) + block.inertia * state.spin * state.spin;
+        energy * block.slowness * block.slowness * (SEEN / block.mass).max(1.0)
     };
     states.iter().zip(&model.blocks).map(of).sum()
 }

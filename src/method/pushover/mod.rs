@@ -9,28 +9,37 @@
 
 mod checks;
 mod engine;
-mod freeze;
 mod groups;
 mod hint;
 mod hold;
+mod levels;
+mod mass;
 mod measure;
 mod model;
 mod parameters;
+mod parts;
+mod portion;
 mod range;
 mod run;
 mod search;
+mod single;
 #[cfg(test)]
 mod tests;
 mod verify;
 
 pub use parameters::Parameters;
-pub use run::solve_with;
+pub use single::solve_with;
 
 use crate::answer::{Claim, Outcome, PushoverFact, Status};
 use crate::method::{Collapse, Method, PushoverSettings, Settings};
 use crate::scene::Scene;
+use levels::climb;
 use model::Model;
 use parameters::FIRST_SLIP;
+use parts::weakest;
+use portion::{Portion, beyond_stagger};
+use range::Varied;
+use single::solved;
 
 /// The pushover method.
 #[derive(Clone, Copy, Debug, Default)]
@@ -43,15 +52,12 @@ impl Method for Pushover {
 
     fn solve(&self, scene: &Scene, settings: &Settings) -> Outcome {
         let settings = &settings.pushover;
-        let outcome = if range::is_needed(scene) {
-            range::over_variations(scene, settings)
+        let outcome = weakest(scene, |part| answer(scene, part, settings));
+        let ranges = Portion::default().has_range(scene);
+        let outcome = if settings.verify && !ranges {
+            verify::confirmed(scene, settings, outcome)
         } else {
-            let outcome = solve_with(scene, settings, |own| own);
-            if settings.verify {
-                verify::confirmed(scene, settings, outcome)
-            } else {
-                outcome
-            }
+            outcome
         };
         let outcome = match settings.collapse {
             Collapse::FirstSlip if outcome.bracket.is_some() => first_slip(outcome),
@@ -62,6 +68,36 @@ impl Method for Pushover {
             claim: Claim::Observed,
             ..outcome
         }
+    }
+}
+
+/// The answer of one connected part: levels whose differences tell the error, or a range where there
+/// is more than one collapse state.
+fn answer(scene: &Scene, part: &Portion, settings: &PushoverSettings) -> Outcome {
+    let parameters = |model: &Model| Parameters::new(model, settings);
+    let varied = || Varied::new(scene, part, &parameters);
+    let undecided = |fact| Outcome::without_number(Status::Undecided, fact);
+    if part.has_range(scene) {
+        return match varied() {
+            Ok(varied) => varied.over_head_joints(settings),
+            Err(fact) => undecided(fact),
+        };
+    }
+    if settings.collapse == Collapse::FirstSlip || is_coarser(settings) {
+        return solved(scene, part, &parameters);
+    }
+    let levels = climb(scene, part, &parameters);
+    if let Some(agreed) = levels.agreed {
+        return Outcome {
+            bracket: Some(agreed.bracket),
+            stated_error: Some(agreed.error),
+            ..levels.last
+        };
+    }
+    match varied() {
+        _ if levels.seen.is_empty() && !levels.drifts() => levels.last,
+        Ok(varied) => varied.over_states(levels),
+        Err(fact) => undecided(fact),
     }
 }
 
@@ -107,8 +143,8 @@ fn qualified(outcome: Outcome, status: Status, fact: PushoverFact) -> Outcome {
 /// # Errors
 /// What this method cannot honour in the scene.
 pub fn parameters(scene: &Scene, settings: &PushoverSettings) -> Result<String, PushoverFact> {
-    let freeze = freeze::beyond_stagger(scene).unwrap_or_default();
-    let model = Model::new(scene, &freeze.frozen)?;
+    let portion = beyond_stagger(scene, &Portion::default()).unwrap_or_default();
+    let model = Model::new(scene, &portion)?;
     let parameters = Parameters::new(&model, settings);
     let mut text = format!(
         "  {:<26} {:<12} case length\n  {:<26} {:<12}\n",

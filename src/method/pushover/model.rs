@@ -5,8 +5,10 @@
 //! or far from the origin would fail by construction; here every scene looks alike.
 
 use super::groups::{Surface, surfaces};
-use crate::answer::PushoverFact;
-use crate::scene::{Block, Point, Polygon, Scene, Side, Vector};
+use super::mass::{Inert, inert};
+use super::portion::{Portion, Role};
+use crate::answer::{Bracket, PushoverFact};
+use crate::scene::{Block, Point, Polygon, Scene, Side, Vector, multiplier_unit};
 
 /// A force at a point that turns with its block.
 pub struct BodyForce {
@@ -26,13 +28,16 @@ pub struct EngineBody {
     pub centre: [f64; 2],
     /// Corners of the collision shape relative to the centroid, counter-clockwise.
     pub outline: Vec<[f64; 2]>,
-    /// Mass, by area: the multiplier does not depend on masses, and masses in proportion to uneven
-    /// loads would keep the contact solver from converging.
+    /// Mass, in mean weights over g.
     pub mass: f64,
     /// Moment of inertia about the centroid.
     pub inertia: f64,
     /// Largest distance of a corner from the centroid.
     pub reach: f64,
+    /// What its displacements are magnified by before they are judged.
+    pub smallness: f64,
+    /// What its speeds are magnified by before they are judged.
+    pub slowness: f64,
     /// What it collides with, and how rough it is.
     pub surfaces: Vec<Surface>,
     /// Forces.
@@ -61,16 +66,21 @@ pub struct Model {
     pub length: f64,
     /// Number of courses that fit into the height.
     pub courses: f64,
+    /// The smaller of width and height, in course heights.
+    pub extent: f64,
     /// Sum of the dead forces of the blocks that may move.
     pub dead: [f64; 2],
     /// Sum of their live forces for a multiplier λ* of 1.
     pub live: [f64; 2],
     /// λ for a multiplier λ* of 1.
     pub multiplier: f64,
+    /// Of the smallest block that may move: what distances for blocks of ordinary size are divided by.
+    pub smallness: f64,
 }
 
-/// Range of a block's mass, in mean masses.
-const MASS_RANGE: [f64; 2] = [0.05, 20.0];
+/// λ* is a whole number of these, and λ where every block's live load is its weight; such brackets
+/// then print exactly with five decimals.
+pub const GRID: f64 = 1e5;
 
 /// Course heights within which blocks without a joint must be kept from colliding.
 const NEAR: f64 = 0.2;
@@ -80,12 +90,13 @@ const NEAR: f64 = 0.2;
 const OVERLAP: f64 = 1e-6;
 
 impl Model {
-    /// Scales the scene. Blocks that are `frozen` become supports.
+    /// Scales a portion of the scene. Blocks that it holds fixed become supports.
     ///
     /// # Errors
     /// What this method cannot honour in the scene.
-    pub fn new(scene: &Scene, frozen: &[bool]) -> Result<Self, PushoverFact> {
-        let units = Units::of(scene)?;
+    pub fn new(scene: &Scene, portion: &Portion) -> Result<Self, PushoverFact> {
+        let units = Units::of(scene, portion)?;
+        let inert = inert(scene, portion, [units.force, units.area, units.length])?;
         let surfaces = surfaces(scene, NEAR * units.length)?;
         let supports = scene.supports().iter().zip(surfaces.supports).enumerate();
         let mut supports: Vec<FixedBody> = supports
@@ -93,28 +104,48 @@ impl Model {
             .collect();
         let mut blocks = Vec::with_capacity(scene.blocks().len());
         for (index, (block, surfaces)) in scene.blocks().iter().zip(surfaces.blocks).enumerate() {
-            if frozen.get(index) == Some(&true) {
-                supports.push(units.support(Side::Block(index), &block.shape, surfaces));
-            } else {
-                blocks.push(units.body(index, block, surfaces));
+            match portion.role(index) {
+                Role::Fixed => {
+                    supports.push(units.support(Side::Block(index), &block.shape, surfaces));
+                }
+                Role::Free => blocks.push(units.body(index, block, inert[index], surfaces)),
+                Role::Absent => {}
             }
         }
-        let (low, high) = scene.bounds();
         Ok(Self {
+            smallness: blocks
+                .iter()
+                .map(|block| block.smallness)
+                .fold(1.0, f64::max),
             dead: total(&blocks, |load| load.dead),
             live: total(&blocks, |load| load.live),
             supports,
             blocks,
             length: units.length,
             multiplier: units.multiplier,
-            courses: ((high.y - low.y) / units.length).max(1.0),
+            extent: units.extent / units.length,
+            courses: (units.height / units.length).max(1.0),
         })
+    }
+
+    /// λ of a λ* in grid units.
+    pub fn lambda(&self, grid: u64) -> f64 {
+        grid as f64 / GRID * self.multiplier
+    }
+
+    /// A bracket of λ as λ* in grid units.
+    pub fn in_grid(&self, at: Bracket) -> [u64; 2] {
+        [at.lower, at.upper].map(|lambda| (lambda / self.multiplier * GRID).round() as u64)
     }
 }
 
-/// What lengths, forces and areas of a scene are divided by.
+/// What lengths, forces and areas of a portion are divided by.
 struct Units {
     origin: Point,
+    /// Of the portion, in the scene's length unit.
+    height: f64,
+    /// The smaller of its width and its height.
+    extent: f64,
     /// Course height.
     length: f64,
     /// Mean block weight.
@@ -126,22 +157,29 @@ struct Units {
 }
 
 impl Units {
-    fn of(scene: &Scene) -> Result<Self, PushoverFact> {
-        if scene.blocks().is_empty() {
+    fn of(scene: &Scene, portion: &Portion) -> Result<Self, PushoverFact> {
+        let blocks: Vec<&Block> = portion.present(scene).collect();
+        if blocks.is_empty() {
             return Err(PushoverFact::NoBlocks);
         }
-        let count = scene.blocks().len() as f64;
-        let force = scene.total_weight() / count;
-        if force <= 0.0 {
+        let count = blocks.len() as f64;
+        let [dead, live] = portion.forces(scene);
+        if dead <= 0.0 {
             return Err(PushoverFact::NoWeight);
         }
-        let areas: f64 = scene.blocks().iter().map(|block| block.shape.area()).sum();
+        let boxes = blocks.iter().map(|block| block.shape.bounds());
+        let (low, high) = boxes.fold(blocks[0].shape.bounds(), |(low, high), (l, h)| {
+            (low.inf(&l), high.sup(&h))
+        });
+        let areas: f64 = blocks.iter().map(|block| block.shape.area()).sum();
         Ok(Self {
-            origin: scene.bounds().0,
-            length: course_height(scene),
-            force,
+            origin: low,
+            height: high.y - low.y,
+            extent: (high - low).min(),
+            length: course_height(&blocks),
+            force: dead / count,
             area: areas / count,
-            multiplier: scene.multiplier_unit(),
+            multiplier: multiplier_unit(dead, live),
         })
     }
 
@@ -162,10 +200,16 @@ impl Units {
         }
     }
 
-    fn body(&self, index: usize, block: &Block, surfaces: Vec<Surface>) -> EngineBody {
+    fn body(
+        &self,
+        index: usize,
+        block: &Block,
+        inert: Inert,
+        surfaces: Vec<Surface>,
+    ) -> EngineBody {
         let shape = &block.shape;
         let centroid = shape.centroid();
-        let mass = (shape.area() / self.area).clamp(MASS_RANGE[0], MASS_RANGE[1]);
+        let mass = inert.mass;
         let loads = block.loads.iter().map(|load| BodyForce {
             arm: ((load.point - centroid) / self.length).into(),
             dead: self.vector(load.dead),
@@ -180,6 +224,8 @@ impl Units {
             mass,
             inertia: mass * gyration_squared(shape) / (self.length * self.length),
             reach: reach / self.length,
+            smallness: inert.smallness,
+            slowness: inert.slowness,
             surfaces,
             loads: loads.collect(),
         }
@@ -194,12 +240,12 @@ fn total(blocks: &[EngineBody], part: fn(&BodyForce) -> [f64; 2]) -> [f64; 2] {
 }
 
 /// Median height of the blocks.
-fn course_height(scene: &Scene) -> f64 {
-    let height = |block: &Block| {
+fn course_height(blocks: &[&Block]) -> f64 {
+    let height = |block: &&Block| {
         let (low, high) = block.shape.bounds();
         high.y - low.y
     };
-    let mut heights: Vec<f64> = scene.blocks().iter().map(height).collect();
+    let mut heights: Vec<f64> = blocks.iter().map(height).collect();
     heights.sort_by(f64::total_cmp);
     heights[heights.len() / 2]
 }

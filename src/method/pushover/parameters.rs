@@ -1,19 +1,16 @@
 //! Every tuned number of a pushover in one table, without dimensions: lengths in course heights H_c,
 //! g = 1, so times are in √(H_c/g) and speeds in √(g·H_c).
 
-use super::model::Model;
+use super::model::{GRID, Model};
+use super::portion::SWAYING;
 use crate::method::{Accuracy, Collapse, PushoverSettings};
-
-/// λ* is a whole number of these, and λ where every block's live load is its weight; such brackets
-/// then print exactly with five decimals.
-pub const GRID: f64 = 1e5;
-
-/// Courses from which on a wall sways: it leans further before it falls, settles more slowly and
-/// is costlier, so that other tolerances hold for it, and a part of it is held fixed.
-pub const SWAYING: f64 = 20.0;
 
 /// Courses above which a bracket states a larger error.
 const LESS_ACCURATE: f64 = 30.0;
+
+/// Displacement beyond which a scene at rest has left the place where it was laid, in course heights:
+/// as far as contacts keep their points.
+pub const SLIDE: f64 = 0.02;
 
 /// Slip of a joint that counts as the first, where a user asks for that, in course heights.
 pub const FIRST_SLIP: f64 = 1e-3;
@@ -28,6 +25,8 @@ const LAMBDA: &str = "of λ";
 struct Basis {
     accuracy: Accuracy,
     courses: f64,
+    /// How small the smallest block is.
+    smallness: f64,
     sways: bool,
     /// How many times finer than at normal accuracy.
     finer: f64,
@@ -52,6 +51,7 @@ impl Basis {
         Self {
             accuracy,
             courses: model.courses,
+            smallness: model.smallness,
             sways,
             finer,
             product,
@@ -134,11 +134,11 @@ parameters! { of:
     warm_start: f64 = 1.0, "warm start", "";
     /// Distance at which contacts are foreseen; not below `recycle_distance`, or a corner that is
     /// open when a pair's contact points are renewed would be missing when it closes.
-    prediction: f64 = 0.02, "prediction distance", LENGTH;
+    prediction: f64 = SLIDE / of.smallness, "prediction distance", LENGTH;
     /// Relative drift up to which a pair keeps its contact points. That keeps the geometry of the
     /// scene as laid; renewed at every step, points follow the small movements before collapse,
     /// which costs λ 0.1 to 0.4 % in small walls and 4 % in a slender arch.
-    recycle_distance: f64 = 0.02, "contact recycle distance", LENGTH;
+    recycle_distance: f64 = SLIDE / of.smallness, "contact recycle distance", LENGTH;
     /// Time over which a step of λ is applied; at once, it would overshoot.
     ramp: f64 = of.window(), "ramp", TIME;
     /// Time over which rest or collapse must show.
@@ -164,6 +164,8 @@ parameters! { of:
         "collapse", LENGTH;
     /// Slip of a joint since the scene settled beyond which it counts as collapse.
     slip: f64 = f64::INFINITY, "first slip", LENGTH;
+    /// Displacement since the scene settled beyond which a rest counts as collapse.
+    slide: f64 = f64::INFINITY;
     /// Time steps of a collapse that are kept.
     frames: usize = 0, "frames", "at least";
     /// Displacement under the own weight alone beyond which the contacts are too soft for the

@@ -2,49 +2,57 @@
 
 use super::checks::{self, AtRest};
 use super::engine::{BodyState, Engine};
-use super::freeze::{Freeze, beyond_stagger};
 use super::measure;
-use super::model::Model;
-use super::parameters::{GRID, Parameters};
+use super::model::{GRID, Model};
+use super::parameters::Parameters;
+use super::portion::{Portion, beyond_stagger};
 use super::search::{Observation, SearchEnd, search};
 use crate::answer::{
     Bracket, Mechanism, Motion, Outcome, PushoverFact, SelfCheck, Status, Work, crack_slope_by_gap,
 };
-use crate::method::PushoverSettings;
 use crate::scene::{Scene, Vector};
 
 /// Natural frequency of the contacts times the substep beyond which walls jitter, with a margin
 /// for rounding.
 const MOST_STIFF: f64 = 0.2501;
 
-/// The pushover with its parameters, which follow from settings and scene, changed.
-pub fn solve_with(
-    scene: &Scene,
-    settings: &PushoverSettings,
-    change: impl Fn(Parameters) -> Parameters,
-) -> Outcome {
-    let parameters = |model: &Model| change(Parameters::new(model, settings));
-    let Some(freeze) = beyond_stagger(scene) else {
-        return run(scene, &parameters, &Freeze::default()).0;
-    };
-    let (outcome, moved) = run(scene, &parameters, &freeze);
-    if !moved {
-        return outcome;
-    }
-    let spent = outcome.work.block_steps;
-    let mut outcome = run(scene, &parameters, &Freeze::default()).0;
-    outcome.work.block_steps += spent;
-    outcome
+/// One pushover of a portion of a scene.
+pub struct Trial<'a> {
+    /// The scene.
+    pub scene: &'a Scene,
+    /// What of it is pushed.
+    pub portion: &'a Portion,
+    /// Where another pushover saw the collapse: a hint of where to look.
+    pub expected: Option<Bracket>,
 }
 
-/// One search with a part of the scene held fixed, and whether that part might have moved.
+impl Trial<'_> {
+    /// The outcome with parameters that follow from the model. A part that was held fixed and might
+    /// have moved is set free, and the pushover repeated.
+    pub fn run(&self, parameters: &impl Fn(&Model) -> Parameters) -> Outcome {
+        let Some(portion) = beyond_stagger(self.scene, self.portion) else {
+            return run(self, self.portion, parameters).0;
+        };
+        let (outcome, moved) = run(self, &portion, parameters);
+        if !moved {
+            return outcome;
+        }
+        let spent = outcome.work.block_steps;
+        let mut outcome = run(self, self.portion, parameters).0;
+        outcome.work.block_steps += spent;
+        outcome
+    }
+}
+
+/// One search, and whether what is held fixed might have moved.
 fn run(
-    scene: &Scene,
+    trial: &Trial,
+    portion: &Portion,
     parameters: &impl Fn(&Model) -> Parameters,
-    freeze: &Freeze,
 ) -> (Outcome, bool) {
+    let scene = trial.scene;
     let undecided = |fact: PushoverFact| Outcome::without_number(Status::Undecided, fact);
-    let model = match Model::new(scene, &freeze.frozen) {
+    let model = match Model::new(scene, portion) {
         Ok(model) => model,
         Err(fact) => return (undecided(fact), false),
     };
@@ -57,8 +65,8 @@ fn run(
     };
     let laid = engine.states();
     engine.step();
-    let fixed = |side| freeze.is_fixed(side);
-    let sees = checks::sees_joints(scene.joints(), &engine.contacts(), fixed);
+    let fixed = |side| portion.is_fixed(side);
+    let sees = checks::sees_joints(portion.joints(scene), &engine.contacts(), fixed);
     if !sees.passed() {
         return (undecided(PushoverFact::Checked(sees)), false);
     }
@@ -67,16 +75,17 @@ fn run(
         let slips = rates.iter().map(|rate| rate.slip.abs() / model.length);
         slips.fold(0.0, f64::max)
     };
-    let mut moved = !freeze.frozen.is_empty();
-    let mut outcome = match search(&mut engine, &model, &parameters, slip) {
+    let mut moved = portion.holds_any();
+    let expected = trial.expected.map(|at| model.in_grid(at));
+    let mut outcome = match search(&mut engine, &model, &parameters, expected, slip) {
         SearchEnd::Bracketed(seen) => {
-            moved &= freeze.moved(&model, &seen.settled.states, &seen.collapsed);
+            moved &= strip_moved(portion, &model, &seen.settled.states, &seen.collapsed);
             let settlement = measure::displacement(&model, &laid, &seen.settled.states);
             let mut checks = vec![
                 sees,
                 checks::settles_little(settlement, parameters.settlement),
             ];
-            checks.extend(self_checks(scene, &model, &parameters, freeze, &seen));
+            checks.extend(self_checks(scene, &model, &parameters, portion, &seen));
             judged(scene, &model, &parameters, &seen, checks)
         }
         SearchEnd::Undecided(fact) => undecided(fact),
@@ -87,6 +96,19 @@ fn run(
         ..Work::default()
     };
     (outcome, moved)
+}
+
+/// Part of the largest displacement up to which a block counts as standing still.
+const STILL: f64 = 1e-2;
+
+/// Whether any block beside those held fixed moved between two states.
+fn strip_moved(portion: &Portion, model: &Model, from: &[BodyState], to: &[BodyState]) -> bool {
+    let limit = STILL * measure::displacement(model, from, to);
+    (0..model.blocks.len()).any(|i| {
+        let block = std::slice::from_ref(&model.blocks[i]);
+        portion.is_in_strip(block[0].index)
+            && measure::farthest(block, &from[i..=i], &to[i..=i]) > limit
+    })
 }
 
 /// The outcome of a bracket, after the self-checks.
@@ -109,8 +131,8 @@ fn judged(
     let mechanism = mechanism(scene, model, &seen.rest.states, &seen.collapsed);
     Outcome {
         bracket: Some(Bracket {
-            lower: seen.lower as f64 / GRID * model.multiplier,
-            upper: seen.upper as f64 / GRID * model.multiplier,
+            lower: model.lambda(seen.lower),
+            upper: model.lambda(seen.upper),
         }),
         stated_error: Some(parameters.stated_error),
         crack: crack_slope_by_gap(scene, &mechanism),
@@ -125,14 +147,14 @@ fn self_checks(
     scene: &Scene,
     model: &Model,
     parameters: &Parameters,
-    freeze: &Freeze,
+    portion: &Portion,
     seen: &Observation,
 ) -> [SelfCheck; 5] {
     let [x, y] = model.dead;
     let weight = (x * x + y * y).sqrt();
     let lambda = seen.lower as f64 / GRID;
     let pushed = [x + lambda * model.live[0], y + lambda * model.live[1]];
-    let fixed = |side| freeze.is_fixed(side);
+    let fixed = |side| portion.is_fixed(side);
     let settled = checks::reaction(&seen.settled.contacts, fixed);
     let carried = checks::reaction(&seen.rest.contacts, fixed);
     let closed = checks::off_joints(scene, &seen.rest.contacts);

@@ -1,10 +1,11 @@
 //! The whole search: settle, then raise λ from rest to rest until the smallest step collapses.
 
-use super::engine::{BodyState, Contact, Engine};
+use super::engine::{BodyState, Checkpoint, Contact, Engine};
 use super::hint::{Hint, finest_increment};
 use super::hold::{Held, Hold};
+use super::measure::displacement;
 use super::model::Model;
-use super::parameters::{GRID, Parameters};
+use super::parameters::Parameters;
 use crate::answer::PushoverFact;
 
 /// A bracket as it was observed, and what the self-checks need to know about it.
@@ -55,21 +56,22 @@ pub enum SearchEnd {
 /// collapse from it by a step no longer than the tolerance. A longer step overshoots, so its
 /// collapse says no more than that the limit is near.
 ///
+/// `expected` is where a pushover with other parameters saw the collapse: the search begins there.
+///
 /// `slip` gives the largest slip of a joint between two states; a rest with more of it than the
 /// parameters allow is a collapse too.
 pub fn search(
     engine: &mut Engine,
     model: &Model,
     parameters: &Parameters,
+    expected: Option<[u64; 2]>,
     slip: impl Fn(&[BodyState], &[BodyState]) -> f64,
 ) -> SearchEnd {
     let mut hold = Hold::new(model, parameters);
+    let laid = engine.checkpoint();
     match hold.settle(engine) {
         Held::Rest => {}
-        Held::Collapse { .. } => {
-            let distance = parameters.fall;
-            return SearchEnd::Falls(PushoverFact::Fell { distance });
-        }
+        Held::Collapse { .. } => return fallen(engine, hold, model, parameters, &laid),
         Held::Unclear => {
             let time = parameters.patience;
             return SearchEnd::Undecided(PushoverFact::NotSettled { time });
@@ -78,9 +80,13 @@ pub fn search(
     let settled = RestState::now(engine);
     let mut rest = engine.checkpoint();
     let mut seen = RestState::now(engine);
-    let mut hint = Hint::new(parameters.first_increment);
+    let mut hint = Hint::new(parameters.first_increment, expected);
     let mut lower: u64 = 0;
     let mut unclear = false;
+    let left_its_place = |states: &[BodyState]| {
+        slip(&settled.states, states) > parameters.slip
+            || displacement(model, &settled.states, states) > parameters.slide
+    };
     loop {
         let finest = finest_increment(hint.near(lower), parameters.tolerance);
         let target = if unclear {
@@ -90,17 +96,15 @@ pub fn search(
         };
         let last = unclear || target - lower <= finest;
         if engine.steps > parameters.budget {
-            let lambda = lower as f64 / GRID * model.multiplier;
+            let lambda = model.lambda(lower);
             return SearchEnd::Undecided(PushoverFact::OutOfSteps { lambda });
         }
         if target > parameters.largest {
-            let lambda = lower as f64 / GRID * model.multiplier;
+            let lambda = model.lambda(lower);
             return SearchEnd::Undecided(PushoverFact::StillStands { lambda });
         }
         let held = match hold.step(engine, [lower, target], finest, last) {
-            Held::Rest if slip(&settled.states, &engine.states()) > parameters.slip => {
-                Held::Collapse { acceleration: 0.0 }
-            }
+            Held::Rest if left_its_place(&engine.states()) => Held::Collapse { acceleration: 0.0 },
             held => held,
         };
         match held {
@@ -136,5 +140,25 @@ pub fn search(
                 engine.restore(&rest);
             }
         }
+    }
+}
+
+/// The end of a scene that did not settle: it falls, unless it stands with a push against its live
+/// loads that is as small as the error asked for.
+fn fallen(
+    engine: &mut Engine,
+    mut hold: Hold,
+    model: &Model,
+    parameters: &Parameters,
+    laid: &Checkpoint,
+) -> SearchEnd {
+    let (distance, time) = (parameters.fall, hold.elapsed);
+    let resolution = parameters.stated_error;
+    engine.restore(laid);
+    match hold.settle_against(engine, resolution) {
+        Held::Rest => SearchEnd::Undecided(PushoverFact::NearZero {
+            resolution: resolution * model.multiplier,
+        }),
+        _ => SearchEnd::Falls(PushoverFact::Fell { distance, time }),
     }
 }

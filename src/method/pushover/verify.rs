@@ -2,7 +2,7 @@
 
 use super::checks::repetition_agrees;
 use super::parameters::Parameters;
-use super::run::solve_with;
+use super::single::solve_with;
 use crate::answer::{Fact, Outcome, PushoverFact, Repetition, SelfCheck, Status};
 use crate::method::PushoverSettings;
 use crate::scene::Scene;

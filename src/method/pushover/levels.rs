@@ -1,0 +1,318 @@
+//! Levels: the same pushover with ever shorter substeps, which tell its error on this scene.
+//!
+//! Contacts are springs that stiffen with the square of the substep, so that what the springs cost λ
+//! shrinks from level to level. One level can only assume that error; two measure it. Agreement is
+//! necessary, not proof: a state that all levels miss is missed.
+
+use super::model::{GRID, Model};
+use super::parameters::Parameters;
+use super::portion::Portion;
+use super::run::Trial;
+use crate::answer::{Bracket, Checked, Fact, Outcome, PushoverFact, SelfCheck, Status, magnitude};
+use crate::scene::Scene;
+
+/// Levels that a pushover may have; each halves the substep.
+const MOST_LEVELS: usize = 4;
+
+/// Times that the substep may be halved.
+const MOST_HALVINGS: u32 = 6;
+
+/// Blocks times substeps after which no further level is begun.
+pub const BUDGET: usize = 250_000_000;
+
+/// Part of the error asked for within which two levels agree at once.
+const CLOSE: f64 = 0.25;
+
+/// Part of a difference between levels that the next one may be, where they shrink.
+const SHRINKING: f64 = 0.5;
+
+/// Times the error asked for up to which an error that was measured is stated and not refused.
+const MOST_ERROR: f64 = 5.0;
+
+/// How the pushovers of one portion ended, from the longest substep to the shortest.
+pub struct Levels {
+    /// What was seen at every level.
+    pub seen: Vec<Level>,
+    /// The last outcome with a bracket; without one, why there is none.
+    pub last: Outcome,
+    /// Times that the substep of the last level was halved.
+    pub halvings: u32,
+    /// What the levels agree on.
+    pub agreed: Option<Enclosure>,
+}
+
+impl Levels {
+    /// Whether the last level had no answer because the scene drifts, however short the substep.
+    pub fn drifts(&self) -> bool {
+        failed_check(&self.last).is_some_and(|check| check.what == Checked::Drift)
+    }
+}
+
+/// What one level saw.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Level {
+    /// Last load at rest, and first that collapsed.
+    pub bracket: Bracket,
+    /// Displacement up to the last load at rest, in course heights.
+    pub drift: f64,
+}
+
+/// What differences between levels of one portion are measured by.
+#[derive(Clone, Copy, Debug)]
+struct Sizes {
+    /// λ for a λ* of 1.
+    unit: f64,
+    /// The smaller of width and height, in course heights.
+    extent: f64,
+}
+
+/// Where levels say that the multiplier lies.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Enclosure {
+    /// The brackets of the last two levels, and what their trend leaves.
+    pub bracket: Bracket,
+    /// Error that is stated, relative to λ.
+    pub error: f64,
+}
+
+/// Parameters with the substep halved so many times.
+pub fn halved(parameters: Parameters, halvings: u32) -> Parameters {
+    (0..halvings).fold(parameters, |own, _| own.halved())
+}
+
+/// Pushes a portion with shorter and shorter substeps until the brackets agree. `parameters` are
+/// those of the first level.
+pub fn climb(
+    scene: &Scene,
+    portion: &Portion,
+    parameters: &impl Fn(&Model) -> Parameters,
+) -> Levels {
+    let sizes = Sizes {
+        unit: portion.multiplier_unit(scene),
+        extent: Model::new(scene, portion).map_or(1.0, |model| model.extent),
+    };
+    let mut levels = Levels {
+        seen: Vec::new(),
+        last: Outcome::of(Status::Undecided),
+        halvings: 0,
+        agreed: None,
+    };
+    let (mut spent, mut halvings) = (0, 0);
+    let (mut softest, mut fallen, mut doubted) = (f64::INFINITY, false, false);
+    loop {
+        let trial = Trial {
+            scene,
+            portion,
+            expected: levels.seen.last().map(|level| level.bracket),
+        };
+        let outcome = trial.run(&|model: &Model| halved(parameters(model), halvings));
+        let cost = outcome.work.block_steps;
+        spent += cost;
+        match (outcome.bracket, outcome.stated_error) {
+            (Some(bracket), Some(target)) => {
+                let drift = drift(&outcome);
+                levels.seen.push(Level { bracket, drift });
+                levels.last = outcome;
+                levels.halvings = halvings;
+                let ends = levels.seen.len() >= MOST_LEVELS || spent + cost > BUDGET;
+                levels.agreed = agreement(&levels.seen, sizes, target, ends);
+                if ends || levels.agreed.is_some() {
+                    break;
+                }
+                halvings += 1;
+            }
+            _ => {
+                let fell = outcome.status == Status::Falls && !std::mem::replace(&mut fallen, true);
+                let soft = softness(&outcome).filter(|_| shortens(&mut softest, &outcome));
+                // Soft contacts let a scene down: shorter substeps have to see the fall too.
+                // So does what rests too slowly to tell: stiffer contacts drift less.
+                let unclear = is_unclear(&outcome) && !std::mem::replace(&mut doubted, true);
+                let more = if fell || unclear { Some(1) } else { soft };
+                if levels.seen.is_empty() {
+                    levels.last = outcome;
+                } else {
+                    levels.last.facts = outcome.facts;
+                }
+                halvings += more.unwrap_or(0);
+                if more.is_none() || halvings > MOST_HALVINGS {
+                    break;
+                }
+            }
+        }
+    }
+    levels.last.work.block_steps = spent;
+    levels
+}
+
+/// Times that the substep has to be halved for contacts that are stiff enough, where a self-check
+/// says that they are not: deflections fall with the square of the substep.
+pub fn softness(outcome: &Outcome) -> Option<u32> {
+    let failed = failed_check(outcome)?;
+    let soft = matches!(failed.what, Checked::Settlement | Checked::Drift);
+    let times = (failed.value / failed.limit).sqrt().log2().ceil();
+    (soft && times.is_finite()).then(|| (times as u32).clamp(1, MOST_HALVINGS))
+}
+
+/// The self-check that took a number away.
+fn failed_check(outcome: &Outcome) -> Option<&SelfCheck> {
+    outcome.facts.iter().find_map(|fact| match fact {
+        Fact::Pushover(PushoverFact::SelfCheckFailed(check)) => Some(check),
+        _ => None,
+    })
+}
+
+/// Whether a load neither rested nor collapsed in time.
+fn is_unclear(outcome: &Outcome) -> bool {
+    let unclear = |fact: &Fact| matches!(fact, Fact::Pushover(PushoverFact::Unclear { .. }));
+    outcome.facts.iter().any(unclear)
+}
+
+/// Whether shorter substeps bring a figure down, `before` being the last one: a drift that they do
+/// not shorten is the scene's own.
+fn shortens(before: &mut f64, outcome: &Outcome) -> bool {
+    let figure = failed_check(outcome).map_or(f64::INFINITY, |check| check.value);
+    let shorter = figure <= SHRINKING * *before;
+    *before = figure;
+    shorter
+}
+
+/// The figure of the check on drift.
+fn drift(outcome: &Outcome) -> f64 {
+    let of = outcome
+        .checks
+        .iter()
+        .find(|check| check.what == Checked::Drift);
+    of.map_or(f64::INFINITY, |check| check.value)
+}
+
+/// What the levels agree on. Two suffice where they differ by less than a part of the error that is
+/// the `target`; of more the differences have to shrink. Where no further level may follow, an error
+/// up to a few times the target is stated.
+fn agreement(levels: &[Level], sizes: Sizes, target: f64, ends: bool) -> Option<Enclosure> {
+    let [.., before, last] = *levels else {
+        return None;
+    };
+    let apart = |one: Level, other: Level| middle(other.bracket) - middle(one.bracket);
+    let size = magnitude(last.bracket.upper, sizes.unit);
+    let step = apart(before, last);
+    // Where none may follow, the difference itself has to be within the target, and is stated.
+    let part = if ends { 1.0 } else { CLOSE };
+    let close = step.abs() <= part * target * size;
+    let ratio = match *levels {
+        [.., first, before, _] => step.abs() / apart(first, before).abs(),
+        _ => f64::INFINITY,
+    };
+    if !(close || ratio <= SHRINKING) {
+        return None;
+    }
+    let left = step * ratio.min(SHRINKING) / (1.0 - ratio.min(SHRINKING));
+    let bracket = covering(before.bracket, last.bracket, left, sizes.unit / GRID);
+    let error = bracket
+        .relative_width(sizes.unit)
+        .max(slid(before, last) / sizes.extent);
+    let error = rounded_up(error);
+    let most = if ends { MOST_ERROR * target } else { target };
+    (error <= most).then_some(Enclosure { bracket, error })
+}
+
+/// How far the scene slid before it collapsed, in course heights. Contacts deflect with the square of
+/// the substep; what is left for a substep of 0 is no deflection. A scene that slid collapses in
+/// another place than where it was laid, with lever arms that differ by as much.
+fn slid(before: Level, last: Level) -> f64 {
+    ((4.0 * last.drift - before.drift) / 3.0).clamp(0.0, last.drift)
+}
+
+fn middle(bracket: Bracket) -> f64 {
+    bracket.lower.midpoint(bracket.upper)
+}
+
+/// Both brackets, and the last one moved on by what the trend leaves; the ends on the grid. Brackets
+/// that overlap or meet show no trend.
+fn covering(before: Bracket, last: Bracket, left: f64, grid: f64) -> Bracket {
+    let tiny = grid / 2.0;
+    let overlap = before.lower < last.upper + tiny && last.lower < before.upper + tiny;
+    let left = if overlap { 0.0 } else { left };
+    let lower = before.lower.min(last.lower + left.min(0.0));
+    let upper = before.upper.max(last.upper + left.max(0.0));
+    // Ends that are on the grid stay where they are in spite of rounding.
+    let on_grid = |at: f64, round: fn(f64) -> f64| {
+        let steps = at / grid;
+        let near = steps.round();
+        let steps = if (steps - near).abs() < 1e-6 * near.max(1.0) {
+            near
+        } else {
+            round(steps)
+        };
+        steps / GRID * (grid * GRID)
+    };
+    Bracket {
+        lower: on_grid(lower, f64::floor).max(0.0),
+        upper: on_grid(upper, f64::ceil),
+    }
+}
+
+/// The smallest number of the series 1, 2, 5, 10, … times 1e-4 that is no less.
+pub fn rounded_up(error: f64) -> f64 {
+    let mut units: u64 = 1;
+    // 1e-9 is rounding.
+    while (units as f64) < error * 1e4 * (1.0 - 1e-9) && units < 10_000 {
+        units = super::hint::larger(units);
+    }
+    units as f64 / 1e4
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const SIZES: Sizes = Sizes {
+        unit: 1.0,
+        extent: 9.0,
+    };
+
+    fn at(lower: f64, upper: f64, drift: f64) -> Level {
+        let bracket = Bracket { lower, upper };
+        Level { bracket, drift }
+    }
+
+    /// Figures of the scenes in `findings/`.
+    #[test]
+    fn levels_agree_where_their_differences_shrink() {
+        let agree = |levels: &[Level]| agreement(levels, SIZES, 2e-3, false);
+        assert_eq!(agree(&[at(0.5, 0.5002, 1e-3)]), None);
+        let paper_1 = [at(0.63975, 0.64025, 3.8e-3), at(0.63975, 0.64, 1e-3)];
+        let found = agree(&paper_1).unwrap();
+        assert_eq!(found.bracket, paper_1[0].bracket);
+        assert_eq!(found.error, 1e-3);
+        let top_heavy = [
+            at(0.5043, 0.5045, 7.7e-3),
+            at(0.513, 0.5132, 2.7e-3),
+            at(0.5131, 0.5133, 7e-4),
+        ];
+        assert_eq!(agree(&top_heavy[..2]), None);
+        let lower = 0.513;
+        let upper = 0.5133;
+        assert_eq!(agree(&top_heavy).unwrap().bracket, Bracket { lower, upper });
+    }
+
+    /// Brackets that agree, of a scene that slides along before it collapses.
+    #[test]
+    fn a_drift_that_stays_is_no_agreement() {
+        let levels = [at(0.2414, 0.2415, 0.079), at(0.2414, 0.2415, 0.111)];
+        assert_eq!(agreement(&levels, SIZES, 2e-3, true), None);
+    }
+
+    #[test]
+    fn a_trend_is_followed_to_its_end() {
+        let levels = [
+            at(0.49, 0.4902, 4e-3),
+            at(0.496, 0.4962, 1e-3),
+            at(0.499, 0.4992, 2e-4),
+        ];
+        assert_eq!(agreement(&levels, SIZES, 2e-3, false), None);
+        let found = agreement(&levels, SIZES, 4e-3, true).unwrap();
+        let (lower, upper) = (0.496, 0.5022);
+        assert_eq!(found.bracket, Bracket { lower, upper });
+        assert_eq!(found.error, 2e-2);
+    }
+}

@@ -1,0 +1,131 @@
+//! Masses, which a multiplier does not depend on, and by how much a block's movement is to be
+//! magnified before it is judged, so that a light or a small block is seen beside heavy ones.
+
+use super::portion::{Portion, Role};
+use crate::answer::PushoverFact;
+use crate::scene::{Block, JointClass, Scene, Side};
+
+/// Range of a block's mass, in mean masses.
+const RANGE: [f64; 2] = [0.05, 20.0];
+
+/// Weight over mass by area below which a block is light, in the unit of g.
+const LIGHT: f64 = 0.2;
+
+/// Diameter below which a block is small, in course heights.
+const SMALL: f64 = 0.3;
+
+/// Largest ratio of two blocks' weights that is answered.
+const MOST_UNEQUAL: f64 = 1e4;
+
+/// What the engine is told of one block, and what its motion is judged by.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Inert {
+    /// Mass, in mean weights over g. By area: masses in proportion to uneven loads would keep the
+    /// contact solver from converging. A light block that carries nothing heavier has less, so that
+    /// it moves no more slowly than others.
+    pub mass: f64,
+    /// By how much smaller the block is than a small one; 1 for others.
+    pub smallness: f64,
+    /// By how much more slowly than g its own weight accelerates it; at least 1.
+    pub slowness: f64,
+}
+
+/// For every block of a portion, in the scene's order, what the engine is told of it; weights and
+/// areas are divided by `force` and `area`, lengths by `length`.
+///
+/// # Errors
+/// Weights too unequal to be judged beside each other.
+pub fn inert(
+    scene: &Scene,
+    portion: &Portion,
+    [force, area, length]: [f64; 3],
+) -> Result<Vec<Inert>, PushoverFact> {
+    let weights: Vec<f64> = scene.blocks().iter().map(|b| weight(b) / force).collect();
+    refuse_unequal(scene, portion, &weights)?;
+    let carried = heaviest_carried(scene, &weights);
+    let of = |(index, block): (usize, &Block)| {
+        let shape = &block.shape;
+        let by_area = (shape.area() / area).clamp(RANGE[0], RANGE[1]);
+        let centroid = shape.centroid();
+        let corners = shape.corners().iter();
+        let reach = corners.map(|c| (c - centroid).norm()).fold(0.0, f64::max);
+        let smallness = (SMALL * length / (2.0 * reach)).max(1.0);
+        let (weight, carried) = (weights[index], carried[index]);
+        let needed = (weight * smallness).max(carried.min(1.0));
+        let light = needed < LIGHT * by_area && weight > 0.0;
+        let mass = if light { needed } else { by_area };
+        // Of blocks of ordinary weight nothing is magnified, and those without weight hang on others.
+        let slow = weight > 0.0 && weight < LIGHT * mass;
+        let slowness = if slow { mass / weight } else { 1.0 };
+        Inert {
+            mass,
+            smallness,
+            slowness: slowness.min(MOST_UNEQUAL),
+        }
+    };
+    Ok(scene.blocks().iter().enumerate().map(of).collect())
+}
+
+/// Magnitudes of a block's dead forces.
+fn weight(block: &Block) -> f64 {
+    block.loads.iter().map(|load| load.dead.norm()).sum()
+}
+
+fn refuse_unequal(scene: &Scene, portion: &Portion, weights: &[f64]) -> Result<(), PushoverFact> {
+    let free = (0..weights.len()).filter(|&i| portion.role(i) == Role::Free && weights[i] > 0.0);
+    let by_weight = |a: &usize, b: &usize| weights[*a].total_cmp(&weights[*b]);
+    let (Some(light), Some(heavy)) = (free.clone().min_by(by_weight), free.max_by(by_weight))
+    else {
+        return Ok(());
+    };
+    let ratio = weights[heavy] / weights[light];
+    if ratio <= MOST_UNEQUAL * (1.0 + 1e-9) {
+        return Ok(());
+    }
+    let name = |block: usize| match scene.labels().blocks.get(block) {
+        // Voussoirs are called by their number alone.
+        Some(name) if name.parse::<usize>().is_ok() => format!("block {name}"),
+        Some(name) if !name.is_empty() => name.clone(),
+        Some(_) | None => format!("block {}", block + 1),
+    };
+    Err(PushoverFact::UnequalWeights {
+        light: name(light),
+        heavy: name(heavy),
+        ratio,
+        most: MOST_UNEQUAL,
+    })
+}
+
+/// For every block the heaviest of those that it may have to carry: what lies on it or beside it,
+/// what lies on or beside that, and so on.
+fn heaviest_carried(scene: &Scene, weights: &[f64]) -> Vec<f64> {
+    let mut upwards: Vec<[usize; 2]> = Vec::new();
+    for joint in scene.joints() {
+        let Side::Block(from) = joint.from else {
+            continue;
+        };
+        let (from, to) = match joint.normal.y < 0.0 {
+            true => (joint.to, from),
+            false => (from, joint.to),
+        };
+        upwards.push([from, to]);
+        if joint.class == JointClass::Head {
+            upwards.push([to, from]);
+        }
+    }
+    let mut carried = vec![0.0; weights.len()];
+    // What is passed on only grows, and there are finitely many weights.
+    loop {
+        let mut changed = false;
+        for &[from, to] in &upwards {
+            let above = weights[to].max(carried[to]);
+            if above > carried[from] {
+                carried[from] = above;
+                changed = true;
+            }
+        }
+        if !changed {
+            return carried;
+        }
+    }
+}

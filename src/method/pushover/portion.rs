@@ -1,0 +1,168 @@
+//! Which blocks of a scene take part in a pushover.
+//!
+//! Blocks that are joined only through supports do not act on each other: every connected part is
+//! a pushover of its own, with its own units, so that a light part is not measured by a heavy one.
+//! Of tall walls, what lies beyond the stagger line is held fixed, which halves the work, and must
+//! be shown afterwards to have had no reason to move.
+
+use crate::scene::{Block, HeadJoints, Joint, JointClass, Push, Scene, Side, multiplier_unit};
+
+/// Overlaps between the stagger line and the frozen part: the strip that must stay still.
+const MARGIN: f64 = 3.0;
+
+/// Courses from which on a wall sways: it leans further before it falls, settles more slowly and
+/// is costlier, so that other tolerances hold for it, and a part of it is held fixed.
+pub const SWAYING: f64 = 20.0;
+
+/// What a block is in a pushover.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Role {
+    /// It moves as it must.
+    Free,
+    /// It is held fixed.
+    Fixed,
+    /// It belongs to another part.
+    Absent,
+}
+
+/// The role of every block, in the scene's order; by default all are free.
+#[derive(Clone, Debug, Default)]
+pub struct Portion {
+    /// Blocks of other parts.
+    absent: Vec<bool>,
+    /// Blocks held fixed.
+    fixed: Vec<bool>,
+    /// Blocks between the stagger line and those held fixed.
+    strip: Vec<bool>,
+}
+
+impl Portion {
+    /// The connected parts of a scene, in the order of their first blocks.
+    pub fn parts(scene: &Scene) -> Vec<Self> {
+        let count = scene.blocks().len();
+        let mut part: Vec<usize> = (0..count).collect();
+        fn root(part: &mut [usize], mut of: usize) -> usize {
+            while part[of] != of {
+                part[of] = part[part[of]];
+                of = part[of];
+            }
+            of
+        }
+        for joint in scene.joints() {
+            if let Side::Block(from) = joint.from {
+                let (a, b) = (root(&mut part, from), root(&mut part, joint.to));
+                part[a.max(b)] = a.min(b);
+            }
+        }
+        let of: Vec<usize> = (0..count).map(|block| root(&mut part, block)).collect();
+        let first = (0..count).filter(|&block| of[block] == block);
+        let portion = first.map(|first| Self {
+            absent: of.iter().map(|&other| other != first).collect(),
+            ..Self::default()
+        });
+        portion.collect()
+    }
+
+    /// What a block is.
+    pub fn role(&self, block: usize) -> Role {
+        match (self.absent.get(block), self.fixed.get(block)) {
+            (Some(true), _) => Role::Absent,
+            (_, Some(true)) => Role::Fixed,
+            _ => Role::Free,
+        }
+    }
+
+    /// The blocks of this part, also those held fixed.
+    pub fn present<'a>(&'a self, scene: &'a Scene) -> impl Iterator<Item = &'a Block> {
+        let blocks = scene.blocks().iter().enumerate();
+        let present = blocks.filter(|&(index, _)| self.role(index) != Role::Absent);
+        present.map(|(_, block)| block)
+    }
+
+    /// The joints of this part.
+    pub fn joints<'a>(&'a self, scene: &'a Scene) -> impl Iterator<Item = &'a Joint> + Clone {
+        let joints = scene.joints().iter();
+        joints.filter(|joint| self.role(joint.to) != Role::Absent)
+    }
+
+    /// Whether head joints of this part are in contact: what they carry depends on how the wall came
+    /// to be. An arch has none, as its radial joints carry the thrust.
+    pub fn has_range(&self, scene: &Scene) -> bool {
+        let head = |joint: &Joint| joint.class == JointClass::Head;
+        scene.head_joints() == HeadJoints::Contact && self.joints(scene).any(head)
+    }
+
+    /// Whether a live force acts on this part.
+    pub fn is_pushed(&self, scene: &Scene) -> bool {
+        self.forces(scene)[1] > 0.0
+    }
+
+    /// Sums of the magnitudes of the dead and of the live forces for λ = 1.
+    pub fn forces(&self, scene: &Scene) -> [f64; 2] {
+        let loads = || self.present(scene).flat_map(|block| &block.loads);
+        let dead = loads().map(|load| load.dead.norm()).sum();
+        [dead, loads().map(|load| load.live.norm()).sum()]
+    }
+
+    /// Multiplier at which the live loads add up to the dead ones, as that of a whole scene.
+    pub fn multiplier_unit(&self, scene: &Scene) -> f64 {
+        let [dead, live] = self.forces(scene);
+        multiplier_unit(dead, live)
+    }
+
+    /// Whether a body is fixed: a support, or a block held fixed.
+    pub fn is_fixed(&self, side: Side) -> bool {
+        match side {
+            Side::Support(_) => true,
+            Side::Block(block) => self.role(block) == Role::Fixed,
+        }
+    }
+
+    /// Whether any block is held fixed.
+    pub fn holds_any(&self) -> bool {
+        self.fixed.contains(&true)
+    }
+
+    /// Whether a block is in the strip that must stay still.
+    pub fn is_in_strip(&self, block: usize) -> bool {
+        self.strip.get(block) == Some(&true)
+    }
+}
+
+/// The part of a tall regular wall beyond the line that rises from the toe by one course for
+/// each overlap. `None` where there is nothing to gain, and for irregular walls: a part with
+/// openings may fail far from that line, where nothing would tell.
+pub fn beyond_stagger(scene: &Scene, part: &Portion) -> Option<Portion> {
+    if part.absent.contains(&true) {
+        return None;
+    }
+    scene.regular().as_ref().ok()?;
+    let wall = scene
+        .coursing()
+        .filter(|wall| wall.courses as f64 >= SWAYING)?;
+    let (low, high) = scene.bounds();
+    let unit_height = wall.height / wall.courses as f64;
+    // Overlaps between the stagger line and the block's near side.
+    let beyond = scene.blocks().iter().map(|block| {
+        let (l, h) = block.shape.bounds();
+        let near = match scene.push() {
+            Push::Right => high.x - h.x,
+            Push::Left => l.x - low.x,
+        };
+        let course = ((l.y - low.y) / unit_height).round() + 1.0;
+        near / wall.overlap - course
+    });
+    let beyond: Vec<f64> = beyond.collect();
+    let fixed: Vec<bool> = beyond.iter().map(|&by| by > MARGIN - 0.5).collect();
+    let strip = beyond
+        .iter()
+        .zip(&fixed)
+        .map(|(&by, &f)| by > -0.5 && !f)
+        .collect();
+    let part = Portion {
+        fixed,
+        strip,
+        ..Portion::default()
+    };
+    part.holds_any().then_some(part)
+}
