@@ -1,10 +1,10 @@
 //! The small atlas: no method is wrong anywhere on it, and it notices methods that are.
 
 use trilith::answer::{Bracket, Claim, Outcome, Status};
-use trilith::method::limit::{Ending, Program};
+use trilith::method::limit::{Associative, Ending, Interval, Program};
 use trilith::method::pushover::{Parameters, solve_with};
 use trilith::method::{Method, Settings, methods};
-use trilith::scene::Scene;
+use trilith::scene::{Block, Scene, SceneParts};
 use trilith::study::atlas::{self, Cell, CellVerdict, grids};
 
 fn of(cells: &[Cell], verdict: CellVerdict) -> Vec<&Cell> {
@@ -74,6 +74,67 @@ impl Method for StopsEarly {
     }
 }
 
+/// What a method observes that sees no block lighter than a thousandth of the heaviest.
+struct SeesTheHeavy;
+
+impl Method for SeesTheHeavy {
+    fn name(&self) -> &str {
+        "associative"
+    }
+
+    fn solve(&self, scene: &Scene, settings: &Settings) -> Outcome {
+        let weight = |block: &Block| -block.dead()[1];
+        let heaviest = scene.blocks().iter().map(weight).fold(0.0, f64::max);
+        let heavy = scene.blocks().iter();
+        let heavy = heavy.filter(|block| weight(block) > 1e-3 * heaviest);
+        let friction = scene.joints()[0].friction;
+        let supports = scene.supports().to_vec();
+        let parts = SceneParts::new(heavy.cloned().collect(), supports, friction);
+        let seen = Scene::new(parts).expect("the numbers stay proper");
+        observed(Associative.solve(&seen, settings).bracket)
+    }
+}
+
+/// The associative multiplier from a grid of pushes that ends at 100 and has steps of 1e-4.
+struct AbsoluteGrid;
+
+impl Method for AbsoluteGrid {
+    fn name(&self) -> &str {
+        "associative"
+    }
+
+    fn solve(&self, scene: &Scene, settings: &Settings) -> Outcome {
+        let bracket = Associative.solve(scene, settings).bracket;
+        observed(bracket.map(|exact| Bracket {
+            lower: ((exact.lower / 1e-4).floor() * 1e-4).min(100.0 - 1e-4),
+            upper: ((exact.upper / 1e-4).ceil() * 1e-4).min(100.0),
+        }))
+    }
+}
+
+/// The associative multiplier put forward as the lowest collapse state.
+struct TakesTheBoundForTheState;
+
+impl Method for TakesTheBoundForTheState {
+    fn name(&self) -> &str {
+        "interval"
+    }
+
+    fn solve(&self, scene: &Scene, settings: &Settings) -> Outcome {
+        observed(Associative.solve(scene, settings).bracket)
+    }
+}
+
+/// A bracket that claims to be right to 1e-4 and gives no proof that the judge could refute.
+fn observed(bracket: Option<Bracket>) -> Outcome {
+    Outcome {
+        claim: Claim::Observed,
+        bracket,
+        stated_error: Some(1e-4),
+        ..Outcome::of(Status::Bracketed)
+    }
+}
+
 /// The pushover as rapier comes: four substeps of 1/240 s, contacts of 30 Hz, points renewed; no
 /// self-check may take its number away.
 struct Uncalibrated;
@@ -103,15 +164,35 @@ impl Method for Uncalibrated {
     }
 }
 
+fn cells_of(names: &[&str], method: &dyn Method) -> Vec<Cell> {
+    let grids = grids(false).into_iter();
+    let wanted: Vec<_> = grids.filter(|grid| names.contains(&grid.name)).collect();
+    assert_eq!(wanted.len(), names.len());
+    atlas::run(&wanted, &[method], &())
+}
+
 #[test]
 fn planted_faults_are_wrong_cells() {
-    let grids = grids(false);
-    let walls: Vec<_> = (grids.into_iter())
-        .filter(|grid| ["courses-friction", "unit-distance"].contains(&grid.name))
-        .collect();
-    for (method, at_least) in [(&StopsEarly as &dyn Method, 3), (&Uncalibrated, 3)] {
-        let cells = atlas::run(&walls, &[method], &());
+    let walls: &[&str] = &["courses-friction", "unit-distance"];
+    let faults: [(&dyn Method, &[&str], usize); 4] = [
+        (&StopsEarly, walls, 3),
+        (&Uncalibrated, walls, 3),
+        (&SeesTheHeavy, &["weights", "light-beside-heavy"], 3),
+        (&AbsoluteGrid, &["live-load"], 2),
+    ];
+    for (method, grids, at_least) in faults {
+        let cells = cells_of(grids, method);
         let wrong = of(&cells, CellVerdict::Wrong);
-        assert!(wrong.len() >= at_least, "{}: {cells:#?}", method.name());
+        assert!(wrong.len() >= at_least, "{grids:?}: {cells:#?}");
     }
+}
+
+/// Where states lie below λ_A, a search that stays above them is not right.
+#[test]
+fn a_missed_state_is_not_right() {
+    let cells = cells_of(&["openings-contact"], &TakesTheBoundForTheState);
+    let missed = of(&cells, CellVerdict::Inaccurate);
+    assert_eq!(missed.len(), cells.len());
+    let found = cells_of(&["openings-contact"], &Interval);
+    assert_eq!(of(&found, CellVerdict::Right).len(), found.len());
 }

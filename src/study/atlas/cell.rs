@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use super::grid::{Grid, GridPoint};
 use super::grids::grids;
-use crate::answer::{Bracket, Status, magnitude};
+use crate::answer::{Bracket, Status};
 use crate::method::{Method, kind};
 use crate::run::{Progress, Row, Subject, Task};
 use crate::scene::HeadJoints;
@@ -13,14 +13,15 @@ use crate::study::sweep;
 /// What an answer turned out to be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum CellVerdict {
-    /// Within 1 % of the reference.
+    /// Within 1 % of what is known.
     Right,
-    /// Outside, and it claims no more: an estimate, or a range that holds the reference.
+    /// Farther off, and it claims no more: an estimate, a range that is wider than what is known, a
+    /// search that has missed the lowest state.
     Inaccurate,
     /// No answer: `undecided`, `not-applicable`, `failed`.
     Refused,
-    /// The reference lies outside what a `verified` or `bracketed` answer states, or an answer
-    /// without a multiplier where there is one.
+    /// What is known refutes what a `verified` or `bracketed` answer states, or an answer without a
+    /// multiplier where there is one.
     Wrong,
 }
 
@@ -56,8 +57,10 @@ pub struct Cell {
     pub x: String,
     /// Values of the place.
     pub y: String,
-    /// The multiplier, from elsewhere.
-    pub reference: f64,
+    /// What the answer is compared with, from elsewhere.
+    pub reference: Bracket,
+    /// Distance of the answer's farther end from that, relative, where there is an answer.
+    pub error: Option<f64>,
     /// The answer.
     pub row: Row,
     /// What it turned out to be.
@@ -66,53 +69,39 @@ pub struct Cell {
 
 impl Cell {
     fn new(grid: &Grid, place: &GridPoint, row: Row) -> Self {
+        let known = &place.known;
+        let kind = kind(&row.method);
+        let unit = row.multiplier_unit;
         let stated = row.outcome.stated_error.unwrap_or(0.0);
-        let (status, bracket) = (row.status(), row.bracket());
-        let known = [place.reference, place.accuracy];
+        let answer = row.bracket();
+        let error = answer.map(|answer| known.error(kind, answer, unit));
+        let holds = answer.is_none_or(|answer| known.allows(kind, answer, stated, unit));
+        let verdict = verdict(row.status(), error, holds);
         Self {
             grid: grid.name,
             x: place.x.clone(),
             y: place.y.clone(),
-            reference: place.reference,
-            verdict: verdict(status, bracket, stated, known, row.multiplier_unit),
+            reference: known.expected(kind),
+            error: error.filter(|_| verdict != CellVerdict::Refused),
+            verdict,
             row,
         }
     }
-
-    /// Error of the farther end, where there is an answer.
-    pub fn error(&self) -> Option<f64> {
-        let answered = self.verdict != CellVerdict::Refused;
-        Some(
-            self.row
-                .bracket()
-                .filter(|_| answered)?
-                .error(self.reference, self.row.multiplier_unit),
-        )
-    }
 }
 
-/// What an answer is worth against a reference that is itself known to `accuracy`, in a scene with
-/// this `unit` of λ. A claim is held
-/// to what it states, also where that is less than 1 %.
-fn verdict(
-    status: Status,
-    bracket: Option<Bracket>,
-    stated: f64,
-    [reference, accuracy]: [f64; 2],
-    unit: f64,
-) -> CellVerdict {
+/// What an answer is worth that is off by `error`, if it has a number, and `holds` in what it
+/// states. A claim is held to what it states, also where that is less than 1 %.
+fn verdict(status: Status, error: Option<f64>, holds: bool) -> CellVerdict {
     let claims = match status {
         Status::Undecided | Status::NotApplicable | Status::Failed => return CellVerdict::Refused,
         Status::Stands | Status::Falls => return CellVerdict::Wrong,
         Status::Verified | Status::Bracketed => true,
         Status::Estimate => false,
     };
-    let Some(bracket) = bracket else {
+    let Some(error) = error else {
         return CellVerdict::Refused;
     };
-    let slack = (stated + accuracy) * magnitude(reference, unit);
-    let holds = bracket.lower - slack <= reference && reference <= bracket.upper + slack;
-    match (claims && !holds, bracket.error(reference, unit) <= RIGHT) {
+    match (claims && !holds, error <= RIGHT) {
         (true, _) => CellVerdict::Wrong,
         (false, true) => CellVerdict::Right,
         (false, false) => CellVerdict::Inaccurate,
@@ -163,21 +152,70 @@ pub fn size(large: bool) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::method::Kind;
+    use crate::study::atlas::grid::Known;
+
+    /// The verdict on an answer of a method of this kind where this is known.
+    fn of(kind: Kind, known: Known, status: Status, ends: [f64; 2], stated: f64) -> CellVerdict {
+        let [lower, upper] = ends;
+        let answer = Bracket { lower, upper };
+        let error = known.error(kind, answer, 1.0);
+        verdict(status, Some(error), known.allows(kind, answer, stated, 1.0))
+    }
 
     #[test]
     fn claims_are_held_to_what_they_state_and_estimates_to_one_percent() {
-        let at = |lower, upper| Some(Bracket { lower, upper });
-        let of = |status, bracket, stated| verdict(status, bracket, stated, [0.5, 1e-6], 1.0);
         use CellVerdict::*;
-        assert_eq!(of(Status::Verified, at(0.5, 0.5), 0.0), Right);
-        assert_eq!(of(Status::Verified, at(0.501, 0.501), 0.0), Wrong);
-        assert_eq!(of(Status::Bracketed, at(0.4985, 0.499), 2e-3), Right);
-        assert_eq!(of(Status::Bracketed, at(0.497, 0.498), 2e-3), Wrong);
-        assert_eq!(of(Status::Bracketed, at(0.4, 0.6), 0.0), Inaccurate);
-        assert_eq!(of(Status::Estimate, at(0.3, 0.3), 0.0), Inaccurate);
-        assert_eq!(of(Status::Estimate, at(0.503, 0.503), 0.0), Right);
-        assert_eq!(of(Status::Undecided, at(0.3, 0.3), 0.0), Refused);
-        assert_eq!(of(Status::Stands, None, 0.0), Wrong);
-        assert_eq!(of(Status::Verified, at(f64::NAN, f64::NAN), 0.0), Wrong);
+        let of = |status, ends, stated| of(Kind::Observed, Known::exact(0.5), status, ends, stated);
+        assert_eq!(of(Status::Verified, [0.5, 0.5], 0.0), Right);
+        assert_eq!(of(Status::Verified, [0.501, 0.501], 0.0), Wrong);
+        assert_eq!(of(Status::Bracketed, [0.4985, 0.499], 2e-3), Right);
+        assert_eq!(of(Status::Bracketed, [0.497, 0.498], 2e-3), Wrong);
+        assert_eq!(of(Status::Bracketed, [0.4, 0.6], 0.0), Inaccurate);
+        assert_eq!(of(Status::Estimate, [0.3, 0.3], 0.0), Inaccurate);
+        assert_eq!(of(Status::Estimate, [0.503, 0.503], 0.0), Right);
+        assert_eq!(of(Status::Undecided, [0.3, 0.3], 0.0), Refused);
+        assert_eq!(of(Status::Verified, [f64::NAN, f64::NAN], 0.0), Wrong);
+        assert_eq!(verdict(Status::Stands, None, true), Wrong);
+        assert_eq!(verdict(Status::Undecided, None, true), Refused);
+    }
+
+    #[test]
+    fn where_there_are_several_states_each_kind_is_held_to_what_it_is_about() {
+        use CellVerdict::*;
+        let known = Known {
+            states: Bracket {
+                lower: 0.4,
+                upper: 0.5,
+            },
+            associative: 0.6,
+            accuracy: 1e-6,
+        };
+        let of = |kind, status, ends| of(kind, known, status, ends, 0.0);
+        let bounds = |ends| of(Kind::AssociativeBounds, Status::Verified, ends);
+        assert_eq!(bounds([0.6, 0.6]), Right);
+        assert_eq!(bounds([0.4, 0.5]), Wrong);
+        let states = |ends| of(Kind::CollapseStates, Status::Verified, ends);
+        assert_eq!(states([0.4, 0.55]), Right);
+        assert_eq!(states([0.39, 0.39]), Right);
+        assert_eq!(states([0.45, 0.5]), Inaccurate);
+        assert_eq!(states([0.4, 0.61]), Wrong);
+        let enclosure = |ends| of(Kind::Enclosure, Status::Bracketed, ends);
+        assert_eq!(enclosure([0.4, 0.6]), Right);
+        assert_eq!(enclosure([0.4, 0.59]), Wrong);
+        assert_eq!(enclosure([0.61, 0.61]), Wrong);
+        let seen = |ends| of(Kind::Observed, Status::Bracketed, ends);
+        assert_eq!(seen([0.4, 0.5]), Right);
+        assert_eq!(seen([0.55, 0.55]), Inaccurate);
+        assert_eq!(seen([0.61, 0.62]), Wrong);
+        assert_eq!(seen([0.38, 0.39]), Wrong);
+    }
+
+    #[test]
+    fn a_state_below_the_only_one_is_wrong() {
+        let known = Known::exact(0.5);
+        let kind = Kind::CollapseStates;
+        let below = of(kind, known, Status::Verified, [0.4, 0.5], 0.0);
+        assert_eq!(below, CellVerdict::Wrong);
     }
 }

@@ -1,5 +1,6 @@
-//! A grid: what is varied, on which scenes, against which value.
+//! A grid: what is varied, on which scenes, against which values.
 
+use crate::answer::{Bracket, magnitude};
 use crate::method::{Kind, Settings};
 use crate::scene::Scene;
 
@@ -31,8 +32,121 @@ pub struct GridPoint {
     pub blocks: usize,
     /// Settings of the methods.
     pub settings: Settings,
-    /// The multiplier, from elsewhere than the methods.
-    pub reference: f64,
-    /// How far the reference itself may be off, relative.
+    /// What is known of its multipliers.
+    pub known: Known,
+}
+
+impl GridPoint {
+    /// A scene with default settings.
+    pub fn of_scene([x, y]: [String; 2], known: Known, scene: Scene) -> Self {
+        Self {
+            x,
+            y,
+            blocks: scene.blocks().len(),
+            scene: Box::new(move || scene.clone()),
+            settings: Settings::default(),
+            known,
+        }
+    }
+}
+
+/// The first values of a list of pairs (value, whether it is in the small atlas).
+pub fn chosen<T: Copy>(values: &[(T, bool)], large: bool) -> Vec<T> {
+    let wanted = values.iter().filter(|(_, small)| large || *small);
+    wanted.map(|(value, _)| *value).collect()
+}
+
+/// Accuracy of a formula.
+const EXACT: f64 = 1e-6;
+
+/// Multipliers of a scene from elsewhere than the methods.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Known {
+    /// Lowest and highest collapse state known without dilatancy. Others may exist below and
+    /// between, unless both are [`Known::associative`].
+    pub states: Bracket,
+    /// λ_A, which no collapse state exceeds.
+    pub associative: f64,
+    /// How far these may be off, relative.
     pub accuracy: f64,
+}
+
+impl Known {
+    /// A multiplier that equilibrium determines, whatever friction does: from a formula.
+    pub fn exact(lambda: f64) -> Self {
+        Self::within(lambda, EXACT)
+    }
+
+    /// One multiplier for friction with and without dilatancy, so accurate.
+    pub fn within(lambda: f64, accuracy: f64) -> Self {
+        Self {
+            states: Bracket::point(lambda),
+            associative: lambda,
+            accuracy,
+        }
+    }
+
+    /// What the same scene has under live loads that are `factor` times as large.
+    pub fn under_live(self, factor: f64) -> Self {
+        Self {
+            states: Bracket {
+                lower: self.states.lower / factor,
+                upper: self.states.upper / factor,
+            },
+            associative: self.associative / factor,
+            ..self
+        }
+    }
+
+    /// Whether there are several collapse multipliers.
+    fn are_several(&self) -> bool {
+        self.states.lower < self.associative
+    }
+
+    /// What the answer of such a method is compared with.
+    pub fn expected(&self, kind: Kind) -> Bracket {
+        match kind {
+            Kind::AssociativeBounds => Bracket::point(self.associative),
+            Kind::Enclosure => Bracket {
+                upper: self.associative,
+                ..self.states
+            },
+            _ => self.states,
+        }
+    }
+
+    /// Distance of the answer's farther end from what is expected, relative to that. Of several
+    /// states, how far the lowest is missed: which is the highest nobody knows.
+    pub fn error(&self, kind: Kind, answer: Bracket, unit: f64) -> f64 {
+        let expected = self.expected(kind);
+        let distance = if kind == Kind::CollapseStates && self.are_several() {
+            (answer.lower - expected.lower).max(0.0)
+        } else {
+            let [low, high] = [answer.lower - expected.lower, answer.upper - expected.upper];
+            low.abs().max(high.abs())
+        };
+        distance / magnitude(expected.lower, unit)
+    }
+
+    /// Whether what such a method proves, or saw to within `stated`, can be true.
+    pub fn allows(&self, kind: Kind, answer: Bracket, stated: f64, unit: f64) -> bool {
+        let slack = (stated + self.accuracy) * magnitude(self.associative, unit);
+        let at_most = |end: f64, value: f64| end - slack <= value;
+        let at_least = |end: f64, value: f64| end + slack >= value;
+        // A state below those known refutes nothing where there are several.
+        let is_state = |end: f64| {
+            let known = self.are_several() || at_least(end, self.states.lower);
+            known && at_most(end, self.associative)
+        };
+        let Bracket { lower, upper } = answer;
+        let bounds = at_least(upper, self.associative);
+        match kind {
+            Kind::AssociativeBounds => at_most(lower, self.associative) && bounds,
+            Kind::Enclosure => is_state(lower) && bounds,
+            Kind::CollapseState | Kind::CollapseStates => is_state(lower) && is_state(upper),
+            Kind::ClosedForm | Kind::Observed | Kind::Outside => {
+                at_most(lower, self.associative) && at_least(upper, self.states.lower)
+            }
+        }
+    }
 }

@@ -1,17 +1,12 @@
 //! The grids of the atlas.
 
-use super::grid::{Grid, GridPoint};
-use super::scenes::{Columns, moved, running_bond, running_bond_in};
+use super::columns::Columns;
+use super::factors::{friction, live_load};
+use super::grid::{Grid, GridPoint, Known, chosen};
+use super::openings::{openings, openings_in_contact};
+use super::unequal::{light_beside_heavy, load_on_top, weights};
+use super::walls::{RUNNING, moved, running_bond, running_bond_in};
 use crate::method::{Kind, Settings};
-
-/// Accuracy of a formula.
-const EXACT: f64 = 1e-6;
-
-/// Collapse multipliers of running bond with open head joints, computed with HiGHS (the verified
-/// state nearest the pushover's), by number of courses, and what they are worth: λ_A of paper-2 lies
-/// 3e-4 above, and all pushovers within 5e-4.
-const WALLS: [(usize, f64); 2] = [(6, 0.639969), (10, 0.562786)];
-const OF_WALLS: f64 = 1e-3;
 
 /// All grids; the small ones are subsets of the large ones.
 pub fn grids(large: bool) -> Vec<Grid> {
@@ -23,13 +18,14 @@ pub fn grids(large: bool) -> Vec<Grid> {
         unit_and_distance(large),
         tolerance_of_programs(large),
         substep_and_stiffness(large),
+        weights(large),
+        light_beside_heavy(large),
+        live_load(large),
+        friction(large),
+        load_on_top(large),
+        openings(large),
+        openings_in_contact(large),
     ]
-}
-
-/// The first values of a list of pairs (value, whether it is in the small atlas).
-fn chosen<T: Copy>(values: &[(T, bool)], large: bool) -> Vec<T> {
-    let wanted = values.iter().filter(|(_, small)| large || *small);
-    wanted.map(|(value, _)| *value).collect()
 }
 
 fn on_columns(x: String, y: String, columns: Columns) -> GridPoint {
@@ -38,8 +34,7 @@ fn on_columns(x: String, y: String, columns: Columns) -> GridPoint {
         y,
         blocks: columns.courses * columns.count,
         settings: Settings::default(),
-        reference: columns.multiplier(),
-        accuracy: EXACT,
+        known: Known::exact(columns.multiplier()),
         scene: Box::new(move || columns.scene()),
     }
 }
@@ -217,7 +212,7 @@ fn unit_and_distance(large: bool) -> Grid {
     ];
     let distances = [(0.0, true), (1e3, true), (1e5, false), (1e7, false)];
     let mut cells = Vec::new();
-    let (courses, reference) = WALLS[0];
+    let (courses, known) = RUNNING[0];
     for distance in chosen(&distances, large) {
         for unit in chosen(&units, large) {
             let scene = move || {
@@ -230,8 +225,7 @@ fn unit_and_distance(large: bool) -> Grid {
                 scene: Box::new(scene),
                 blocks: 33,
                 settings: Settings::default(),
-                reference,
-                accuracy: OF_WALLS,
+                known,
             });
         }
     }
@@ -260,7 +254,7 @@ fn tolerance_of_programs(large: bool) -> Grid {
         (1e-10, true),
     ];
     let mut cells = Vec::new();
-    for (courses, reference) in WALLS {
+    for (courses, known) in RUNNING {
         for tolerance in chosen(&tolerances, large) {
             let mut settings = Settings::default();
             settings.programs.lp_tolerance = tolerance;
@@ -270,8 +264,7 @@ fn tolerance_of_programs(large: bool) -> Grid {
                 scene: Box::new(move || running_bond(courses)),
                 blocks: 5 * courses + courses / 2,
                 settings,
-                reference,
-                accuracy: OF_WALLS,
+                known,
             });
         }
     }
@@ -306,7 +299,7 @@ fn substep_and_stiffness(large: bool) -> Grid {
         (1.0 / 256.0, false),
     ];
     let mut cells = Vec::new();
-    let (courses, reference) = WALLS[0];
+    let (courses, known) = RUNNING[0];
     for stiffness in chosen(&stiffnesses, large) {
         for substep in chosen(&substeps, large) {
             let mut settings = Settings::default();
@@ -318,8 +311,7 @@ fn substep_and_stiffness(large: bool) -> Grid {
                 scene: Box::new(move || running_bond(courses)),
                 blocks: 33,
                 settings,
-                reference,
-                accuracy: OF_WALLS,
+                known,
             });
         }
     }

@@ -9,15 +9,22 @@
 //! methods; wrong cells must not exist.
 
 mod cell;
+mod columns;
+mod factors;
 mod grid;
 mod grids;
+mod library;
+mod openings;
 mod picture;
-mod scenes;
 mod text;
+mod towers;
+mod unequal;
+mod walls;
 
 pub use cell::{Cell, CellVerdict, run, size};
-pub use grid::{Grid, GridPoint};
+pub use columns::Columns;
+pub use grid::{Grid, GridPoint, Known};
 pub use grids::grids;
 pub use picture::picture;
-pub use scenes::{Columns, moved, running_bond};
 pub use text::{csv, table};
+pub use walls::{moved, running_bond};

@@ -2,7 +2,7 @@
 
 use super::cell::{Cell, CellVerdict};
 use super::grid::Grid;
-use super::text::methods;
+use super::text::{between, methods};
 use crate::picture::palette::{INACCURATE, REFUSED, RIGHT, Tone, WRONG};
 use crate::picture::{self, Cells, Field};
 
@@ -55,7 +55,7 @@ fn tone(verdict: CellVerdict) -> Tone {
 fn meaning(verdict: CellVerdict) -> &'static str {
     match verdict {
         CellVerdict::Right => "right: within 1 %",
-        CellVerdict::Inaccurate => "inaccurate: outside, and claims no more",
+        CellVerdict::Inaccurate => "inaccurate: farther off, and claims no more",
         CellVerdict::Refused => "refused: no answer",
         CellVerdict::Wrong => "WRONG: a claim refuted",
     }
@@ -77,7 +77,7 @@ fn axes(grid: &Grid) -> (Vec<&str>, Vec<&str>) {
 
 /// What stands in a cell: the error, or why there is none.
 fn word(cell: &Cell) -> String {
-    match cell.error() {
+    match cell.error {
         Some(error) if error < 5e-6 => "exact".to_owned(),
         Some(error) if error < 0.0995 => format!("{:.2} %", 100.0 * error),
         Some(error) => format!("{:.0} %", 100.0 * error),
@@ -89,14 +89,13 @@ fn word(cell: &Cell) -> String {
 }
 
 fn tooltip(cell: &Cell) -> String {
-    let ends = cell.row.bracket().map_or(String::new(), |b| {
-        format!(" {:.6} to {:.6}", b.lower, b.upper)
-    });
+    let ends = cell.row.bracket();
+    let ends = ends.map_or(String::new(), |ends| format!(" {}", between(ends)));
     format!(
-        "{}: {}{ends}, reference {:.6}; {}",
+        "{}: {}{ends}, reference {}; {}",
         cell.verdict.name(),
         cell.row.status().name(),
-        cell.reference,
+        between(cell.reference),
         cell.row.outcome.reason()
     )
 }

@@ -4,6 +4,7 @@ use indexmap::IndexSet;
 
 use super::cell::{Cell, CellVerdict};
 use super::grid::Grid;
+use crate::answer::Bracket;
 use crate::number::nine_digits;
 use crate::picture::lines;
 use crate::run::{self, Value, values};
@@ -25,6 +26,7 @@ pub fn csv(cells: &[Cell]) -> Result<String, csv::Error> {
         "reference",
         "error",
         "reason",
+        "reference_upper",
     ];
     run::csv(headings, cells.iter().map(line))
 }
@@ -38,8 +40,9 @@ fn line(cell: &Cell) -> Vec<Value> {
             .map(Value::from)
             .to_vec(),
         row(&["status", "lower", "upper"]),
-        vec![Value::Number(cell.reference), cell.error().into()],
+        vec![Value::Number(cell.reference.lower), cell.error.into()],
         row(&["reason"]),
+        vec![Value::Number(cell.reference.upper)],
     ]
     .concat()
 }
@@ -71,22 +74,25 @@ pub fn table(grids: &[Grid], cells: &[Cell]) -> String {
         .collect();
     text.push_str(&format!("{} cells, {} wrong\n", cells.len(), wrong.len()));
     for cell in wrong {
-        let ends = cell.row.bracket().map_or(String::from("no number"), |b| {
-            format!("{} to {}", nine_digits(b.lower), nine_digits(b.upper))
-        });
-        let Cell {
-            grid,
-            x,
-            y,
-            reference,
-            ..
-        } = cell;
+        let ends = cell.row.bracket().map_or("no number".to_owned(), between);
+        let Cell { grid, x, y, .. } = cell;
         let (method, status) = (&cell.row.method, cell.row.status().name());
+        let reference = between(cell.reference);
         text.push_str(&format!(
             "WRONG {grid}: {method} at {x}, {y}: {status} {ends}, where it is {reference}\n"
         ));
     }
     text
+}
+
+/// One number, or two with what is between them.
+pub(super) fn between(bracket: Bracket) -> String {
+    let [lower, upper] = [bracket.lower, bracket.upper].map(nine_digits);
+    if lower == upper {
+        lower
+    } else {
+        format!("{lower} to {upper}")
+    }
 }
 
 /// Methods with cells on a grid, as they first come.

@@ -1,0 +1,171 @@
+//! Grids over walls with openings, whose lowest states searches have missed.
+
+use super::grid::{Grid, GridPoint, Known, chosen};
+use super::walls::{COMPUTED, laid, wall};
+use crate::answer::Bracket;
+use crate::method::Kind;
+use crate::scene::{Course, HeadJoints, Piece, Scene};
+
+/// Head joints open: every method.
+pub fn openings(large: bool) -> Grid {
+    Grid {
+        name: "openings",
+        x: "height of the openings in courses",
+        y: "openings",
+        kinds: &[],
+        causes: "Walls of 4 x 1.75 units, friction 0.65, with openings one unit wide and open head \
+                 joints; HiGHS: one collapse state each, up to 8 % below λ_A. macro-block: knows no \
+                 openings, so that it declines.",
+        cells: pierced(HeadJoints::Open, large),
+    }
+}
+
+/// The kinds that compute and do not watch: a pushover of a wall in contact is six.
+const LIMIT_ANALYSIS: &[Kind] = &[
+    Kind::AssociativeBounds,
+    Kind::CollapseState,
+    Kind::CollapseStates,
+    Kind::Enclosure,
+    Kind::Outside,
+];
+
+/// Head joints in contact.
+pub fn openings_in_contact(large: bool) -> Grid {
+    Grid {
+        name: "openings-contact",
+        x: "height of the openings in courses",
+        y: "openings",
+        kinds: LIMIT_ANALYSIS,
+        causes: "Walls of 4 x 1.75 units, friction 0.65, with openings one unit wide and head joints \
+                 in contact; HiGHS: several collapse states each. interval: right where it finds the \
+                 lowest. auto: λ_A and the lowest state are 9 to 21 % apart, so that it answers not \
+                 unique. sequential: ends near one state of several, without a proof.",
+        cells: pierced(HeadJoints::Contact, large),
+    }
+}
+
+fn pierced(head_joints: HeadJoints, large: bool) -> Vec<GridPoint> {
+    let heights = [(1, false), (3, false), (5, true), (7, false)];
+    let counts = [(1, true), (2, false)];
+    let mut cells = Vec::new();
+    for openings in chosen(&counts, large) {
+        for height in chosen(&heights, large) {
+            let wall = Pierced {
+                openings,
+                height,
+                head_joints,
+            };
+            if let Some(known) = wall.known() {
+                let place = [height.to_string(), openings.to_string()];
+                cells.push(GridPoint::of_scene(place, known, wall.scene()));
+            }
+        }
+    }
+    cells
+}
+
+/// A wall with openings one unit wide, straight jambs, and a perpend over the middle of each.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pierced {
+    /// Openings, each between piers of one unit.
+    pub openings: usize,
+    /// Their height in courses, odd; three courses are below and three above.
+    pub height: usize,
+    /// What its head joints carry.
+    pub head_joints: HeadJoints,
+}
+
+/// Openings, height, [λ_A, lowest, highest state known] of a [`Pierced`] wall with head joints in
+/// contact, and [λ_A, its one state] with open ones. Two of height 5 are Ferris & Tin-Loi's wall 4.
+const PIERCED: [(usize, usize, [f64; 3], [f64; 2]); 8] = [
+    (
+        1,
+        1,
+        [0.497459344, 0.451827243, 0.497459344],
+        [0.451827243; 2],
+    ),
+    (
+        1,
+        3,
+        [0.389828260, 0.334065934, 0.369747899],
+        [0.336658849, 0.334065934],
+    ),
+    (
+        1,
+        5,
+        [0.313520413, 0.263736264, 0.276497696],
+        [0.265530256, 0.263736264],
+    ),
+    (
+        1,
+        7,
+        [0.255399419, 0.217237308, 0.239543198],
+        [0.218069935, 0.217237308],
+    ),
+    (
+        2,
+        1,
+        [0.497459344, 0.451827243, 0.497459344],
+        [0.451827243; 2],
+    ),
+    (
+        2,
+        3,
+        [0.408442321, 0.334065934, 0.394694760],
+        [0.350333684, 0.334065934],
+    ),
+    (
+        2,
+        5,
+        [0.331948395, 0.263736264, 0.306981045],
+        [0.285403238, 0.263736264],
+    ),
+    (
+        2,
+        7,
+        [0.269376750, 0.217237308, 0.247030879],
+        [0.232799905, 0.217237308],
+    ),
+];
+
+impl Pierced {
+    /// What another code found, where one was asked.
+    pub fn known(&self) -> Option<Known> {
+        let is_this =
+            |known: &&(usize, usize, _, _)| (known.0, known.1) == (self.openings, self.height);
+        let &(.., contact, open) = PIERCED.iter().find(is_this)?;
+        let [associative, lower, upper] = match self.head_joints {
+            HeadJoints::Contact => contact,
+            HeadJoints::Open => [open[0], open[1], open[1]],
+        };
+        Some(Known {
+            states: Bracket { lower, upper },
+            associative,
+            accuracy: COMPUTED,
+        })
+    }
+
+    fn courses(&self) -> Vec<Course> {
+        use Piece::{Gap, Half, Unit};
+        let row = |pier: &[Piece]| {
+            let further = [&[Gap], pier].concat().repeat(self.openings);
+            [pier, &further].concat()
+        };
+        let units = 2 * self.openings + 1;
+        let cut = [vec![Half], vec![Unit; units - 1], vec![Half]].concat();
+        let band = [cut.clone(), vec![Unit; units], cut];
+        let jambs = (0..self.height).map(|course| match course % 2 {
+            0 => row(&[Unit]),
+            _ => row(&[Half, Half]),
+        });
+        (band.iter().cloned())
+            .chain(jambs)
+            .chain(band.iter().cloned())
+            .collect()
+    }
+
+    /// The scene.
+    pub fn scene(&self) -> Scene {
+        laid(&wall(self.courses()), self.head_joints)
+    }
+}

@@ -1,0 +1,149 @@
+//! Grids over blocks of unequal weight and size, where measures over the whole scene do not see the
+//! light ones, and over heavy tops.
+
+use super::grid::{Grid, GridPoint, Known, chosen};
+use super::library::of_library;
+use super::towers::{self, Capped, Stone, Tower};
+use crate::scene::HeadJoints;
+
+/// Ratios of weights, as far as the findings go.
+const RATIOS: [(f64, bool); 7] = [
+    (1.0, false),
+    (1e2, true),
+    (1e4, false),
+    (1e6, true),
+    (1e8, false),
+    (1e10, false),
+    (1e12, false),
+];
+
+/// A column whose blocks differ in weight.
+pub fn weights(large: bool) -> Grid {
+    const COURSES: usize = 5;
+    // Exponents of the ratio, from bottom to top.
+    let share = |course: usize| course as f64 / (COURSES - 1) as f64;
+    type Order<'a> = (&'a str, &'a dyn Fn(usize) -> f64);
+    let orders: [Order; 3] = [
+        ("lighter upwards", &|course| -share(course)),
+        ("heavier upwards", &share),
+        ("in turn", &|course| -((course % 2) as f64)),
+    ];
+    let friction = 1.5;
+    let mut cells = Vec::new();
+    for (order, exponent) in orders {
+        for ratio in chosen(&RATIOS, large) {
+            let stone = |course: usize| Stone {
+                width: 1.0 - 0.1 * course as f64,
+                height: 0.5,
+                weight: ratio.powf(exponent(course)),
+            };
+            let tower = Tower {
+                axis: 0.0,
+                stones: (0..COURSES).map(stone).collect(),
+                load: 0.0,
+            };
+            let known = Known::exact(tower.multiplier(friction));
+            let scene = towers::scene(&[tower], friction);
+            let place = [format!("{ratio:e}"), order.to_owned()];
+            cells.push(GridPoint::of_scene(place, known, scene));
+        }
+    }
+    Grid {
+        name: "weights",
+        x: "heaviest over lightest block",
+        y: "how the weights follow each other from the bottom",
+        kinds: &[],
+        causes: "A column of five blocks that narrow upwards from 1 to 0.6, each 0.5 high, friction \
+                 1.5; exact. Lighter upwards, the top block rocks, else the column. Programs give \
+                 each block units of its own, and the judge measures it by its own forces. \
+                 pushover: rest and collapse are measured over the whole scene, where a light top \
+                 block does not count, and it is wrong. macro-block: a column has no stagger, so \
+                 that it declines.",
+        cells,
+    }
+}
+
+/// A light block that rocks beside a heavy one.
+pub fn light_beside_heavy(large: bool) -> Grid {
+    let sizes = [(1.0, true), (1e-2, true), (1e-4, false)];
+    let mut cells = Vec::new();
+    for size in chosen(&sizes, large) {
+        for ratio in chosen(&RATIOS, large) {
+            let tower = |axis, width, height, weight| Tower {
+                axis,
+                stones: vec![Stone {
+                    width,
+                    height,
+                    weight,
+                }],
+                load: 0.0,
+            };
+            let towers = [
+                tower(0.0, 2.0, 2.0, ratio),
+                tower(10.0, size, 4.0 * size, 1.0),
+            ];
+            let friction = 0.65;
+            let known = Known::exact(towers::multiplier(&towers, friction));
+            let scene = towers::scene(&towers, friction);
+            let place = [format!("{ratio:e}"), format!("{size:e}")];
+            cells.push(GridPoint::of_scene(place, known, scene));
+        }
+    }
+    Grid {
+        name: "light-beside-heavy",
+        x: "weight of the heavy block over that of the light one",
+        y: "width of the light block",
+        kinds: &[],
+        causes: "A heavy block 2 x 2 and, apart from it, a light one four times as high as wide, \
+                 friction 0.65; exact: the light one rocks at 0.25. What is measured over the whole \
+                 scene alone does not see it. pushover: rest and collapse are such measures, and it is \
+                 wrong. sequential: loses the light block from 1e8 on.",
+        cells,
+    }
+}
+
+/// A slab on two columns, and a wall under overburden.
+pub fn load_on_top(large: bool) -> Grid {
+    let ratios = [
+        (0.25, false),
+        (0.5, false),
+        (1.0, false),
+        (2.0, false),
+        (4.0, true),
+        (10.0, true),
+        (1e2, false),
+        (1e4, false),
+    ];
+    let ratios = chosen(&ratios, large);
+    let friction = 0.6;
+    let capped = |cap: f64| {
+        let capped = Capped {
+            width: 1.0,
+            height: 0.5,
+            courses: 4,
+            cap,
+        };
+        let known = Known::exact(capped.multiplier(friction));
+        let place = [cap.to_string(), "cap".to_owned()];
+        GridPoint::of_scene(place, known, capped.scene(friction))
+    };
+    let loaded = |ratio: f64| {
+        let head_joints = HeadJoints::Open;
+        let (case, known) = of_library(&format!("overburden-{ratio}"), head_joints)?;
+        let place = [ratio.to_string(), "overburden".to_owned()];
+        Some(GridPoint::of_scene(place, known, case.scene(head_joints)))
+    };
+    let caps = ratios.iter().map(|&cap| capped(cap));
+    let walls = ratios.iter().filter_map(|&ratio| loaded(ratio));
+    let cells = caps.chain(walls).collect();
+    Grid {
+        name: "load-on-top",
+        x: "load on top over the weight below",
+        y: "what carries it",
+        kinds: &[],
+        causes: "cap: a slab on two columns of four blocks 1 x 0.5, friction 0.6; exact: 0.5 \
+                 whatever it weighs. overburden: paper-1 with open head joints, HiGHS. macro-block: a \
+                 range that rests on an assumed mechanism, far wider than 1 %.",
+        cells,
+    }
+}
