@@ -164,6 +164,27 @@ fn slides(row: &Row, friction: f64) -> bool {
         .is_some_and(|bracket| (bracket.lower - friction).abs() < 1e-6)
 }
 
+/// The two starts of the study do not find it.
+#[test]
+fn the_lowest_state_of_rough_joints_lies_below_the_range() {
+    let rows = rows("study-friction", |text| {
+        let searched = quick(text).replace("[settings]\nstarts = 2", "");
+        let bare = searched.replace("overburden = [0, 1, 4]", "overburden = [0]");
+        bare.replace("{ from = 0.2, to = 1.2, count = 11 }", "[1.1]")
+    });
+    assert_eq!(rows.len(), 6);
+    let outside = outside(&rows);
+    let [(row, ratio)] = outside[..] else {
+        panic!("{outside:#?}");
+    };
+    let is_of_contact = row.head_joints == HeadJoints::Contact && row.method == "interval";
+    assert!(is_of_contact && (0.97..0.98).contains(&ratio), "{ratio}");
+    // The closed form's slope makes its upper value smallest, and is too steep for the lower.
+    let slope = |row: &Row| row.crack().expect("it has a crack").tan_beta;
+    assert!((slope(row) - 16.0 / 21.0).abs() < 1e-8);
+    assert!(slope(&rows[0]) > 0.93, "{}", slope(&rows[0]));
+}
+
 #[test]
 fn elsewhere_the_range_fails_only_where_the_studies_say_so() {
     let studies: [(&str, &[(usize, Known)]); 4] = [
