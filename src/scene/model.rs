@@ -58,6 +58,16 @@ impl Scene {
         &self.labels
     }
 
+    /// What a block is called in messages: by the name of its case, else "block 3", counted from 1.
+    pub fn block_name(&self, block: usize) -> String {
+        match self.labels.blocks.get(block) {
+            // Voussoirs are called by their number alone.
+            Some(name) if name.parse::<usize>().is_ok() => format!("block {name}"),
+            Some(name) if !name.is_empty() => name.clone(),
+            Some(_) | None => format!("block {}", block + 1),
+        }
+    }
+
     /// Direction of the live load.
     pub fn push(&self) -> Push {
         self.push

@@ -217,20 +217,18 @@ impl fmt::Display for PushoverFact {
                  joints in contact the answer is not unique",
                 1.0 / softest
             ),
+            Self::LevelsDisagree { brackets } if brackets.is_empty() => write!(
+                f,
+                "several collapse states: blocks slide away before the scene collapses"
+            ),
             Self::LevelsDisagree { brackets } => {
+                let of = |Bracket { lower, upper }: &Bracket| format!("{lower:.5}-{upper:.5}");
+                let brackets: Vec<String> = brackets.iter().map(of).collect();
                 write!(
                     f,
-                    "several collapse states: blocks slide before the scene collapses"
-                )?;
-                if !brackets.is_empty() {
-                    write!(f, "; shorter and shorter substeps gave ")?;
-                }
-                for (level, bracket) in brackets.iter().enumerate() {
-                    let comma = if level == 0 { "" } else { ", " };
-                    let Bracket { lower, upper } = bracket;
-                    write!(f, "{comma}{lower:.5}-{upper:.5}")?;
-                }
-                Ok(())
+                    "shorter and shorter substeps do not agree on one multiplier: they gave {}",
+                    brackets.join(", ")
+                )
             }
             Self::Without(variation) => variation.fmt(f),
         }

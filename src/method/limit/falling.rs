@@ -114,8 +114,8 @@ fn fastest_fall(mut program: Program, work: &mut Work) -> Option<Mechanism> {
     Some(program.scale().mechanism(&velocity))
 }
 
-/// Names of the blocks that come down, in the scene's order: those of its case, else "block 3",
-/// counted from 1. Blocks that only make way for them are not named; empty where all come down.
+/// Names of the blocks that come down, in the scene's order. Blocks that only make way for them are
+/// not named; empty where all come down.
 pub(super) fn names(scene: &Scene, mechanism: &Mechanism) -> Vec<String> {
     let powers = scene.blocks().iter().zip(&mechanism.motions);
     let powers = powers.map(|(block, motion)| {
@@ -133,15 +133,6 @@ pub(super) fn names(scene: &Scene, mechanism: &Mechanism) -> Vec<String> {
     }
     falling
         .into_iter()
-        .map(|index| name(scene, index))
+        .map(|index| scene.block_name(index))
         .collect()
-}
-
-fn name(scene: &Scene, index: usize) -> String {
-    match scene.labels().blocks.get(index) {
-        // Voussoirs are called by their number alone.
-        Some(name) if name.parse::<usize>().is_ok() => format!("block {name}"),
-        Some(name) if !name.is_empty() => name.clone(),
-        Some(_) | None => format!("block {}", index + 1),
-    }
 }

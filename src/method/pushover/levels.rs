@@ -15,7 +15,7 @@ use crate::scene::Scene;
 const MOST_LEVELS: usize = 4;
 
 /// Times that the substep may be halved.
-const MOST_HALVINGS: u32 = 6;
+pub const MOST_HALVINGS: u32 = 6;
 
 /// Blocks times substeps after which no further level is begun.
 pub const BUDGET: usize = 250_000_000;
@@ -82,7 +82,7 @@ pub fn halved(parameters: Parameters, halvings: u32) -> Parameters {
 
 /// Pushes a portion with shorter and shorter substeps until the brackets agree. `parameters` are
 /// those of the first level.
-pub fn climb(
+pub fn by_levels(
     scene: &Scene,
     portion: &Portion,
     parameters: &impl Fn(&Model) -> Parameters,
@@ -275,7 +275,7 @@ mod tests {
         Level { bracket, drift }
     }
 
-    /// Figures of the scenes in `findings/`.
+    /// Figures that were seen on paper-1 and on a wall with a load on top.
     #[test]
     fn levels_agree_where_their_differences_shrink() {
         let agree = |levels: &[Level]| agreement(levels, SIZES, 2e-3, false);

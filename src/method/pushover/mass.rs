@@ -82,15 +82,9 @@ fn refuse_unequal(scene: &Scene, portion: &Portion, weights: &[f64]) -> Result<(
     if ratio <= MOST_UNEQUAL * (1.0 + 1e-9) {
         return Ok(());
     }
-    let name = |block: usize| match scene.labels().blocks.get(block) {
-        // Voussoirs are called by their number alone.
-        Some(name) if name.parse::<usize>().is_ok() => format!("block {name}"),
-        Some(name) if !name.is_empty() => name.clone(),
-        Some(_) | None => format!("block {}", block + 1),
-    };
     Err(PushoverFact::UnequalWeights {
-        light: name(light),
-        heavy: name(heavy),
+        light: scene.block_name(light),
+        heavy: scene.block_name(heavy),
         ratio,
         most: MOST_UNEQUAL,
     })

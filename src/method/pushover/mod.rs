@@ -33,7 +33,7 @@ pub use single::solve_with;
 use crate::answer::{Claim, Outcome, PushoverFact, Status};
 use crate::method::{Collapse, Method, PushoverSettings, Settings};
 use crate::scene::Scene;
-use levels::climb;
+use levels::by_levels;
 use model::Model;
 use parameters::FIRST_SLIP;
 use parts::weakest;
@@ -86,7 +86,7 @@ fn answer(scene: &Scene, part: &Portion, settings: &PushoverSettings) -> Outcome
     if settings.collapse == Collapse::FirstSlip || is_coarser(settings) {
         return solved(scene, part, &parameters);
     }
-    let levels = climb(scene, part, &parameters);
+    let levels = by_levels(scene, part, &parameters);
     if let Some(agreed) = levels.agreed {
         return Outcome {
             bracket: Some(agreed.bracket),

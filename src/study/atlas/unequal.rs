@@ -6,7 +6,7 @@ use super::library::of_library;
 use super::towers::{self, Capped, Stone, Tower};
 use crate::scene::HeadJoints;
 
-/// Ratios of weights, as far as the findings go.
+/// Ratios of weights.
 const RATIOS: [(f64, bool); 7] = [
     (1.0, false),
     (1e2, true),

@@ -1,0 +1,95 @@
+//! The range over what perpends in contact carry.
+
+use super::super::levels::{MOST_HALVINGS, softness};
+use super::super::model::Model;
+use super::super::parameters::Parameters;
+use super::joined::{Runs, covered, joined, moved, seen, steps};
+use super::{Conditions, End, MOST_WORK, SOFTEST, STIFFNESSES, Varied};
+use crate::answer::{Outcome, PushoverFact, Status, Variation};
+use crate::method::PushoverSettings;
+
+/// Pushovers of a range over head joints in contact.
+const PUSHOVERS: usize = 2 * (STIFFNESSES.len() + 1);
+
+/// Substeps of one pushover for every course: what a range is expected to cost. Measured on walls of
+/// 6 to 48 courses, which need 800 to 3400.
+const SUBSTEPS_A_COURSE: f64 = 2000.0;
+
+impl<P: Fn(&Model) -> Parameters> Varied<'_, P> {
+    /// The lowest lower and the highest upper value over both directions, several stiffnesses and
+    /// two substeps.
+    pub fn over_head_joints(&self, settings: &PushoverSettings) -> Outcome {
+        let blocks = self.portion.present(self.scene).count();
+        let costs = PUSHOVERS as f64 * blocks as f64 * SUBSTEPS_A_COURSE * self.courses();
+        if costs > MOST_WORK as f64 && !settings.long_ranges {
+            let pushovers = PUSHOVERS;
+            let fact = PushoverFact::RangeNotRun { pushovers, blocks };
+            return Outcome::without_number(Status::Undecided, fact);
+        }
+        let (mut spent, mut halvings) = (0, 0);
+        let conditions = |stiffness, mirrored, halvings| Conditions {
+            stiffness,
+            mirrored,
+            halvings,
+            end: End::Collapse,
+            expected: None,
+        };
+        // The softest contacts say how short the substep has to be.
+        let softest = loop {
+            let run = self.run(conditions(SOFTEST, false, halvings), halvings);
+            match softness(&run.1) {
+                Some(more) if halvings + more <= MOST_HALVINGS => {
+                    spent += run.1.work.block_steps;
+                    halvings += more;
+                }
+                _ => break run,
+            }
+        };
+        let mut runs = vec![softest];
+        // The stiffest and the softest first: they lie furthest apart.
+        for stiffness in [1.0, SOFTEST, 0.5] {
+            for mirrored in [false, true] {
+                if stiffness == SOFTEST && !mirrored {
+                    continue;
+                }
+                if spent + steps(&runs) > MOST_WORK && !settings.long_ranges {
+                    return unfinished(runs, spent);
+                }
+                runs.push(self.run(conditions(stiffness, mirrored, halvings), halvings));
+            }
+        }
+        let Some(coarse) = covered(&runs) else {
+            return joined(runs, spent, None, Vec::new());
+        };
+        for mirrored in [false, true] {
+            let like = |(variation, _): &&(Variation, Outcome)| {
+                variation.stiffness == 1.0 && variation.mirrored == mirrored
+            };
+            let finer = Conditions {
+                expected: runs.iter().find(like).and_then(|(_, run)| run.bracket),
+                ..conditions(1.0, mirrored, halvings + 1)
+            };
+            runs.push(self.run(finer, halvings));
+        }
+        let error = moved(coarse, &runs, self.unit());
+        let fact = PushoverFact::Range { softest: SOFTEST };
+        joined(runs, spent, error, vec![fact.into()])
+    }
+
+    /// Courses that fit into the height of the portion.
+    fn courses(&self) -> f64 {
+        Model::new(self.scene, self.portion).map_or(1.0, |model| model.courses)
+    }
+}
+
+/// A range that ended before all of its pushovers were run: no number, but how far it got.
+fn unfinished(runs: Runs, spent: usize) -> Outcome {
+    let fact = PushoverFact::RangeUnfinished {
+        run: runs.len(),
+        pushovers: PUSHOVERS,
+        so_far: seen(&runs),
+    };
+    let mut outcome = Outcome::without_number(Status::Undecided, fact);
+    outcome.work.block_steps = spent + steps(&runs);
+    outcome
+}

@@ -1,0 +1,130 @@
+//! One outcome of all pushovers of a range.
+
+use super::super::levels::rounded_up;
+use crate::answer::{
+    Bracket, Fact, Outcome, PushoverFact, SelfCheck, Status, Variation, magnitude,
+};
+
+/// The pushovers of a range.
+pub type Runs = Vec<(Variation, Outcome)>;
+
+/// Blocks times substeps of all runs.
+pub fn steps(runs: &Runs) -> usize {
+    runs.iter().map(|(_, run)| run.work.block_steps).sum()
+}
+
+/// What both cover.
+pub fn hull(one: Bracket, other: Bracket) -> Bracket {
+    Bracket {
+        lower: one.lower.min(other.lower),
+        upper: one.upper.max(other.upper),
+    }
+}
+
+/// What all brackets that there are cover; `None` where there are none.
+pub fn seen(runs: &Runs) -> Option<Bracket> {
+    runs.iter().filter_map(|(_, run)| run.bracket).reduce(hull)
+}
+
+/// What all brackets cover; `None` where a run has none.
+pub fn covered(runs: &Runs) -> Option<Bracket> {
+    let all = runs.iter().all(|(_, run)| run.bracket.is_some());
+    seen(runs).filter(|_| all)
+}
+
+/// How far a shorter substep moved the ends of a range that was `coarse` without it, or the width of
+/// the widest bracket: the error that is stated, relative to λ, which is measured in the `unit`.
+pub fn moved(coarse: Bracket, runs: &Runs, unit: f64) -> Option<f64> {
+    let all = covered(runs)?;
+    let widths = runs.iter().filter_map(|(_, run)| run.bracket);
+    let width = widths.map(|b| b.upper - b.lower).fold(0.0, f64::max);
+    let ends = (coarse.lower - all.lower).max(all.upper - coarse.upper);
+    Some(rounded_up(ends.max(width) / magnitude(all.upper, unit)))
+}
+
+/// One outcome of all; without a number where one of them has none.
+pub fn joined(runs: Runs, spent: usize, error: Option<f64>, facts: Vec<Fact>) -> Outcome {
+    let block_steps = spent + steps(&runs);
+    let checks = runs.iter().flat_map(|(variation, run)| {
+        run.checks.iter().map(|check| SelfCheck {
+            variation: Some(*variation),
+            ..check.clone()
+        })
+    });
+    let checks: Vec<SelfCheck> = checks.collect();
+    let mut outcome = match covered(&runs) {
+        Some(range) => Outcome {
+            bracket: Some(range),
+            stated_error: error,
+            crack: runs[0].1.crack.filter(|_| same_crack(&runs)),
+            facts,
+            ..Outcome::of(Status::Bracketed)
+        },
+        None => Outcome {
+            facts: [why_none(&runs), facts].concat(),
+            ..Outcome::of(status_without(&runs))
+        },
+    };
+    outcome.checks = checks;
+    outcome.work.block_steps = block_steps;
+    outcome
+}
+
+/// A scene that falls however it is varied falls.
+fn status_without(runs: &Runs) -> Status {
+    match runs.iter().all(|(_, run)| run.status == Status::Falls) {
+        true => Status::Falls,
+        false => Status::Undecided,
+    }
+}
+
+fn same_crack(runs: &Runs) -> bool {
+    runs.windows(2)
+        .all(|pair| pair[0].1.crack == pair[1].1.crack)
+}
+
+fn why_none(runs: &Runs) -> Vec<Fact> {
+    if status_without(runs) == Status::Falls {
+        return runs[0].1.facts.clone();
+    }
+    let mut facts = Vec::new();
+    for (variation, run) in runs.iter().filter(|(_, run)| run.bracket.is_none()) {
+        facts.push(PushoverFact::Without(*variation).into());
+        facts.extend(run.facts.clone());
+    }
+    facts
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn run(lower: f64, upper: f64) -> (Variation, Outcome) {
+        let variation = Variation {
+            stiffness: 1.0,
+            mirrored: false,
+        };
+        let outcome = Outcome {
+            bracket: Some(Bracket { lower, upper }),
+            ..Outcome::of(Status::Bracketed)
+        };
+        (variation, outcome)
+    }
+
+    /// A range whose lower end a shorter substep lowered by 1 %, whatever the live load's unit.
+    #[test]
+    fn the_stated_error_is_relative_in_every_unit_of_the_live_load() {
+        for unit in [1e-6, 1.0, 1e6] {
+            let coarse = Bracket {
+                lower: 0.5 * unit,
+                upper: 0.501 * unit,
+            };
+            let runs = vec![
+                run(coarse.lower, coarse.upper),
+                run(0.49501 * unit, 0.4955 * unit),
+            ];
+            // 0.00501 of 0.501, rounded up in the series 1, 2, 5, 10.
+            assert_eq!(moved(coarse, &runs, unit), Some(1e-2));
+        }
+    }
+}
