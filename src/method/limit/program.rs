@@ -158,6 +158,7 @@ impl Program {
             cost,
             rows_of_blocks,
             tolerance,
+            width: 0.0,
             has_own_units: equilibration.is_some(),
             has_slack: matches!(goal, Goal::Slack(_)),
         };
@@ -176,6 +177,13 @@ impl Program {
         if engine != Engine::Structured {
             self.solver = Solver::new(engine, &self.numbers);
         }
+        self
+    }
+
+    /// The same program for a caller that tests what the answer proves, so that λ* of this relative
+    /// width is enough where rounding leaves no better one: on walls of 20,000 blocks.
+    pub(super) fn with_width(mut self, width: f64) -> Self {
+        self.numbers.width = width;
         self
     }
 

@@ -23,6 +23,9 @@ pub(super) struct Numbers {
     pub(super) rows_of_blocks: usize,
     /// Relative tolerance of gap and residuals.
     pub(super) tolerance: f64,
+    /// Relative width of λ* that is enough where rounding leaves no better answer; whoever sets it
+    /// tests what the answer proves.
+    pub(super) width: f64,
     /// Whether blocks or joints have units of their own.
     pub(super) has_own_units: bool,
     /// Whether there is a slack that all inequalities share.
@@ -109,6 +112,7 @@ impl Solver {
             cost: &numbers.cost,
             slopes: &numbers.slopes,
             tolerance: numbers.tolerance,
+            width: numbers.width,
         });
         match answer {
             Ok(answer) => Solved {
