@@ -9,9 +9,14 @@
 mod factor;
 mod interior_point;
 mod joint;
+mod law;
+mod measure;
 mod newton;
+mod point;
 mod problem;
+mod start;
+mod substitution;
 mod symbolic;
 
-pub(super) use interior_point::InteriorPoint;
+pub(super) use point::InteriorPoint;
 pub(super) use problem::Problem;
