@@ -80,7 +80,7 @@ fn time_and_memory_grow_as_promised() {
             (&Associative, &open),
             (&Interval, &open),
         ];
-        // On 96 courses the gap stays open (at 1e-6 and above) for all 60 programs of a start.
+        // On 96 courses the gap stays open (at 1.4e-6 and above) for all steps of a start.
         let count = if courses < 96 { 4 } else { 3 };
         for (k, (method, scene)) in runs.into_iter().enumerate().take(count) {
             let (seconds, megabytes) = measure(method, scene);

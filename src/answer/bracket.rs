@@ -1,7 +1,7 @@
 //! Lower and upper value of a multiplier.
 
 /// Relative width up to which two proved ends count as one number.
-const VERIFIED_WIDTH: f64 = 1e-6;
+pub const VERIFIED_WIDTH: f64 = 1e-6;
 
 /// Share of its unit below which a multiplier is small: its digits are worth no more than those of
 /// one as large.

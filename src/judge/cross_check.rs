@@ -230,9 +230,11 @@ fn seen_among_known(claims: &Claims, seen: &Answered) -> Option<(String, Verdict
     let below = -claims.excess(pushover.upper, lowest) > error;
     let above = claims.excess(pushover.lower, bound.bracket.upper) > error;
     let text = format!(
-        "{} {} [{low:.4}, {high:.4}], lowest known to {} widened by {} %{}",
+        "{} {} [{}, {}], lowest known to {} widened by {} %{}",
         seen.name,
         if below || above { "misses" } else { "meets" },
+        number(low, 4),
+        number(high, 4),
         bound.name,
         short(100.0 * error, 2),
         if below {

@@ -5,6 +5,7 @@ use std::fmt;
 use super::super::block_residual::{BlockResidual, VERIFIED_BLOCK};
 use super::super::residual::{CollapseResidual, StaticResidual};
 use super::super::status::Status;
+use crate::number::number;
 
 /// What the judge finds.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -138,8 +139,9 @@ impl fmt::Display for CeilingSlack {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
-            "flow rule violated by {:.1e}, mechanism's own multiplier {:.6}",
-            self.flow_rule, self.multiplier
+            "flow rule violated by {:.1e}, mechanism's own multiplier {}",
+            self.flow_rule,
+            number(self.multiplier, 6)
         )
     }
 }

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::super::block_residual::BlockResidual;
+use crate::number::number;
 
 /// What a limit analysis proves, or fails to.
 #[derive(Clone, Debug, PartialEq)]
@@ -84,7 +85,8 @@ impl fmt::Display for LimitFact {
             LimitFact::FoundNoBounds { frictionless } => match frictionless {
                 Some(lambda) => write!(
                     f,
-                    "found, no bounds (rigorous are {lambda:.5} and associative)"
+                    "found, no bounds (rigorous are {} and associative)",
+                    number(*lambda, 5)
                 ),
                 None => write!(f, "found, no bounds (rigorous is associative alone)"),
             },
@@ -142,5 +144,22 @@ impl fmt::Display for SolverEnding {
             SolverEnding::Unbounded => write!(f, "the solver finds λ without limit"),
             SolverEnding::GaveUp(why) => write!(f, "the solver gave up: {why}"),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_rounding_below_zero_is_written_as_zero() {
+        let found = LimitFact::FoundNoBounds {
+            frictionless: Some(-1e-12),
+        };
+        let text = found.to_string();
+        assert_eq!(
+            text,
+            "found, no bounds (rigorous are 0.00000 and associative)"
+        );
     }
 }

@@ -8,8 +8,8 @@ use super::program::{Margins, Program};
 use super::reduction;
 use crate::answer::{
     BlockResidual, Bracket, Claim, JointForce, LimitFact, Mechanism, Outcome, StaticResidual,
-    Status, VELOCITY_THRESHOLDS, VERIFIED_RESIDUAL, Work, associative_violation, crack_slope,
-    kinematic_multiplier, magnitude,
+    Status, VELOCITY_THRESHOLDS, VERIFIED_RESIDUAL, VERIFIED_WIDTH, Work, associative_violation,
+    crack_slope, kinematic_multiplier, magnitude,
 };
 use crate::method::settings::{Engine, LP_TOLERANCE};
 use crate::method::{Method, Settings};
@@ -113,7 +113,9 @@ fn by_engine(
 ) -> Result<Optimum, Ending> {
     let mut solved = |margins| {
         let tolerance = user.programs.lp_tolerance;
-        let program = Program::evened(scene, tolerance, evening).by(engine);
+        let program = Program::evened(scene, tolerance, evening)
+            .with_width(0.5 * VERIFIED_WIDTH)
+            .by(engine);
         solved(scene, program, margins, work)
     };
     let Ok(found) = solved(Some(WIDE_MARGINS)) else {

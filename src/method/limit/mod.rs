@@ -14,6 +14,8 @@ mod scale;
 mod sequential;
 mod solver;
 mod vertical;
+#[cfg(test)]
+mod walls;
 
 pub use associative::Associative;
 pub use ending::{Ending, Solution};

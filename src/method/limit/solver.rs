@@ -23,6 +23,9 @@ pub(super) struct Numbers {
     pub(super) rows_of_blocks: usize,
     /// Relative tolerance of gap and residuals.
     pub(super) tolerance: f64,
+    /// Relative width of λ* that is enough where rounding leaves no better answer; whoever sets it
+    /// tests what the answer proves.
+    pub(super) width: f64,
     /// Whether blocks or joints have units of their own.
     pub(super) has_own_units: bool,
     /// Whether there is a slack that all inequalities share.
@@ -109,6 +112,7 @@ impl Solver {
             cost: &numbers.cost,
             slopes: &numbers.slopes,
             tolerance: numbers.tolerance,
+            width: numbers.width,
         });
         match answer {
             Ok(answer) => Solved {
@@ -241,26 +245,13 @@ mod tests {
     use crate::method::limit::ending::Ending;
     use crate::method::limit::program::Program;
     use crate::method::limit::scale::Scale;
+    use crate::method::limit::walls::wall;
     use crate::method::settings::Engine;
-    use crate::scene::{HeadJoints, Piece, Push, Scene, Wall};
-
-    fn wall() -> Scene {
-        let wall = Wall {
-            unit_length: 4.0,
-            unit_height: 1.75,
-            thickness: 1.0,
-            unit_weight: 1.0,
-            courses: vec![vec![Piece::Unit; 3]; 4],
-            friction: 0.65.into(),
-            overburden: 0.0,
-            push: Push::Right,
-        };
-        wall.scene(HeadJoints::Contact).expect("it can be laid")
-    }
+    use crate::scene::Push;
 
     #[test]
     fn both_engines_find_the_same_multiplier() {
-        let scene = wall();
+        let scene = wall(4, Push::Right);
         let found = [Engine::Structured, Engine::Clarabel].map(|engine| {
             let mut work = Work::default();
             let mut program = Program::new(&scene).by(engine);
@@ -276,7 +267,7 @@ mod tests {
 
     #[test]
     fn a_program_without_forces_is_left_to_clarabel_and_counted() {
-        let scene = wall();
+        let scene = wall(4, Push::Right);
         let mut work = Work::default();
         let mut program = Program::at_multiplier(&scene, 0.5, Scale::of(&scene));
         let standing = program.solve_counted(&mut work);

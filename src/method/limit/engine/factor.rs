@@ -1,6 +1,7 @@
 //! The factor L D Lᵀ of a positive definite matrix of 3 × 3 blocks, front by front (multifrontal:
 //! Duff & Reid 1983), in one thread and in a fixed order.
 
+use super::substitution::{Triple, backward, forward};
 use super::symbolic::{Child, Front, Pattern, Slot};
 
 /// A factor and what it needs to be computed again for other values.
@@ -207,74 +208,6 @@ fn subtract(own: &mut [&mut [f64]; 3], before: &[f64], height: usize, row: usize
             first[i] -= shares[0][0] * x + shares[0][1] * y + shares[0][2] * z;
             second[i] -= shares[1][0] * x + shares[1][1] * y + shares[1][2] * z;
             third[i] -= shares[2][0] * x + shares[2][1] * y + shares[2][2] * z;
-        }
-    }
-}
-
-/// L y = x over one front, in place.
-fn forward(front: &Front, entries: &[f64], x: &mut [f64], part: &mut [f64]) {
-    let (width, height) = (front.width(), front.height());
-    let columns = &entries[front.start..front.start + width * height];
-    let part = &mut part[..height];
-    part[..width].copy_from_slice(&x[3 * front.first..][..width]);
-    part[width..].fill(0.0);
-    for (j, triple) in columns.chunks_exact(3 * height).enumerate() {
-        let Triple { a, b, c } = Triple::new(triple, height, 3 * j);
-        let (own, rest) = part[3 * j..].split_at_mut(3);
-        own[1] -= a[1] * own[0];
-        own[2] -= a[2] * own[0] + b[2] * own[1];
-        let below = a[3..].iter().zip(&b[3..]).zip(&c[3..]);
-        for (to, ((a, b), c)) in rest.iter_mut().zip(below) {
-            *to -= own[0] * a + own[1] * b + own[2] * c;
-        }
-    }
-    x[3 * front.first..][..width].copy_from_slice(&part[..width]);
-    for (&row, part) in front.rows.iter().zip(part[width..].chunks_exact(3)) {
-        for (to, from) in x[3 * row..3 * row + 3].iter_mut().zip(part) {
-            *to += from;
-        }
-    }
-}
-
-/// Lᵀ y = x over one front, in place.
-fn backward(front: &Front, entries: &[f64], x: &mut [f64], part: &mut [f64]) {
-    let (width, height) = (front.width(), front.height());
-    let columns = &entries[front.start..front.start + width * height];
-    let part = &mut part[..height];
-    part[..width].copy_from_slice(&x[3 * front.first..][..width]);
-    for (&row, part) in front.rows.iter().zip(part[width..].chunks_exact_mut(3)) {
-        part.copy_from_slice(&x[3 * row..3 * row + 3]);
-    }
-    for (j, triple) in columns.chunks_exact(3 * height).enumerate().rev() {
-        let Triple { a, b, c } = Triple::new(triple, height, 3 * j);
-        let (own, rest) = part[3 * j..].split_at_mut(3);
-        let mut sums = [0.0; 3];
-        let below = a[3..].iter().zip(&b[3..]).zip(&c[3..]);
-        for (x, ((a, b), c)) in rest.iter().zip(below) {
-            sums = [sums[0] + x * a, sums[1] + x * b, sums[2] + x * c];
-        }
-        own[2] -= sums[2];
-        own[1] -= sums[1] + b[2] * own[2];
-        own[0] -= sums[0] + a[1] * own[1] + a[2] * own[2];
-    }
-    x[3 * front.first..][..width].copy_from_slice(&part[..width]);
-}
-
-/// Three columns from the diagonal of the first one on.
-struct Triple<'a> {
-    a: &'a [f64],
-    b: &'a [f64],
-    c: &'a [f64],
-}
-
-impl<'a> Triple<'a> {
-    fn new(columns: &'a [f64], height: usize, row: usize) -> Self {
-        let (a, rest) = columns.split_at(height);
-        let (b, c) = rest.split_at(height);
-        Self {
-            a: &a[row..],
-            b: &b[row..],
-            c: &c[row..],
         }
     }
 }

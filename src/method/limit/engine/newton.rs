@@ -2,7 +2,8 @@
 //! blocks H eliminated in closed form. What is left has three unknowns a block and λ as a border.
 
 use super::factor::Factor;
-use super::joint::{Forces, Inverse, Joint};
+use super::joint::Joint;
+use super::law::{Forces, Inverse};
 use super::symbolic::Slot;
 
 /// A system that is solved for many weights.

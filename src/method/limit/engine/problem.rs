@@ -11,6 +11,9 @@ pub(in super::super) struct Problem<'a> {
     pub(in super::super) slopes: &'a [f64],
     /// Relative tolerance of gap and residuals.
     pub(in super::super) tolerance: f64,
+    /// Width of λ*, relative to its size, of an answer where rounding leaves no better one. Who asks
+    /// for any tests the answer.
+    pub(in super::super) width: f64,
 }
 
 /// An optimum, in the units of the program.

@@ -67,9 +67,20 @@ impl Found {
     }
 }
 
-/// Starts are dear where fewer than so many fit into the budget (chosen: on walls of 150 blocks and
-/// more, where small steps from the lowest state found more than further starts did).
-const DEAR: usize = 10;
+/// Starts are dear where the first one takes more programs than this over blocks^[`SHARE`], whatever
+/// the budget (chosen: on walls of 150 blocks and more small steps from the lowest state found more
+/// than further starts did).
+const DEAR: f64 = 2_000.0;
+
+/// Programs of a search times blocks^[`SHARE`] (chosen for time: about a second for 15 to 40 blocks).
+const PROGRAMS: f64 = 20_000.0;
+
+/// A program's time grows with the blocks by a power of about 1.5, a search's by 0.9.
+const SHARE: f64 = 0.6;
+
+/// Programs of a search for each joint at most: a scene of few joints has few states to look for
+/// (chosen).
+const OF_JOINT: usize = 60;
 
 /// What a program costs with Clarabel, in programs of the engine that knows their structure: 3 to 7
 /// times as much in searches on walls of 28 to 650 blocks (measured).
@@ -83,31 +94,33 @@ pub(super) enum Budget {
     Programs {
         /// Programs after which it ends where the lowest state was met more than once.
         programs: usize,
-        /// Whether starts are dear: fewer than [`DEAR`] fit into the budget.
+        /// Programs of the first start beyond which starts are dear.
+        cheap: usize,
+        /// Whether they are.
         dear: bool,
     },
 }
 
 impl Budget {
-    /// The budget of a scene, chosen for time: about a second for 15 to 40 blocks. A program's time
-    /// grows with the blocks by a power of about 1.5, so that a search's grows by 0.9. A scene of few
-    /// joints has few states to look for. Where Clarabel solves the programs there are fewer.
+    /// The budget of a scene. Where Clarabel solves the programs there are fewer.
     pub(super) fn of(scene: &Scene, engine: Engine) -> Self {
-        let programs = 20_000.0 / (scene.blocks().len() as f64).powf(0.6);
+        let size = (scene.blocks().len() as f64).powf(SHARE);
+        let programs = (PROGRAMS / size) as usize;
         let programs = match engine {
-            Engine::Structured => programs as usize,
-            Engine::Clarabel => programs as usize / CLARABEL,
+            Engine::Structured => programs,
+            Engine::Clarabel => programs / CLARABEL,
         };
         Budget::Programs {
-            programs: programs.min(60 * scene.joints().len()),
+            programs: programs.min(OF_JOINT * scene.joints().len()),
+            cheap: (DEAR / size) as usize,
             dear: false,
         }
     }
 
     /// Learns from the first start, which took so many programs, whether starts are dear.
     pub(super) fn learn(&mut self, first: usize) {
-        if let Budget::Programs { programs, dear } = self {
-            *dear = first * DEAR > *programs;
+        if let Budget::Programs { cheap, dear, .. } = self {
+            *dear = first > *cheap;
         }
     }
 
@@ -124,10 +137,32 @@ impl Budget {
             Budget::Starts(asked) => starts < asked,
             Budget::Programs { programs, .. } if found.lowest().is_none() => spent < programs,
             // Where starts are dear, two that end alike are worth more than many elsewhere.
-            Budget::Programs { programs, dear } if found.is_lowest_met_again() => {
+            Budget::Programs { programs, dear, .. } if found.is_lowest_met_again() => {
                 spent < programs / if dear { 2 } else { 1 }
             }
             Budget::Programs { programs, .. } => 2 * spent < 3 * programs,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::method::limit::walls::wall;
+    use crate::scene::Push;
+
+    #[test]
+    fn which_starts_are_dear_does_not_depend_on_the_budget() {
+        let scene = wall(50, Push::Right);
+        // 150 blocks, whose 0.6th power is 20.2.
+        for engine in [Engine::Structured, Engine::Clarabel] {
+            let dear = |first| {
+                let mut budget = Budget::of(&scene, engine);
+                budget.learn(first);
+                budget.is_dear()
+            };
+            assert!(!dear(98));
+            assert!(dear(99));
         }
     }
 }

@@ -85,7 +85,8 @@ fn solve(scene: &Scene, request: &Request) -> Outcome {
         else {
             continue;
         };
-        // On 96 courses the whole wall closed no gap either, in minutes more.
+        // On 96 courses the whole wall closed no gap either: it ends at the same 1.4e-6, after 490 s of
+        // CPU instead of 44 s (measured).
         let is_open = |start: &StartEnding| {
             matches!(start.ending, SearchEnding::Failed(SearchFailure::GapOpen))
         };

@@ -48,21 +48,12 @@ fn slides_freely(scene: &Scene) -> bool {
 mod tests {
     use super::*;
     use crate::method::limit::own_weight::own_weight;
-    use crate::scene::{HeadJoints, Piece, Push, Wall};
+    use crate::method::limit::walls::wall;
+    use crate::scene::Push;
 
     #[test]
     fn a_wall_on_a_level_base_has_no_bound_but_zero() {
-        let wall = Wall {
-            unit_length: 4.0,
-            unit_height: 1.75,
-            thickness: 1.0,
-            unit_weight: 1.0,
-            courses: vec![vec![Piece::Unit; 3]; 2],
-            friction: 0.65.into(),
-            overburden: 1.0,
-            push: Push::Left,
-        };
-        let scene = wall.scene(HeadJoints::Contact).expect("it can be laid");
+        let scene = wall(2, Push::Left);
         let mut work = Work::default();
         let at_rest = own_weight(&scene, &mut work).expect("it stands");
         assert_eq!(frictionless(&scene, &at_rest, &mut work), Some(0.0));

@@ -1,0 +1,71 @@
+//! Solving with the factor, front by front.
+
+use super::symbolic::Front;
+
+/// L y = x over one front, in place.
+pub(super) fn forward(front: &Front, entries: &[f64], x: &mut [f64], part: &mut [f64]) {
+    let (width, height) = (front.width(), front.height());
+    let columns = &entries[front.start..front.start + width * height];
+    let part = &mut part[..height];
+    part[..width].copy_from_slice(&x[3 * front.first..][..width]);
+    part[width..].fill(0.0);
+    for (j, triple) in columns.chunks_exact(3 * height).enumerate() {
+        let Triple { a, b, c } = Triple::new(triple, height, 3 * j);
+        let (own, rest) = part[3 * j..].split_at_mut(3);
+        own[1] -= a[1] * own[0];
+        own[2] -= a[2] * own[0] + b[2] * own[1];
+        let below = a[3..].iter().zip(&b[3..]).zip(&c[3..]);
+        for (to, ((a, b), c)) in rest.iter_mut().zip(below) {
+            *to -= own[0] * a + own[1] * b + own[2] * c;
+        }
+    }
+    x[3 * front.first..][..width].copy_from_slice(&part[..width]);
+    for (&row, part) in front.rows.iter().zip(part[width..].chunks_exact(3)) {
+        for (to, from) in x[3 * row..3 * row + 3].iter_mut().zip(part) {
+            *to += from;
+        }
+    }
+}
+
+/// Lᵀ y = x over one front, in place.
+pub(super) fn backward(front: &Front, entries: &[f64], x: &mut [f64], part: &mut [f64]) {
+    let (width, height) = (front.width(), front.height());
+    let columns = &entries[front.start..front.start + width * height];
+    let part = &mut part[..height];
+    part[..width].copy_from_slice(&x[3 * front.first..][..width]);
+    for (&row, part) in front.rows.iter().zip(part[width..].chunks_exact_mut(3)) {
+        part.copy_from_slice(&x[3 * row..3 * row + 3]);
+    }
+    for (j, triple) in columns.chunks_exact(3 * height).enumerate().rev() {
+        let Triple { a, b, c } = Triple::new(triple, height, 3 * j);
+        let (own, rest) = part[3 * j..].split_at_mut(3);
+        let mut sums = [0.0; 3];
+        let below = a[3..].iter().zip(&b[3..]).zip(&c[3..]);
+        for (x, ((a, b), c)) in rest.iter().zip(below) {
+            sums = [sums[0] + x * a, sums[1] + x * b, sums[2] + x * c];
+        }
+        own[2] -= sums[2];
+        own[1] -= sums[1] + b[2] * own[2];
+        own[0] -= sums[0] + a[1] * own[1] + a[2] * own[2];
+    }
+    x[3 * front.first..][..width].copy_from_slice(&part[..width]);
+}
+
+/// Three columns from the diagonal of the first one on.
+pub(super) struct Triple<'a> {
+    pub(super) a: &'a [f64],
+    pub(super) b: &'a [f64],
+    pub(super) c: &'a [f64],
+}
+
+impl<'a> Triple<'a> {
+    pub(super) fn new(columns: &'a [f64], height: usize, row: usize) -> Self {
+        let (a, rest) = columns.split_at(height);
+        let (b, c) = rest.split_at(height);
+        Self {
+            a: &a[row..],
+            b: &b[row..],
+            c: &c[row..],
+        }
+    }
+}
