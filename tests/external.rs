@@ -186,10 +186,10 @@ fn numbers_alone_are_estimates_and_nonsense_fails() {
     let outcome = answered(&scene, &short).outcome;
     assert_eq!(outcome.status, Status::Failed);
     let expected = ProgramFailure::WrongLength {
-        key: "velocities",
+        key: "velocities".into(),
         entries: 0,
         expected: 33,
-        of: "blocks",
+        of: "blocks".into(),
     };
     assert_eq!(failure(&outcome), &expected);
 }
