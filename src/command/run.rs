@@ -8,13 +8,14 @@ use std::path::Path;
 use trilith::answer::Status;
 use trilith::case;
 use trilith::judge::Verdict;
-use trilith::record::{RecordChange, compare as compare_record, record};
+use trilith::record::record;
 use trilith::report;
 use trilith::run::{CaseResult, Partial};
 
 use super::chart::marked;
 use super::output;
 use super::plan::PlanArguments;
+use super::records::compare;
 use super::solve::solve;
 use super::stop::{REFUTED, Stop, print};
 
@@ -38,9 +39,13 @@ pub(super) struct RunArguments {
     /// formats of outside programs.
     #[arg(long)]
     states: bool,
-    /// Compare records with the .snap files in this folder; write .snap.new and exit 1 on change.
+    /// Compare records with the .snap files in this folder; write .snap.new and exit 1 on change, and
+    /// where the case of a .snap file is gone.
     #[arg(long, value_name = "DIR")]
     record: Option<PathBuf>,
+    /// Remove the .snap files whose case is gone.
+    #[arg(long, requires = "record")]
+    prune: bool,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -70,7 +75,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<u8, Stop> {
         hand_out(arguments, results, partial)
     })?;
     let changed = match &arguments.record {
-        Some(folder) => compare(folder, &results)?,
+        Some(folder) => compare(folder, &results, &arguments.cases, arguments.prune)?,
         None => false,
     };
     Ok(if changed || refuted(&results) {
@@ -170,25 +175,6 @@ pub(super) fn files(
         .map(|r| (format!("{}.txt", r.case.name), record(r)));
     files.extend(records);
     Ok(files)
-}
-
-/// Whether any record differs from the accepted one.
-fn compare(folder: &Path, results: &[CaseResult]) -> Result<bool, Stop> {
-    let mut changed = false;
-    for result in results {
-        let compared = compare_record(folder, &result.case.name, &record(result));
-        match compared.map_err(|e| Stop::bad_input(format!("error: {e}")))? {
-            RecordChange::Same => {}
-            RecordChange::Changed(path) => {
-                eprintln!(
-                    "changed: {} (see it with `cargo insta review`)",
-                    path.display()
-                );
-                changed = true;
-            }
-        }
-    }
-    Ok(changed)
 }
 
 /// Whether a result failed or a reference or relation is violated.

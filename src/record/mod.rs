@@ -6,7 +6,7 @@
 mod snapshot;
 mod table;
 
-pub use snapshot::{RecordChange, compare};
+pub use snapshot::{RecordChange, compare, records_beside};
 pub(crate) use table::{LEGEND, fixed_width};
 pub use table::{heading, lines};
 
