@@ -41,6 +41,9 @@ pub fn write_together(files: &[(PathBuf, String)]) -> Result<(), (PathBuf, io::E
 /// # Errors
 /// Why they cannot: a file in its place, no permission, no room.
 pub fn test_folder(folder: &Path) -> io::Result<()> {
+    if folder.exists() && !folder.is_dir() {
+        return Err(io::Error::other("it is a file, not a folder"));
+    }
     staged(&folder.join("results"), &" ".repeat(1 << 12)).map(drop)
 }
 
