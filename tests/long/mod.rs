@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Output, Stdio};
 use std::thread::sleep;
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 /// A command with `--out out`, run in a folder of its own.
 pub struct Long {
@@ -80,6 +80,13 @@ impl Long {
         Ended { finished, output }
     }
 
+    /// Microseconds that the command takes, of which moments are chosen.
+    pub fn duration(&self) -> usize {
+        let began = Instant::now();
+        self.whole();
+        began.elapsed().as_micros() as usize
+    }
+
     /// The folder of a run that nothing interrupts.
     pub fn whole(&self) -> tempfile::TempDir {
         let folder = tempfile::tempdir().unwrap();
@@ -111,9 +118,10 @@ impl Long {
     }
 }
 
-/// How a command ended, and how many rows it had finished before it was told to.
+/// How a command ended.
 pub struct Ended {
-    finished: usize,
+    /// Rows that it had finished before it was told to.
+    pub finished: usize,
     output: Output,
 }
 
@@ -209,15 +217,6 @@ impl Moments {
             .wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 33) as usize % end.max(1)
     }
-}
-
-/// Rows that a command has at its end.
-pub fn rows_of(command: &Long) -> usize {
-    let folder = command.whole();
-    text(&folder.path().join("out").join(command.table))
-        .lines()
-        .count()
-        - 1
 }
 
 const SWEEP: &str = r#"
