@@ -2,10 +2,14 @@
 //! computed is printed.
 #![cfg(unix)]
 
+mod skipped;
+
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+
+use skipped::skipped;
 
 /// Every command that writes, into `out` of the folder that it runs in; what it is quick with.
 const WRITES: [&[&str]; 11] = [
@@ -68,7 +72,7 @@ impl Place {
         fs::create_dir(place.out()).unwrap();
         place.mounted = mount(&["-t", "tmpfs", "-o", "size=1m", "tmpfs"], &place.out());
         if !place.mounted {
-            eprintln!("skipped: a file system of 1 MB cannot be mounted here; root can");
+            skipped("a file system of 1 MB cannot be mounted here; root can");
         }
         place.mounted.then_some(place)
     }
@@ -266,7 +270,7 @@ fn a_full_standard_output_costs_no_files() {
     let place = Place::new();
     let full = fs::File::options().write(true).open("/dev/full");
     let Ok(full) = full else {
-        eprintln!("skipped: there is no /dev/full here");
+        skipped("there is no /dev/full here");
         return;
     };
     let mut command = Command::new(env!("CARGO_BIN_EXE_trilith"));

@@ -1,8 +1,7 @@
-//! The report as text: what it holds, what it must not hold, and how long it takes to write.
+//! The report as text: what it holds, what it must not hold, and how large it is.
 
 use std::path::Path;
 
-use cpu_time::ProcessTime;
 use trilith::case::find;
 use trilith::method::{Settings, methods as all_methods};
 use trilith::report::html::{Report, SweepTable, page};
@@ -69,14 +68,10 @@ fn a_page_holds_everything_and_asks_for_nothing() {
 }
 
 #[test]
-fn a_large_wall_is_written_in_time_and_stays_small() {
+fn the_page_of_a_large_wall_stays_small() {
     let results = results(&["paper-3"], &["macro-block", "associative"]);
-    let clock = ProcessTime::now();
     let html = written(&results, &[]);
-    let seconds = clock.elapsed().as_secs_f64();
-    eprintln!("written in {seconds:.3} s of CPU, {} bytes", html.len());
-    // The paper's cases hold seven such drawings and a replay: under 5 MB and 2 s together.
-    assert!(seconds < 0.5, "{seconds} s");
+    // The paper's cases hold seven such drawings and a replay: under 5 MB together.
     assert!(html.len() < 500_000, "{} bytes", html.len());
 }
 
