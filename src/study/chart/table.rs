@@ -144,6 +144,9 @@ impl<'a> Chart<'a> {
 }
 
 /// The whole chart at once, without a journal.
+///
+/// # Errors
+/// None is expected without a journal.
 pub fn run(
     cases: &[Case],
     head_joints: Option<HeadJoints>,
