@@ -5,7 +5,7 @@
 mod long;
 
 use std::fs;
-use std::process::Stdio;
+use std::process::{Command, Stdio};
 
 use long::{Long, TIMELESS};
 
@@ -37,27 +37,35 @@ fn what_is_started_again_ends_as_if_never_interrupted() {
     }
 }
 
+/// Where nothing is finished nothing is written, and an outside program does not outlive us.
 #[test]
-fn without_long_work_a_signal_ends_at_once() {
+fn what_has_just_begun_ends_with_its_programs() {
     let folder = tempfile::tempdir().unwrap();
-    // A program that waits for a pipe has begun; nothing of a row is finished.
-    let command = Long::of(
-        "run",
-        &["stack", "--external", "slow=sleep 600", "--method", "slow"],
+    let told = folder.path().join("told");
+    let slow = format!(
+        "slow=sh -c 'echo $$ >{0}.new; mv {0}.new {0}; sleep 600'",
+        told.display()
     );
+    let command = Long::of("run", &["stack", "--external", &slow, "--method", "slow"]);
     let mut child = command.start(folder.path());
-    long::wait_for(&mut child, || {
-        folder.path().join("out/run.journal").exists()
-    });
+    long::wait_for(&mut child, || told.exists());
     long::send(&child, "TERM");
     let output = child.wait_with_output().unwrap();
     let said = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(143), "{said}");
-    assert!(
-        said.contains("interrupted by SIGTERM: 0 of 1 results are finished"),
-        "{said}"
-    );
+    let nothing = "interrupted by SIGTERM: 0 of 1 results are finished";
+    assert!(said.contains(nothing), "{said}");
     assert!(!folder.path().join("out/results.csv").exists());
+    assert_eq!(command.finished(folder.path()), 0);
+    let program = fs::read_to_string(&told).unwrap();
+    let state = Command::new("ps")
+        .args(["-o", "stat=", "-p", program.trim()])
+        .output();
+    let state = String::from_utf8(state.unwrap().stdout).unwrap();
+    assert!(
+        state.trim().is_empty() || state.starts_with('Z'),
+        "{program} runs: {state}"
+    );
 }
 
 /// `nohup` starts a program that ignores SIGHUP, and it goes on to its end.
@@ -131,6 +139,8 @@ fn twenty_moments_a_command_and_signal() {
             println!("{name} {signals:?}: {early} of 20 ended early, rows finished {finished:?}");
             // Machines differ in speed from one minute to the next.
             assert!(early >= 5, "{name} {signals:?}: {early}");
+            let between = finished.iter().filter(|&&rows| rows > 0).count();
+            assert!(between >= 5, "{name} {signals:?}: {finished:?}");
         }
     }
 }

@@ -18,6 +18,7 @@ use std::time::Duration;
 
 use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::flag;
+use trilith::external::stop_all;
 
 /// Time for which further signals do nothing.
 const PATIENCE: Duration = Duration::from_secs(2);
@@ -102,6 +103,7 @@ pub(super) fn or_leave<T: Send>(work: impl FnOnce() -> T + Send, leave: impl FnO
             let signal = watch.came.load(Ordering::SeqCst);
             if signal != 0 {
                 leave(&format!("interrupted by {}", name(signal)));
+                stop_all();
                 std::process::exit(status(signal).into());
             }
             thread::park_timeout(POLL_INTERVAL);

@@ -10,9 +10,9 @@ use super::row::Row;
 use super::schedule::longest_first;
 use super::task::Task;
 
-/// Runs every task that the journal does not know. Each row goes to the journal as it finishes, then
-/// to `finished` with the place of its task, then to `progress`; rows that the journal knows go there
-/// at once. Without a journal `keeps` says how much of a row is left.
+/// Runs every task that the journal does not know. Each row goes to `finished` with the place of its
+/// task as it finishes, then to `progress`, then to the journal; rows that the journal knows go to
+/// the former at once. Without a journal `keeps` says how much of a row is left.
 ///
 /// # Errors
 /// Where the journal cannot be written; nothing further is begun then.
@@ -43,11 +43,12 @@ pub fn run_tasks(
             return;
         }
         let row = keeps.of(tasks[index].run());
+        finished(index, row.clone());
+        progress.done(&tasks[index], &row);
+        // Last, so that what the journal has is handed out too, should the program be told to end.
         if let Some(Err(e)) = journal.map(|journal| journal.append(&row)) {
             *error.lock().expect("no other thread panicked") = Some(e);
         }
-        finished(index, row.clone());
-        progress.done(&tasks[index], &row);
     });
     match error.into_inner().expect("no other thread panicked") {
         Some(error) => Err(error),
