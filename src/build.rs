@@ -21,10 +21,12 @@ fn main() {
     embed();
 }
 
-/// Fingerprint of the sources and of the versions of the dependencies.
+/// Fingerprint of the sources, of the cases that are built in, and of the versions of the
+/// dependencies.
 fn sources() -> String {
     let mut files = vec!["Cargo.lock".to_owned()];
     files.extend(files_below(Path::new("src")));
+    files.extend(files_below(Path::new("cases")));
     files.sort();
     let mut sources = Fingerprint::new();
     for file in files {

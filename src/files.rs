@@ -1,7 +1,10 @@
-//! Files written whole or not at all.
+//! Files written whole or not at all, and read only where they are files of a size that can be.
 
-use std::io::{self, Write};
-use std::path::Path;
+use std::fs::{self, File};
+use std::io::{self, Read, Write};
+use std::path::{Path, PathBuf};
+
+use tempfile::NamedTempFile;
 
 /// Writes through a temporary file beside the target and renames it into place, so that a reader
 /// never sees half a file and a failure leaves the old one.
@@ -9,11 +12,48 @@ use std::path::Path;
 /// # Errors
 /// Any error of the file system.
 pub fn write_whole(path: &Path, text: &str) -> io::Result<()> {
+    staged(path, text)?.persist(path)?;
+    Ok(())
+}
+
+/// As [`write_whole`], for files that belong together: none is replaced before there is room for all
+/// of them.
+///
+/// # Errors
+/// The file that cannot be written, and why.
+pub fn write_together(files: &[(PathBuf, String)]) -> Result<(), (PathBuf, io::Error)> {
+    let mut temporary = Vec::new();
+    for (path, text) in files {
+        temporary.push(staged(path, text).map_err(|error| (path.clone(), error))?);
+    }
+    for ((path, _), file) in files.iter().zip(temporary) {
+        if path.is_dir() {
+            return Err((path.clone(), io::Error::other("a folder has its name")));
+        }
+        file.persist(path)
+            .map_err(|error| (path.clone(), error.error))?;
+    }
+    Ok(())
+}
+
+/// Makes a folder where there is none, and tells whether files can be written into it.
+///
+/// # Errors
+/// Why they cannot: a file in its place, no permission, no room.
+pub fn test_folder(folder: &Path) -> io::Result<()> {
+    if folder.exists() && !folder.is_dir() {
+        return Err(io::Error::other("it is a file, not a folder"));
+    }
+    staged(&folder.join("results"), &" ".repeat(1 << 12)).map(drop)
+}
+
+/// The text in a temporary file beside its target, which goes where nobody persists it.
+fn staged(path: &Path, text: &str) -> io::Result<NamedTempFile> {
     let folder = match path.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),
     };
-    std::fs::create_dir_all(folder)?;
+    fs::create_dir_all(folder)?;
     let mut file = tempfile::Builder::new()
         .prefix(".trilith-")
         .tempfile_in(folder)?;
@@ -23,8 +63,129 @@ pub fn write_whole(path: &Path, text: &str) -> io::Result<()> {
     {
         use std::os::unix::fs::PermissionsExt;
         file.as_file()
-            .set_permissions(std::fs::Permissions::from_mode(0o644))?;
+            .set_permissions(fs::Permissions::from_mode(0o644))?;
     }
-    file.persist(path)?;
-    Ok(())
+    Ok(file)
+}
+
+/// What kind of file is read, and with that how large it may be: reading takes up to thirty times
+/// the file's size in memory.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Input {
+    /// A case, a sweep, a list of programs: what a person writes.
+    Toml,
+    /// Corners of blocks, points of a sweep.
+    Table,
+    /// An accepted record.
+    Record,
+    /// Rows of a shard, which this program wrote.
+    Rows,
+}
+
+impl Input {
+    /// Most bytes.
+    pub fn limit(self) -> u64 {
+        match self {
+            Input::Toml | Input::Record => 16 << 20,
+            Input::Table => 64 << 20,
+            Input::Rows => 1 << 30,
+        }
+    }
+}
+
+/// The bytes of a file. What is no file (a folder, a fifo, a device) is not opened, and nothing of a
+/// file beyond the limit is read.
+///
+/// # Errors
+/// What is wrong, in words that may follow `cannot read PATH:`.
+pub fn read_input(path: &Path, input: Input) -> io::Result<Vec<u8>> {
+    let about = fs::metadata(path)?;
+    if !about.is_file() {
+        return Err(io::Error::other(format!(
+            "it is {}, not a file",
+            kind(&about)
+        )));
+    }
+    let limit = input.limit();
+    let too_large = |bytes: u64| {
+        let (size, most) = (bytes.div_ceil(1 << 20), limit >> 20);
+        let words = format!("it has {size} MiB, and no more than {most} MiB are read");
+        Err(io::Error::new(io::ErrorKind::FileTooLarge, words))
+    };
+    if about.len() > limit {
+        return too_large(about.len());
+    }
+    // A file that grows while it is read, or that does not know its size.
+    let mut bytes = Vec::with_capacity(about.len() as usize);
+    File::open(path)?.take(limit + 1).read_to_end(&mut bytes)?;
+    match bytes.len() as u64 {
+        length if length > limit => too_large(length),
+        _ => Ok(bytes),
+    }
+}
+
+/// What something is that is no file.
+fn kind(about: &fs::Metadata) -> &'static str {
+    if about.is_dir() {
+        return "a folder";
+    }
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::FileTypeExt;
+        let kind = about.file_type();
+        if kind.is_fifo() {
+            return "a pipe";
+        }
+        if kind.is_socket() {
+            return "a socket";
+        }
+    }
+    "a device"
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn files_that_belong_together_come_together() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = |name: &str| folder.path().join(name);
+        fs::create_dir(path("b")).unwrap();
+        let files = ["a", "b/c"].map(|name| (path(name), "text".to_owned()));
+        write_together(&files).unwrap();
+        assert_eq!(fs::read_to_string(path("a")).unwrap(), "text");
+        // A file in the place of the second one's folder: the first stays as it was.
+        let files = [path("a"), path("a/c")].map(|path| (path, "new".to_owned()));
+        let (refused, _) = write_together(&files).unwrap_err();
+        assert_eq!(refused, path("a/c"));
+        assert_eq!(fs::read_to_string(path("a")).unwrap(), "text");
+        assert!(test_folder(&path("a")).is_err() && test_folder(&path("d/e")).is_ok());
+        let left: Vec<_> = fs::read_dir(folder.path()).unwrap().flatten().collect();
+        assert_eq!(left.len(), 3, "{left:?}");
+    }
+
+    #[test]
+    fn what_is_no_file_or_too_large_is_not_read() {
+        let folder = tempfile::tempdir().unwrap();
+        let refused = |path: &Path| read_input(path, Input::Table).unwrap_err().to_string();
+        assert_eq!(refused(folder.path()), "it is a folder, not a file");
+        let large = folder.path().join("large.csv");
+        // Sparse: it takes no room.
+        File::create(&large)
+            .unwrap()
+            .set_len(1_500_000_000)
+            .unwrap();
+        assert_eq!(
+            refused(&large),
+            "it has 1431 MiB, and no more than 64 MiB are read"
+        );
+        File::create(&large).unwrap().set_len(3).unwrap();
+        assert_eq!(read_input(&large, Input::Table).unwrap(), [0; 3]);
+        #[cfg(unix)]
+        assert_eq!(
+            refused(Path::new("/dev/zero")),
+            "it is a device, not a file"
+        );
+    }
 }

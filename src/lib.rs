@@ -13,6 +13,30 @@
 //! other (a test holds both): number, files; scene; answer; method; case; external; judge; run;
 //! record; picture; study; report. The command line stands on top.
 //!
+//! A case read, solved and judged:
+//!
+//! ```
+//! use trilith::{answer::Status, case, method, run};
+//!
+//! let cases = case::find("paper-1").expect("a file, a folder, or a case that is built in");
+//! let plan = run::Plan {
+//!     methods: method::methods().into_iter().filter(|m| m.name() == "associative").collect(),
+//!     settings: method::Settings::default(),
+//!     head_joints: None, // those of the case: in contact, then open
+//! };
+//! let results = run::run(&cases, &plan, &());
+//! let row = &results[0].rows[0];
+//! assert_eq!(row.status(), Status::Verified); // the judge's word, and not the method's
+//! let lambda = row.bracket().expect("verified with both ends");
+//! assert!((lambda.upper - 0.642859).abs() < 1e-6 && row.residual.is_some_and(|r| r < 1e-8));
+//! ```
+//!
+//! A case of one's own is a TOML file, or its text in [`case::Case::read`]; a scene of one's own is
+//! made by [`scene::Wall`], [`scene::Arch`] or [`scene::Scene::new`], and [`run::answer`] asks a
+//! method about it and has the answer judged. A mistake in a case is a [`case::Complaint`] with file,
+//! line and what to write instead; a method has no errors, as every ending is a
+//! [`answer::Status`] with [`answer::Fact`]s that say why.
+//!
 //! Units and signs, once for all: x to the right, y up, rotations and moments counter-clockwise;
 //! lengths and forces in any one consistent system. λ multiplies the live load, which for a wall is
 //! the weight of each block (and of the overburden) acting sideways, so λ is also the horizontal

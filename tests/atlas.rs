@@ -43,13 +43,13 @@ fn no_cell_of_the_small_atlas_is_wrong() {
     let statuses: Vec<Status> = cells.iter().filter(loose).map(|c| c.row.status()).collect();
     assert!(statuses.contains(&Status::Estimate) && statuses.contains(&Status::Verified));
     for grid in &grids {
-        let picture = atlas::picture(grid, &cells);
+        let picture = atlas::picture(grid, &cells, None);
         assert!(
             picture.contains(grid.x) && !picture.contains("NaN"),
             "{}",
             grid.name
         );
-        assert_eq!(picture, atlas::picture(grid, &cells));
+        assert_eq!(picture, atlas::picture(grid, &cells, None));
     }
 }
 

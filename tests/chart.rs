@@ -29,8 +29,8 @@ fn a_chart_shows_every_rung_with_its_error() {
             .unwrap()
             .starts_with("stack,macro-block,default,not-applicable,,,")
     );
-    let picture = chart::picture(&entries);
-    assert_eq!(picture, chart::picture(&entries), "the same bytes");
+    let picture = chart::picture(&entries, None);
+    assert_eq!(picture, chart::picture(&entries, None), "the same bytes");
     for word in [
         "no answer",
         "CPU time",

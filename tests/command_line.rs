@@ -162,7 +162,9 @@ fn records_of_a_users_wall_are_compared_and_reviewed() {
         "--record",
         "snapshots",
     ];
-    assert_eq!(trilith(folder.path(), &run).status.code(), Some(1));
+    let first = trilith(folder.path(), &run);
+    assert_eq!(first.status.code(), Some(1));
+    assert!(text(&first.stderr).starts_with("new: snapshots/mine.snap.new"));
     let snapshots = folder.path().join("snapshots");
     fs::rename(snapshots.join("mine.snap.new"), snapshots.join("mine.snap")).unwrap();
     assert_eq!(trilith(folder.path(), &run).status.code(), Some(0));
@@ -173,8 +175,51 @@ fn records_of_a_users_wall_are_compared_and_reviewed() {
         .find(|line| line.starts_with("friction"))
         .unwrap();
     fs::write(&file, wall.replace(friction, "friction = 0.2")).unwrap();
-    assert_eq!(trilith(folder.path(), &run).status.code(), Some(1));
+    let changed = trilith(folder.path(), &run);
+    assert_eq!(changed.status.code(), Some(1));
+    assert!(text(&changed.stderr).starts_with("changed: snapshots/mine.snap.new"));
     assert!(snapshots.join("mine.snap.new").exists());
+}
+
+#[test]
+fn a_record_whose_case_is_gone_is_named_and_pruned() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let records = folder.join("records");
+    let run = |cases: &str, more: &[&str]| {
+        let run = [
+            "run",
+            cases,
+            "--method",
+            "associative",
+            "--record",
+            "records",
+        ];
+        let output = trilith(folder, &[&run, more].concat());
+        (output.status.code(), text(&output.stderr))
+    };
+    for name in ["walls/one", "walls/two"] {
+        assert!(trilith(folder, &["new", name]).status.success());
+    }
+    assert_eq!(run("walls", &[]).0, Some(1));
+    for name in ["one", "two"] {
+        let [new, accepted] = ["snap.new", "snap"].map(|end| records.join(format!("{name}.{end}")));
+        fs::rename(new, accepted).unwrap();
+    }
+    assert_eq!(run("walls", &[]), (Some(0), String::new()));
+    // What is there and did not run is not gone.
+    assert_eq!(run("walls/one.toml", &[]), (Some(0), String::new()));
+    fs::remove_file(folder.join("walls/two.toml")).unwrap();
+    let gone = "gone: the case of records/two.snap (`--prune` removes the record)\n";
+    for cases in ["walls", "walls/one.toml"] {
+        assert_eq!(run(cases, &[]), (Some(1), gone.to_owned()));
+    }
+    assert!(records.join("two.snap").exists());
+    let (status, said) = run("walls", &["--prune"]);
+    assert_eq!(status, Some(0), "{said}");
+    assert!(said.starts_with("removed: records/two.snap"), "{said}");
+    assert!(records.join("one.snap").exists() && !records.join("two.snap").exists());
+    assert_eq!(run("walls", &[]), (Some(0), String::new()));
 }
 
 #[test]

@@ -2,10 +2,11 @@
 //! coursed wall, and both sides of a push.
 
 mod scenes;
+mod seeded;
 
 use proptest::prelude::*;
-use proptest::test_runner::RngSeed;
 use scenes::{laid, mirrored, small_walls};
+use seeded::seeded;
 use trilith::answer::Status;
 use trilith::case::{Case, find};
 use trilith::method::limit::{Associative, Interval};
@@ -45,12 +46,7 @@ fn summed_sector(inner: f64, outer: f64, half: f64) -> (f64, f64) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig {
-        cases: 32,
-        rng_seed: RngSeed::Fixed(2026),
-        failure_persistence: None,
-        ..Default::default()
-    })]
+    #![proptest_config(seeded(2026, 32))]
 
     /// Every arch weighs what its sectors do, at their centroids, and its joints are radial.
     #[test]

@@ -7,7 +7,7 @@ use trilith::method::{Method, Settings};
 use trilith::record::record;
 use trilith::report::html::{Report, page};
 use trilith::report::{csv, library_case, library_closing, table};
-use trilith::run::{CaseResult, Plan, Row, Subject, Task, run};
+use trilith::run::{CaseResult, Plan, Row, Subject, Task, run, run_rows};
 use trilith::scene::{HeadJoints, Scene};
 use trilith::study::sweep;
 
@@ -68,7 +68,8 @@ fn in_run_check_and_report() {
     let page = page(&Report {
         results: &results,
         settings: &Settings::default(),
-        sweeps: Vec::new(),
+        sweeps: &[],
+        partial: None,
     });
     for text in [table(&results), csv(&results).unwrap(), checked, page] {
         assert!(text.contains("sliding-block"));
@@ -95,7 +96,7 @@ fn in_a_sweep() {
     let tasks: Vec<Task> = (cases.iter().zip(&scenes))
         .flat_map(|(case, sides)| methods.map(|method| task(case, sides, method)))
         .collect();
-    let rows = sweep::run(&tasks, None, &()).unwrap();
+    let rows = run_rows(&tasks, None, &()).unwrap();
     assert_one_failed(rows.iter(), 6);
     let text = sweep::sweep_csv(&rows).unwrap();
     assert_eq!(text.lines().count(), 7, "{text}");

@@ -1,7 +1,7 @@
 //! What the paper claims about the overburden and about its bounds, and where a claim fails.
 
 use trilith::answer::Status;
-use trilith::run::Row;
+use trilith::run::{Row, run_rows};
 use trilith::scene::HeadJoints;
 use trilith::study::sweep::{self, Sweep};
 
@@ -13,7 +13,7 @@ fn rows(name: &str, change: impl Fn(String) -> String) -> Vec<Row> {
     let changed = change(text.to_owned());
     assert_ne!(changed, text, "the change finds nothing to change");
     let sweep = Sweep::read(path, changed.as_bytes()).unwrap_or_else(|c| panic!("{c}"));
-    sweep::run(&sweep.tasks(), None, &()).expect("no journal, no error")
+    run_rows(&sweep.tasks(), None, &()).expect("no journal, no error")
 }
 
 /// Both ends of a row that has a number.

@@ -1,7 +1,12 @@
 //! Relations that must hold on any wall, on random walls with gaps.
 
+mod seeded;
+
+use std::cell::Cell;
+
 use proptest::prelude::*;
-use proptest::test_runner::RngSeed;
+use proptest::test_runner::TestRunner;
+use seeded::seeded;
 use trilith::answer::{Outcome, StaticResidual, Status, kinematic_multiplier};
 use trilith::method::limit::{Associative, Sequential};
 use trilith::method::{Method, Settings};
@@ -95,13 +100,7 @@ fn mirrored(wall: &Wall) -> Wall {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig {
-        cases: 60,
-        // The same walls in every run: a test that fails now and then helps nobody.
-        rng_seed: RngSeed::Fixed(2026),
-        failure_persistence: None,
-        ..ProptestConfig::default()
-    })]
+    #![proptest_config(seeded(2026, 60))]
 
     #[test]
     fn mirror_and_scale_leave_the_multiplier(wall in walls(), length in -3i32..4, weight in -6i32..7) {
@@ -141,19 +140,35 @@ proptest! {
         let upper = kinematic_multiplier(&scene, &outcome.mechanism.expect("with a mechanism"));
         prop_assert!((upper - bracket.upper).abs() < 1e-12 && bracket.lower <= upper + 1e-9);
     }
+}
 
-    /// Sequential results stay below λ_A but for the bias of c0, or end with a name.
-    #[test]
-    fn sequential_stays_below_associative(wall in walls()) {
+/// Sequential results stay below λ_A but for the bias of c0, and few end without one.
+#[test]
+fn sequential_stays_below_associative() {
+    let (answered, refused) = (Cell::new(0), Cell::new(0));
+    let mut runner = TestRunner::new(seeded(2026, 60));
+    let held = runner.run(&walls(), |wall| {
         prop_assume!(stands(&wall));
         let scene = wall.scene(HeadJoints::Open).expect("the wall can be laid");
-        let highest = Associative.solve(&scene, &Settings::default()).bracket.expect("with a bracket").upper;
+        let highest = Associative.solve(&scene, &Settings::default()).bracket;
+        let highest = highest.expect("with a bracket").upper;
         let outcome = Sequential.solve(&scene, &Settings::default());
         match outcome.bracket {
             Some(b) => prop_assert!(b.upper <= highest * (1.0 + 1e-4), "{} {highest}", b.upper),
             None => prop_assert!(!outcome.reason().is_empty()),
         }
-    }
+        let count = if outcome.bracket.is_some() {
+            &answered
+        } else {
+            &refused
+        };
+        count.set(count.get() + 1);
+        Ok(())
+    });
+    held.unwrap_or_else(|failed| panic!("{failed}"));
+    let [answered, refused] = [answered.get(), refused.get()];
+    println!("{answered} answered, {refused} refused");
+    assert!(answered >= 55, "{refused} refused");
 }
 
 /// λ_A of paper-1 with overburden ratio 1 and 10 (HiGHS through `oracle.py`'s formulation with the
@@ -188,12 +203,7 @@ fn overburden_lowers_the_multiplier() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig {
-        cases: 200,
-        rng_seed: RngSeed::Fixed(12),
-        failure_persistence: None,
-        ..ProptestConfig::default()
-    })]
+    #![proptest_config(seeded(12, 200))]
 
     /// Whatever c0 is, and without any friction too, the sequential method lies above λ_A by no more
     /// than it states about itself.

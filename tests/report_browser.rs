@@ -1,10 +1,12 @@
 //! The report in a real browser: skipped, and saying so, where none is installed.
 
+mod skipped;
 mod webdriver;
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
+use skipped::skipped;
 use webdriver::{Browser, installed};
 
 /// Names the folder that screenshots go to, and another report to look at instead of a small one.
@@ -47,7 +49,7 @@ fn report(folder: &Path) -> PathBuf {
 #[test]
 fn the_report_works_in_a_browser() {
     if !installed() {
-        eprintln!("skipped: install Debian's chromium and chromium-driver to test the report");
+        skipped("no chromium and chromium-driver, with which Debian tests the report");
         return;
     }
     let folder = tempfile::tempdir().unwrap();
@@ -109,15 +111,23 @@ fn replay_moves(browser: &Browser) {
     browser.run(&format!(
         "{button} s.value = 0; s.dispatchEvent(new Event('input')); b.click(); return 0;"
     ));
-    std::thread::sleep(std::time::Duration::from_millis(900));
+    // Until the slider has moved: the browser waits for the promise.
+    browser.run(&format!(
+        "{button} return new Promise(moved => {{
+           const look = () => +s.value > 0 ? moved(0) : requestAnimationFrame(look); look(); }});"
+    ));
     let paused = browser.run(&format!(
         "{button} const word = b.textContent; b.click(); return [word, +s.value, b.textContent];"
     ));
     assert_eq!((&paused[0], &paused[2]), (&"Pause".into(), &"Play".into()));
     let reached = paused[1].as_u64().unwrap();
     assert!(reached > 0, "playing does not move the slider");
-    std::thread::sleep(std::time::Duration::from_millis(300));
-    let now = browser.run(&format!("{button} return +s.value;"));
+    // Twenty frames later.
+    let now = browser.run(&format!(
+        "{button} return new Promise(done => {{
+           let left = 20; const next = () => left-- > 0 ? requestAnimationFrame(next) : done(+s.value);
+           next(); }});"
+    ));
     assert_eq!(
         now.as_u64().unwrap(),
         reached,

@@ -34,7 +34,7 @@ fn rows(names: &[&str]) -> Vec<Value> {
         settings,
         head_joints: None,
     };
-    let text = json_with_states(&run(&cases, &plan, &())).unwrap();
+    let text = json_with_states(&run(&cases, &plan, &()), None).unwrap();
     serde_json::from_str(&text).unwrap()
 }
 

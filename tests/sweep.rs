@@ -156,16 +156,23 @@ fn four_shards_of_two_processes_at_a_time_merge_to_the_same_bytes() {
     // Rows that disagree, of another sweep, or damaged.
     let first = folder.join("dealt/shard-1-of-4.rows");
     let rows = fs::read_to_string(&first).expect("the shard has written it");
-    for (from, to, told) in [
+    let verified = "\"status\":\"verified\"";
+    let stands = "\"status\":\"stands\"";
+    let id = "{\"id\":\"";
+    let at = rows.lines().position(|line| line.contains(verified));
+    let damaged = format!("line {} is not as it was written", at.unwrap() + 1);
+    for (changed, told) in [
         (
-            "\"status\":\"verified\"",
-            "\"status\":\"stands\"",
+            summed_again(&rows.replacen(verified, stands, 1)),
             "disagree",
         ),
-        ("{\"id\":\"", "{\"id\":\"0", "which is not in this sweep"),
-        ("{\"id\"", "\"id\"", "line 1 is no row of a sweep"),
+        (
+            summed_again(&rows.replacen(id, &format!("{id}0"), 1)),
+            "which is not in this sweep",
+        ),
+        (rows.replacen(verified, stands, 1), &damaged),
     ] {
-        fs::write(&first, rows.replacen(from, to, 1)).expect("it can be written");
+        fs::write(&first, changed).expect("it can be written");
         let second = folder.join("dealt/shard-1-of-1.rows");
         fs::write(&second, &rows).expect("it can be written");
         let refused = trilith(folder, &merge);
@@ -173,6 +180,23 @@ fn four_shards_of_two_processes_at_a_time_merge_to_the_same_bytes() {
         let shown = text(&refused.stderr);
         assert!(shown.contains(told), "{shown}");
     }
+}
+
+/// Lines of rows, each with the sum of its text in front: FNV-1a of 128 bits, the length first.
+fn summed_again(rows: &str) -> String {
+    let line = |line: &str| {
+        let text = line.split_once(' ').expect("a sum and a row").1;
+        let length = (text.len() as u64).to_le_bytes();
+        let bytes = length.iter().copied().chain(text.bytes());
+        let sum = bytes.fold(
+            0x6c62_272e_07bb_0142_62b8_2175_6295_c58d_u128,
+            |sum, byte| {
+                (sum ^ u128::from(byte)).wrapping_mul(0x0000_0000_0100_0000_0000_0000_0000_013b)
+            },
+        );
+        format!("{sum:032x} {text}\n")
+    };
+    rows.lines().map(line).collect()
 }
 
 #[test]
@@ -190,7 +214,7 @@ fn a_changed_sweep_repeats_only_what_has_changed() {
     fs::write(folder.join("small.sweep.toml"), more).expect("it can be written");
     let again = trilith(folder, &arguments);
     let told = text(&again.stderr);
-    assert!(told.contains("20 of 40 points are finished"), "{told}");
+    assert!(told.contains("20 of 40 results are finished"), "{told}");
     let out = text(&again.stdout);
     assert!(out.contains("target/sweeps/small/sweep.csv"), "{out}");
     // Another unit makes every wall another one.

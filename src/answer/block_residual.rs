@@ -4,6 +4,8 @@
 //! the weight may be out of balance altogether. Here each is measured against the block's own loads
 //! and velocities.
 
+use serde::{Deserialize, Serialize};
+
 use super::mechanism::{JointRate, Mechanism};
 use super::residual::{balances, live_unit};
 use super::state::{CollapseState, JointForce};
@@ -26,7 +28,7 @@ const OF_WEIGHTLESS: f64 = 1e-9;
 const SLOW: f64 = 1e-2;
 
 /// The largest violation of one block's conditions, and which block it is.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct BlockResidual {
     /// Violation as a share of the block's own forces, or velocities, or both.
     pub value: f64,

@@ -1,5 +1,7 @@
 //! Lower and upper value of a multiplier.
 
+use serde::{Deserialize, Serialize};
+
 /// Relative width up to which two proved ends count as one number.
 pub const VERIFIED_WIDTH: f64 = 1e-6;
 
@@ -24,7 +26,7 @@ pub fn is_same_multiplier(lambda: f64, other: f64, unit: f64) -> bool {
 }
 
 /// Lower and upper value of a collapse multiplier; what each means is the method's to say.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Bracket {
     /// Lower value.
     pub lower: f64,

@@ -1,7 +1,9 @@
 //! What an answer is put forward as.
 
+use serde::{Deserialize, Serialize};
+
 /// What an answer's forces and mechanism are put forward as; the judge proves that and nothing else.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Claim {
     /// A collapse state without dilatancy: forces and mechanism satisfy every condition together.
     #[default]

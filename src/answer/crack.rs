@@ -1,10 +1,12 @@
 //! The crack slope of a wall, read from how its blocks move.
 
+use serde::{Deserialize, Serialize};
+
 use super::mechanism::Mechanism;
 use crate::scene::{Push, Scene};
 
 /// Crack slope of a wall (paper, Fig. 5), with what it is made of.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Crack {
     /// Width that moves as one rigid body along the top, from the edge above the toe.
     pub c: Option<f64>,

@@ -1,14 +1,32 @@
 //! Mechanisms: how every block moves at collapse.
 
+use serde::{Deserialize, Serialize};
+
 use crate::scene::{Point, Scene, Vector};
 
 /// Rigid motion of a block: velocity of its centroid and rotation rate (counter-clockwise).
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[serde(from = "[f64; 3]", into = "[f64; 3]")]
 pub struct Motion {
     /// Velocity of the centroid.
     pub velocity: Vector,
     /// Rotation rate.
     pub rotation: f64,
+}
+
+impl From<[f64; 3]> for Motion {
+    fn from([x, y, rotation]: [f64; 3]) -> Self {
+        Self {
+            velocity: Vector::new(x, y),
+            rotation,
+        }
+    }
+}
+
+impl From<Motion> for [f64; 3] {
+    fn from(Motion { velocity, rotation }: Motion) -> Self {
+        [velocity.x, velocity.y, rotation]
+    }
 }
 
 impl Motion {
@@ -19,14 +37,14 @@ impl Motion {
 }
 
 /// Motions of all blocks, in the scene's order. Only ratios mean something.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Mechanism {
     /// One motion a block.
     pub motions: Vec<Motion>,
 }
 
 /// Relative motion at a joint: of the block that the normal points into against the other body.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct JointRate {
     /// Opening rate at each end, positive where the joint opens.
     pub opening: [f64; 2],

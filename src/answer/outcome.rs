@@ -1,5 +1,7 @@
 //! What a method answers. It holds no time, so no time can reach a snapshot.
 
+use serde::{Deserialize, Serialize};
+
 use super::bracket::Bracket;
 use super::claim::Claim;
 use super::crack::Crack;
@@ -11,7 +13,7 @@ use super::status::Status;
 use super::work::Work;
 
 /// The answer of one method for one scene.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Outcome {
     /// What the answer is worth; the judge may lower it.
     pub status: Status,

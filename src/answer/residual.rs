@@ -3,6 +3,8 @@
 
 use std::fmt;
 
+use serde::{Deserialize, Serialize};
+
 use super::mechanism::Mechanism;
 use super::state::JointForce;
 use crate::scene::{Block, Point, Scene, Side, Vector, Wrench};
@@ -11,7 +13,7 @@ use crate::scene::{Block, Point, Scene, Side, Vector, Wrench};
 pub const VERIFIED_RESIDUAL: f64 = 1e-8;
 
 /// Violations of static admissibility, as fractions of the total weight.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct StaticResidual {
     /// Largest unbalanced force, or moment over the height.
     pub equilibrium: f64,
@@ -182,7 +184,7 @@ fn flow_violation(scene: &Scene, mechanism: &Mechanism, unit: f64) -> f64 {
 }
 
 /// Violations of the zero-dilatancy collapse conditions, beyond static admissibility.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct CollapseResidual {
     /// Largest closing rate.
     pub penetration: f64,

@@ -2,10 +2,12 @@
 
 use std::fmt;
 
+use serde::{Deserialize, Serialize};
+
 use super::bracket::Bracket;
 
 /// A self-check that ran: a figure, and what it must not exceed.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SelfCheck {
     /// The variation that it is about, where an answer rests on several.
     pub variation: Option<Variation>,
@@ -18,7 +20,7 @@ pub struct SelfCheck {
 }
 
 /// What a self-check is about, and the unit of its figure.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Checked {
     /// Joints for which the engine has no contact with the right normal.
     UnseenJoints {
@@ -47,7 +49,7 @@ pub enum Checked {
 }
 
 /// What differs in a pushover that must agree with the first.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Repetition {
     /// Half the substep.
     HalfSubstep,
@@ -58,7 +60,7 @@ pub enum Repetition {
 }
 
 /// One of the pushovers over which an answer is a range.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Variation {
     /// Contact stiffness, as a multiple of what the substep allows.
     pub stiffness: f64,

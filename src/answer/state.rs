@@ -1,9 +1,11 @@
 //! Forces of the joints, and collapse states made of forces and mechanism.
 
+use serde::{Deserialize, Serialize};
+
 use super::mechanism::Mechanism;
 
 /// Forces of one joint, in the case's force unit.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct JointForce {
     /// Normal force at each end of the joint, compression positive.
     pub normal: [f64; 2],
@@ -12,7 +14,7 @@ pub struct JointForce {
 }
 
 /// A non-associative collapse state: forces and mechanism that satisfy every condition together.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct CollapseState {
     /// Multiplier of the forces.
     pub lambda: f64,

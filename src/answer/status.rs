@@ -1,7 +1,9 @@
 //! What a result may be used for.
 
+use serde::{Deserialize, Serialize};
+
 /// What a result may be used for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Status {
     /// Proved to a residual of 1e-8 by the judge.
     Verified,

@@ -1,14 +1,17 @@
 //! `trilith atlas`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use trilith::method::methods;
-use trilith::study::atlas::{self, CellVerdict};
+use trilith::run::{Keeps, Partial, Row, run_rows};
+use trilith::study::atlas::{self, Atlas, CellVerdict, Grid};
 
-use super::chart::{keeping_rows, write};
+use super::chart::marked;
+use super::output;
 use super::plan::externals;
 use super::stop::{REFUTED, Stop, print};
+use super::study::run_study;
 
 #[derive(Args)]
 pub(super) struct AtlasArguments {
@@ -18,7 +21,8 @@ pub(super) struct AtlasArguments {
     /// Also run programs of your own: a .toml file that names them, or NAME=COMMAND.
     #[arg(long, value_name = "FILE.toml|NAME=COMMAND")]
     external: Vec<String>,
-    /// Folder for atlas.csv and a picture a grid.
+    /// Folder for atlas.csv and a picture a grid, and for the journal from which the same command goes
+    /// on.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
 }
@@ -27,16 +31,44 @@ pub(super) fn atlas(arguments: &AtlasArguments) -> Result<u8, Stop> {
     let externals = externals(&arguments.external)?;
     let methods = [methods().as_slice(), &externals].concat();
     let grids = atlas::grids(arguments.large);
-    let cells = keeping_rows(&arguments.out, |progress| {
-        atlas::run(&grids, &methods, progress)
+    let atlas = Atlas::new(&grids, &methods);
+    let journal = output::journal(&arguments.out, "atlas.journal", Keeps::Numbers)?;
+    output::tell_known(&journal, atlas.tasks());
+    let status = run_study(
+        &journal,
+        |progress| run_rows(atlas.tasks(), Some(&journal), progress),
+        |rows, why| hand_out(&atlas, &grids, &rows, why, &arguments.out),
+    )?;
+    output::finish(journal);
+    Ok(status)
+}
+
+/// Prints the table and writes it with the pictures.
+fn hand_out(
+    atlas: &Atlas,
+    grids: &[Grid],
+    rows: &[Row],
+    why: Option<&str>,
+    folder: &Path,
+) -> Result<u8, Stop> {
+    let cells = atlas.cells(rows);
+    let partial = why.map(|why| Partial {
+        why: why.to_owned(),
+        finished: cells.len(),
+        of: atlas.tasks().len(),
     });
+    let partial = partial.as_ref();
     let broken = |e| Stop::bad_input(format!("error: cannot write CSV: {e}"));
-    let mut files = vec![("atlas.csv".to_owned(), atlas::csv(&cells).map_err(broken)?)];
-    for grid in &grids {
-        files.push((format!("{}.svg", grid.name), atlas::picture(grid, &cells)));
+    let csv = atlas::csv(&cells).map_err(broken)?;
+    let mut files = vec![("atlas.csv".to_owned(), marked(csv, partial))];
+    for grid in grids {
+        let picture = atlas::picture(grid, &cells, partial);
+        files.push((format!("{}.svg", grid.name), picture));
     }
-    write(&arguments.out, &files)?;
-    print(&atlas::table(&grids, &cells))?;
+    let said = partial.map_or(String::new(), |partial| format!("{partial}\n"));
+    let printed = print(&format!("{said}{}", atlas::table(grids, &cells)));
+    output::write(folder, files)?;
+    printed?;
     let wrong = cells.iter().any(|cell| cell.verdict == CellVerdict::Wrong);
     Ok(if wrong { REFUTED } else { 0 })
 }

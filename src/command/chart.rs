@@ -1,20 +1,16 @@
 //! `trilith chart`.
 
 use std::path::{Path, PathBuf};
-use std::sync::Mutex;
 
 use clap::Args;
-use trilith::run::{Progress, Row, Task};
+use trilith::run::{Keeps, Partial, Row};
+use trilith::study::chart::{self, Chart};
 
-use trilith::files::write_whole;
-use trilith::study::chart;
-use trilith::study::sweep::{sweep_csv, times_csv};
-
-use super::interrupt;
+use super::output;
 use super::plan::HeadJointsArgument;
 use super::plan::{collect, externals};
-use super::progress::Bar;
 use super::stop::{Stop, print};
+use super::study::run_study;
 
 #[derive(Args)]
 pub(super) struct ChartArguments {
@@ -28,7 +24,8 @@ pub(super) struct ChartArguments {
     /// Also run programs of your own: a .toml file that names them, or NAME=COMMAND.
     #[arg(long, value_name = "FILE.toml|NAME=COMMAND")]
     external: Vec<String>,
-    /// Folder for chart.csv, chart.svg and summary.csv.
+    /// Folder for chart.csv, chart.svg and summary.csv, and for the journal from which the same command
+    /// goes on.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
 }
@@ -52,94 +49,53 @@ pub(super) fn chart(arguments: &ChartArguments) -> Result<u8, Stop> {
         }
     }
     let externals = externals(&arguments.external)?;
-    let entries = keeping_rows(&arguments.out, |progress| {
-        chart::run(&cases, head_joints, &externals, progress)
-    });
-    let entries = entries.map_err(|e| Stop::bad_input(format!("error: {e}")))?;
-    if entries.is_empty() {
+    let chart = Chart::new(&cases, head_joints, &externals);
+    if chart.is_empty() {
         let text = "error: nothing to draw\nhelp: name a case with a reference; `trilith show CASE` \
                     prints them";
         return Err(Stop::bad_input(text));
     }
-    let summaries = chart::summaries(&entries);
-    let broken = |e: csv::Error| Stop::bad_input(format!("error: cannot write CSV: {e}"));
-    let files = [
-        (
-            "chart.csv".to_owned(),
-            chart::csv(&entries).map_err(broken)?,
-        ),
-        (
-            "summary.csv".to_owned(),
-            chart::summary_csv(&summaries).map_err(broken)?,
-        ),
-        ("chart.svg".to_owned(), chart::picture(&entries)),
-    ];
-    write(&arguments.out, &files)?;
-    print(&chart::summary_table(&summaries))?;
+    let journal = output::journal(&arguments.out, "chart.journal", Keeps::Numbers)?;
+    run_study(
+        &journal,
+        |progress| chart.run(Some(&journal), progress),
+        |rows, why| hand_out(&chart, &rows, why, &arguments.out),
+    )?;
+    output::finish(journal);
     Ok(0)
 }
 
-/// A bar that also keeps the finished rows.
-struct Kept {
-    bar: Bar,
-    rows: Mutex<Vec<Row>>,
+/// Prints the summary and writes the table, the summary and the picture.
+fn hand_out(chart: &Chart, rows: &[Row], why: Option<&str>, folder: &Path) -> Result<(), Stop> {
+    let entries = chart.measurements(rows);
+    let partial = why.map(|why| Partial {
+        why: why.to_owned(),
+        finished: entries.len(),
+        of: chart.len(),
+    });
+    let partial = partial.as_ref();
+    let summaries = chart::summaries(&entries);
+    let broken = |e: csv::Error| Stop::bad_input(format!("error: cannot write CSV: {e}"));
+    let files = [
+        ("chart.csv", chart::csv(&entries).map_err(broken)?),
+        (
+            "summary.csv",
+            chart::summary_csv(&summaries).map_err(broken)?,
+        ),
+    ];
+    let files = files.map(|(name, text)| (name.to_owned(), marked(text, partial)));
+    let mut files = Vec::from(files);
+    if !entries.is_empty() {
+        let picture = chart::picture(&entries, partial);
+        files.push(("chart.svg".to_owned(), picture));
+    }
+    let said = partial.map_or(String::new(), |partial| format!("{partial}\n"));
+    let printed = print(&format!("{said}{}", chart::summary_table(&summaries)));
+    output::write(folder, files)?;
+    printed
 }
 
-impl Progress for Kept {
-    fn expected(&self, seconds: f64) {
-        self.bar.expected(seconds);
-    }
-
-    fn done(&self, task: &Task, row: &Row) {
-        self.bar.done(task, row);
-        let mut rows = self.rows.lock().expect("no other thread panicked");
-        rows.push(row.clone());
-    }
-}
-
-/// Runs tasks with progress. On Ctrl-C the rows that are finished go to `finished.csv` and their
-/// times to `finished-times.csv` in the folder, and standard error says so.
-pub(super) fn keeping_rows<T: Send>(
-    folder: &Path,
-    work: impl FnOnce(&dyn Progress) -> T + Send,
-) -> T {
-    let kept = Kept {
-        bar: Bar::new(),
-        rows: Mutex::default(),
-    };
-    let done = interrupt::or_leave(
-        || work(&kept),
-        || {
-            kept.bar.clear();
-            let rows = kept.rows.lock().expect("no other thread panicked").clone();
-            let texts = sweep_csv(&rows).and_then(|csv| Ok((csv, times_csv(&rows)?)));
-            let written = match texts {
-                Err(e) => Err(Stop::bad_input(format!("error: cannot write CSV: {e}"))),
-                Ok((csv, times)) => {
-                    let files = [("finished.csv", csv), ("finished-times.csv", times)];
-                    write(folder, &files.map(|(name, text)| (name.to_owned(), text)))
-                }
-            };
-            match written {
-                Ok(()) => eprintln!(
-                    "interrupted: {} finished rows written to {}",
-                    rows.len(),
-                    folder.join("finished.csv").display()
-                ),
-                Err(stop) => eprintln!("interrupted: {}", stop.text.trim_end()),
-            }
-        },
-    );
-    kept.bar.clear();
-    done
-}
-
-/// Writes files into a folder.
-pub(super) fn write(folder: &Path, files: &[(String, String)]) -> Result<(), Stop> {
-    for (name, text) in files {
-        let path = folder.join(name);
-        write_whole(&path, text)
-            .map_err(|e| Stop::bad_input(format!("error: cannot write {}: {e}", path.display())))?;
-    }
-    Ok(())
+/// A CSV, with a last line that says so where it is partial.
+pub(super) fn marked(csv: String, partial: Option<&Partial>) -> String {
+    partial.map_or(csv.clone(), |partial| partial.mark_csv(&csv))
 }

@@ -5,10 +5,11 @@ use std::path::PathBuf;
 use clap::Args;
 use trilith::case;
 use trilith::report;
-use trilith::run::CaseResult;
+use trilith::run::{CaseResult, Partial};
 
+use super::output;
 use super::plan::PlanArguments;
-use super::run::{handed_out, refuted, write};
+use super::run::{files, kept_in, refuted};
 use super::solve::solve;
 use super::stop::{REFUTED, Stop, print};
 
@@ -22,6 +23,9 @@ pub(super) struct CheckArguments {
     /// Also write results.csv, results.json and one record a case into this folder.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
+    /// Keep finished results in a journal in this folder, and go on from it [default: that of --out].
+    #[arg(long, value_name = "DIR")]
+    resume: Option<PathBuf>,
     /// Also put the scene, forces, velocities, rays and ceilings of every answer into results.json,
     /// in the formats of outside programs.
     #[arg(long, requires = "out")]
@@ -30,19 +34,28 @@ pub(super) struct CheckArguments {
 
 pub(super) fn check(arguments: &CheckArguments) -> Result<u8, Stop> {
     let (cases, plan) = arguments.plan.read(&arguments.cases, case::library)?;
+    if let Some(folder) = &arguments.out {
+        output::test(folder)?;
+    }
     print(&report::library_heading())?;
     let show = |result: &CaseResult| print(&report::library_case(result));
-    let results = solve(&cases, &plan, show, |complete| {
-        hand_out(arguments, complete)?;
-        Ok(handed_out(arguments.out.as_deref()))
+    let kept = kept_in(arguments.resume.as_deref(), arguments.out.as_deref());
+    let kept = kept.map(|folder| (folder, "check.journal"));
+    let results = solve(&cases, &plan, kept, show, |results, partial| {
+        hand_out(arguments, results, partial)
     })?;
-    hand_out(arguments, &results)?;
     Ok(if refuted(&results) { REFUTED } else { 0 })
 }
 
-fn hand_out(arguments: &CheckArguments, results: &[CaseResult]) -> Result<(), Stop> {
+fn hand_out(
+    arguments: &CheckArguments,
+    results: &[CaseResult],
+    partial: Option<&Partial>,
+) -> Result<(), Stop> {
+    let said = partial.map_or(String::new(), |partial| format!("\n{partial}\n"));
+    let printed = print(&format!("{said}{}", report::library_closing(results)));
     if let Some(folder) = &arguments.out {
-        write(folder, results, arguments.states)?;
+        output::write(folder, files(results, arguments.states, partial)?)?;
     }
-    print(&report::library_closing(results))
+    printed
 }

@@ -1,6 +1,6 @@
 //! `trilith draw`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use trilith::case;
@@ -10,6 +10,7 @@ use trilith::picture::{Options, View, figure};
 use trilith::run::{CaseResult, Plan};
 use trilith::scene::HeadJoints;
 
+use super::output;
 use super::plan::PlanArguments;
 use super::solve::solve;
 use super::stop::{Stop, print};
@@ -73,7 +74,19 @@ pub(super) fn draw(arguments: &DrawArguments) -> Result<u8, Stop> {
         case.head_joints[0]
     };
     plan.head_joints = plan.head_joints.or(Some(one));
-    let results = solve(&cases, &plan, |_| Ok(()), |_| Ok("not drawn".to_owned()))?;
+    let path = &arguments.output;
+    let folder = path
+        .parent()
+        .filter(|parent| !parent.as_os_str().is_empty());
+    output::test(folder.unwrap_or(Path::new(".")))?;
+    if path.is_dir() {
+        let text = format!(
+            "error: cannot write {}: a folder has its name",
+            path.display()
+        );
+        return Err(Stop::bad_input(text));
+    }
+    let results = solve(&cases, &plan, None, |_| Ok(()), |_, _| Ok(()))?;
     let [result] = results.as_slice() else {
         return Err(Stop::bad_input("error: there is nothing to draw"));
     };
@@ -85,7 +98,6 @@ pub(super) fn draw(arguments: &DrawArguments) -> Result<u8, Stop> {
     };
     let title = format!("{}: {}", result.case.name, result.case.title);
     let svg = figure(&title, &views, &options);
-    let path = &arguments.output;
     write_whole(path, &svg)
         .map_err(|e| Stop::bad_input(format!("error: cannot write {}: {e}", path.display())))?;
     print(&format!("wrote {}\n", path.display()))?;

@@ -7,14 +7,17 @@ mod check;
 mod draw;
 mod external;
 mod interrupt;
+mod output;
 mod plan;
 mod progress;
+mod records;
 mod report;
 mod run;
 mod settings;
 mod slurm;
 mod solve;
 mod stop;
+mod study;
 mod sweep;
 
 use std::process::ExitCode;
@@ -86,6 +89,7 @@ enum Command {
 
 /// Parses the arguments, runs the command, and turns its end into an exit status.
 pub fn main() -> ExitCode {
+    interrupt::watch();
     let done = match Arguments::parse().command {
         Command::Run(arguments) => run::run(&arguments),
         Command::Check(arguments) => check::check(&arguments),

@@ -5,13 +5,13 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use trilith::case;
-use trilith::files::write_whole;
 use trilith::method::Settings;
 use trilith::report::html::{Report, SweepTable, page};
-use trilith::run::CaseResult;
+use trilith::run::{CaseResult, Partial};
 
+use super::output;
 use super::plan::PlanArguments;
-use super::run::{refuted, write};
+use super::run::{files, refuted};
 use super::solve::solve;
 use super::stop::{REFUTED, Stop, print};
 
@@ -36,17 +36,18 @@ pub(super) fn report(arguments: &ReportArguments) -> Result<u8, Stop> {
     // Before the long work: a file that cannot be read is known now.
     let sweeps = read(&arguments.sweep)?;
     let settings = plan.settings;
+    let kept = Some((arguments.out.as_path(), "report.journal"));
     let results = solve(
         &cases,
         &plan,
+        kept,
         |_| Ok(()),
-        |complete| {
-            let path = hand_out(&arguments.out, complete, &settings, read(&arguments.sweep)?)?;
-            Ok(format!("reported in {path}"))
+        |results, partial| {
+            let path = hand_out(&arguments.out, results, &settings, &sweeps, partial)?;
+            let said = partial.map_or(String::new(), |partial| format!("{partial}\n"));
+            print(&format!("{said}wrote {path}\n"))
         },
     )?;
-    let path = hand_out(&arguments.out, &results, &settings, sweeps)?;
-    print(&format!("wrote {path}\n"))?;
     Ok(if refuted(&results) { REFUTED } else { 0 })
 }
 
@@ -62,17 +63,17 @@ fn hand_out(
     folder: &Path,
     results: &[CaseResult],
     settings: &Settings,
-    sweeps: Vec<SweepTable>,
+    sweeps: &[SweepTable],
+    partial: Option<&Partial>,
 ) -> Result<String, Stop> {
     let text = page(&Report {
         results,
         settings,
         sweeps,
+        partial,
     });
-    write(folder, results, false)?;
-    let path = folder.join("report.html");
-    let shown = path.display().to_string();
-    write_whole(&path, &text)
-        .map_err(|e| Stop::bad_input(format!("error: cannot write {shown}: {e}")))?;
-    Ok(shown)
+    let mut files = files(results, false, partial)?;
+    files.push(("report.html".to_owned(), text));
+    output::write(folder, files)?;
+    Ok(folder.join("report.html").display().to_string())
 }

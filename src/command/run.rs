@@ -7,13 +7,15 @@ use std::path::Path;
 
 use trilith::answer::Status;
 use trilith::case;
-use trilith::files::write_whole;
 use trilith::judge::Verdict;
-use trilith::record::{RecordChange, compare as compare_record, record};
+use trilith::record::record;
 use trilith::report;
-use trilith::run::CaseResult;
+use trilith::run::{CaseResult, Partial};
 
+use super::chart::marked;
+use super::output;
 use super::plan::PlanArguments;
+use super::records::compare;
 use super::solve::solve;
 use super::stop::{REFUTED, Stop, print};
 
@@ -27,6 +29,9 @@ pub(super) struct RunArguments {
     /// Also write results.csv, results.json and one record a case into this folder.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
+    /// Keep finished results in a journal in this folder, and go on from it [default: that of --out].
+    #[arg(long, value_name = "DIR")]
+    resume: Option<PathBuf>,
     /// How results are printed.
     #[arg(long, default_value = "table")]
     format: Format,
@@ -34,9 +39,13 @@ pub(super) struct RunArguments {
     /// formats of outside programs.
     #[arg(long)]
     states: bool,
-    /// Compare records with the .snap files in this folder; write .snap.new and exit 1 on change.
+    /// Compare records with the .snap files in this folder; write .snap.new and exit 1 on change, and
+    /// where the case of a .snap file is gone.
     #[arg(long, value_name = "DIR")]
     record: Option<PathBuf>,
+    /// Remove the .snap files whose case is gone.
+    #[arg(long, requires = "record")]
+    prune: bool,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -53,16 +62,20 @@ pub(super) fn run(arguments: &RunArguments) -> Result<u8, Stop> {
         return Err(Stop::bad_input(text));
     }
     let (cases, plan) = arguments.plan.read(&arguments.cases, case::paper)?;
+    let folders = [&arguments.out, &arguments.record];
+    for folder in folders.into_iter().flatten() {
+        output::test(folder)?;
+    }
     let format = arguments.format;
     print(&format.heading()?)?;
     let show = |result: &CaseResult| print(&format.case(result)?);
-    let results = solve(&cases, &plan, show, |complete| {
-        hand_out(arguments, complete)?;
-        Ok(handed_out(arguments.out.as_deref()))
+    let kept = kept_in(arguments.resume.as_deref(), arguments.out.as_deref());
+    let kept = kept.map(|folder| (folder, "run.journal"));
+    let results = solve(&cases, &plan, kept, show, |results, partial| {
+        hand_out(arguments, results, partial)
     })?;
-    hand_out(arguments, &results)?;
     let changed = match &arguments.record {
-        Some(folder) => compare(folder, &results)?,
+        Some(folder) => compare(folder, &results, &arguments.cases, arguments.prune)?,
         None => false,
     };
     Ok(if changed || refuted(&results) {
@@ -95,80 +108,73 @@ impl Format {
     }
 
     /// What comes behind the last case.
-    fn closing(self, results: &[CaseResult], states: bool) -> Result<String, Stop> {
+    fn closing(
+        self,
+        results: &[CaseResult],
+        states: bool,
+        partial: Option<&Partial>,
+    ) -> Result<String, Stop> {
         match self {
-            Format::Table => Ok(report::legend()),
-            Format::Csv => Ok(String::new()),
-            Format::Json => json(results, states),
+            Format::Table => {
+                let said = partial.map_or(String::new(), |partial| format!("{partial}\n\n"));
+                Ok(said + &report::legend())
+            }
+            Format::Csv => {
+                let commas = csv(&[])?.matches(',').count();
+                Ok(partial.map_or(String::new(), |partial| partial.csv_line(commas)))
+            }
+            Format::Json => json(results, states, partial),
         }
     }
 }
 
-/// Writes the files that were asked for, and prints what is left to print.
-fn hand_out(arguments: &RunArguments, results: &[CaseResult]) -> Result<(), Stop> {
+/// Prints what is left to print, and writes the files that were asked for.
+fn hand_out(
+    arguments: &RunArguments,
+    results: &[CaseResult],
+    partial: Option<&Partial>,
+) -> Result<(), Stop> {
+    let states = arguments.states;
+    let printed = print(&arguments.format.closing(results, states, partial)?);
     if let Some(folder) = &arguments.out {
-        write(folder, results, arguments.states)?;
+        output::write(folder, files(results, states, partial)?)?;
     }
-    print(&arguments.format.closing(results, arguments.states)?)
+    printed
 }
 
-/// What became of finished results, in words.
-pub(super) fn handed_out(folder: Option<&Path>) -> String {
-    match folder {
-        Some(folder) => format!("printed and written to {}", folder.display()),
-        None => "printed".to_owned(),
-    }
+/// The folder of the journal: that of `--resume`, or that of `--out`.
+pub(super) fn kept_in<'a>(resume: Option<&'a Path>, out: Option<&'a Path>) -> Option<&'a Path> {
+    resume.or(out)
 }
 
 fn csv(results: &[CaseResult]) -> Result<String, Stop> {
     report::csv(results).map_err(|e| Stop::bad_input(format!("error: cannot write CSV: {e}")))
 }
 
-fn json(results: &[CaseResult], states: bool) -> Result<String, Stop> {
+fn json(results: &[CaseResult], states: bool, partial: Option<&Partial>) -> Result<String, Stop> {
     let text = if states {
-        report::json_with_states(results)
+        report::json_with_states(results, partial)
     } else {
-        report::json(results)
+        report::json(results, partial)
     };
     text.map_err(|e| Stop::bad_input(format!("error: cannot write JSON: {e}")))
 }
 
-/// Writes results.csv, results.json, with the states where those are wanted, and the records.
-pub(super) fn write(folder: &Path, results: &[CaseResult], states: bool) -> Result<(), Stop> {
+/// The files results.csv, results.json, with the states where those are wanted, and the records.
+pub(super) fn files(
+    results: &[CaseResult],
+    states: bool,
+    partial: Option<&Partial>,
+) -> Result<Vec<(String, String)>, Stop> {
     let mut files = vec![
-        ("results.csv".to_owned(), csv(results)?),
-        ("results.json".to_owned(), json(results, states)?),
+        ("results.csv".to_owned(), marked(csv(results)?, partial)),
+        ("results.json".to_owned(), json(results, states, partial)?),
     ];
-    files.extend(
-        results
-            .iter()
-            .map(|r| (format!("{}.txt", r.case.name), record(r))),
-    );
-    for (name, text) in files {
-        let path = folder.join(name);
-        write_whole(&path, &text)
-            .map_err(|e| Stop::bad_input(format!("error: cannot write {}: {e}", path.display())))?;
-    }
-    Ok(())
-}
-
-/// Whether any record differs from the accepted one.
-fn compare(folder: &Path, results: &[CaseResult]) -> Result<bool, Stop> {
-    let mut changed = false;
-    for result in results {
-        let compared = compare_record(folder, &result.case.name, &record(result));
-        match compared.map_err(|e| Stop::bad_input(format!("error: {e}")))? {
-            RecordChange::Same => {}
-            RecordChange::Changed(path) => {
-                eprintln!(
-                    "changed: {} (see it with `cargo insta review`)",
-                    path.display()
-                );
-                changed = true;
-            }
-        }
-    }
-    Ok(changed)
+    let records = results
+        .iter()
+        .map(|r| (format!("{}.txt", r.case.name), record(r)));
+    files.extend(records);
+    Ok(files)
 }
 
 /// Whether a result failed or a reference or relation is violated.

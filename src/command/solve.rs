@@ -1,28 +1,40 @@
-//! Running a plan with progress and Ctrl-C, results shown as they come.
+//! Running a plan with progress and a journal, results shown as they come.
 
+use std::path::Path;
 use std::sync::Mutex;
 
 use trilith::case::Case;
-use trilith::run::{CaseResult, Plan, Results, run_into};
+use trilith::run::{CaseResult, CaseRuns, Journal, Keeps, Partial, Plan};
 
-use super::interrupt;
 use super::progress::Bar;
 use super::stop::Stop;
+use super::{interrupt, output};
 
-/// Runs the plan with progress and shows each case's result as soon as those before it are shown. On
-/// Ctrl-C the results of all complete cases are shown, `keep` writes what else is to be left of them
-/// and says where; standard error names those cases and the missing ones.
+/// Missing results that are named one by one.
+const NAMED: usize = 10;
+
+/// Runs the plan with progress and a journal, where there is a folder for one; shows each case's
+/// result as soon as those before it are shown, and hands them out. On a signal, or where the journal
+/// cannot be written, what is finished is shown and handed out as partial, and standard error says
+/// why and what is missing.
 ///
 /// # Errors
-/// Where a result cannot be shown.
+/// Where results cannot be shown or handed out, or the journal cannot be written.
 pub(super) fn solve(
     cases: &[Case],
     plan: &Plan,
+    kept: Option<(&Path, &str)>,
     show: impl Fn(&CaseResult) -> Result<(), Stop> + Sync,
-    keep: impl FnOnce(&[CaseResult]) -> Result<String, Stop>,
+    hand_out: impl Fn(&[CaseResult], Option<&Partial>) -> Result<(), Stop>,
 ) -> Result<Vec<CaseResult>, Stop> {
+    let scenes = plan.scenes(cases);
+    let runs = CaseRuns::new(cases, &scenes, plan);
+    let journal = kept.map(|(folder, name)| output::journal(folder, name, Keeps::Everything));
+    let journal = journal.transpose()?;
+    if let Some(journal) = &journal {
+        output::tell_known(journal, runs.tasks());
+    }
     let bar = Bar::new();
-    let results = Results::default();
     let failed: Mutex<Option<Stop>> = Mutex::new(None);
     // The first result that cannot be shown is the last that is tried.
     let show = |result: &CaseResult| {
@@ -31,39 +43,62 @@ pub(super) fn solve(
             *failed = bar.aside(|| show(result)).err();
         }
     };
-    let work = || run_into(&results, cases, plan, &bar, &show);
-    interrupt::or_leave(work, || {
+    let leave = |why: &str| {
         bar.clear();
-        let (mut complete, rest) = results.take();
-        for (_, result) in rest {
-            show(&result);
-            complete.push(result);
-        }
-        report_interruption(cases, &complete, || keep(&complete));
-    });
+        let (results, shown) = runs.finished();
+        let [finished, of] = runs.counts();
+        let partial = Partial {
+            why: why.to_owned(),
+            finished,
+            of,
+        };
+        let partial = (finished < of).then_some(&partial);
+        results[shown..].iter().for_each(&show);
+        let handed_out = match finished {
+            0 => Ok(()),
+            _ => hand_out(&results, partial),
+        };
+        tell(why, &runs, journal.as_ref(), handed_out);
+    };
+    let work = || runs.run(journal.as_ref(), &bar, &show);
+    let done = interrupt::or_leave(work, leave);
+    if let Err(error) = done {
+        leave(&format!(
+            "stopped because the journal cannot be written: {error}"
+        ));
+        return Err(Stop::bad_input("error: not all results were computed"));
+    }
     bar.clear();
+    let (results, _) = runs.finished();
     let failed = failed.lock().expect("showing does not panic").take();
-    failed.map_or_else(|| Ok(results.take().0), Err)
+    let handed_out = hand_out(&results, None);
+    failed.map_or(handed_out, Err)?;
+    if let Some(journal) = journal {
+        output::finish(journal);
+    }
+    Ok(results)
 }
 
-/// Says on standard error which cases are complete and what became of them, and which are missing.
-fn report_interruption(
-    cases: &[Case],
-    complete: &[CaseResult],
-    keep: impl FnOnce() -> Result<String, Stop>,
-) {
-    let is_complete = |case: &&Case| complete.iter().any(|result| result.case.name == case.name);
-    let (complete, missing): (Vec<&Case>, Vec<&Case>) = cases.iter().partition(is_complete);
-    let [complete, missing] = [complete, missing].map(|cases| {
-        let names: Vec<&str> = cases.iter().map(|case| case.name.as_str()).collect();
-        names.join(", ")
-    });
-    if complete.is_empty() {
-        eprintln!("interrupted: no case is complete; missing: {missing}");
-        return;
+/// Says on standard error what became of results that are not all there.
+fn tell(why: &str, runs: &CaseRuns, journal: Option<&Journal>, handed_out: Result<(), Stop>) {
+    if let Err(stop) = handed_out {
+        eprintln!("{}", stop.text.trim_end());
     }
-    match keep() {
-        Ok(how) => eprintln!("interrupted: {how}: {complete}; missing: {missing}"),
-        Err(stop) => eprintln!("interrupted: {}", stop.text.trim_end()),
+    let [finished, of] = runs.counts();
+    eprintln!("{why}: {finished} of {of} results are finished");
+    let missing = runs.missing();
+    if !missing.is_empty() {
+        let more = missing.len().saturating_sub(NAMED);
+        let more = if more > 0 {
+            format!(" and {more} more")
+        } else {
+            String::new()
+        };
+        let named: Vec<&str> = missing.iter().take(NAMED).map(String::as_str).collect();
+        eprintln!("missing: {}{more}", named.join(", "));
+    }
+    if let Some(journal) = journal {
+        let path = journal.path().display();
+        eprintln!("run the same command again to go on from {path}");
     }
 }

@@ -1,23 +1,24 @@
 //! `trilith sweep` and `trilith merge`.
 
+use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
-use std::sync::atomic::{AtomicUsize, Ordering};
 
 use clap::Args;
 use indexmap::IndexSet;
 use trilith::answer::Status;
 use trilith::case::Complaint;
-use trilith::files::write_whole;
 use trilith::judge::Verdict;
 use trilith::number::number;
-use trilith::run::{Progress, Row, Task};
-use trilith::study::sweep::{self, Journal, MOST_SHARDS, Shard, Sweep, SweepCheck};
+use trilith::run::{Keeps, Partial, Row, Task, run_rows};
+use trilith::study::sweep::{self, MOST_SHARDS, Shard, Sweep, SweepCheck};
 
-use super::plan::programs;
-use super::progress::Bar;
+use super::chart::marked;
+use super::output;
+use super::plan::externals;
+use super::slurm;
 use super::stop::{REFUTED, Stop, print};
-use super::{interrupt, slurm};
+use super::study::run_study;
 
 /// What a sweep file looks like, below the help.
 pub(super) const FORMAT: &str = r#"A sweep file names a case and what varies in it:
@@ -79,7 +80,7 @@ pub(super) struct MergeArguments {
 
 fn find(file: &str, out: Option<&Path>, external: &[String]) -> Result<(Sweep, PathBuf), Stop> {
     let sweep = Sweep::find(file).map_err(complained)?;
-    let sweep = sweep.with_programs(programs(external)?);
+    let sweep = sweep.with_programs(externals(external)?);
     let folder = match out {
         Some(folder) => folder.to_owned(),
         None => Path::new("target/sweeps").join(&sweep.name),
@@ -115,21 +116,37 @@ pub(super) fn sweep(arguments: &SweepArguments) -> Result<u8, Stop> {
         None => (sweep.tasks(), "sweep.journal".to_owned()),
         Some(shard) => (shard.deal(sweep.tasks()), shard.journal()),
     };
-    let journal = Journal::open(&folder.join(journal)).map_err(complained)?;
-    let rows = run(&tasks, &journal)?;
-    match arguments.shard {
-        None => hand_out(&sweep, &tasks, rows, &folder),
-        Some(shard) => {
-            let path = shard.write(&folder, &rows).map_err(not_written)?;
-            print(&format!(
-                "shard {shard} of {}: {} points in {}\n",
-                sweep.name,
-                rows.len(),
-                path.display()
-            ))?;
-            Ok(status(&rows))
-        }
-    }
+    let journal = output::journal(&folder, &journal, Keeps::Numbers)?;
+    output::tell_known(&journal, &tasks);
+    run_study(
+        &journal,
+        |progress| run_rows(&tasks, Some(&journal), progress),
+        |rows, why| match (arguments.shard, why) {
+            (None, why) => hand_out(&sweep, &tasks, in_order(&tasks, rows), why, &folder),
+            // The journal has them.
+            (Some(_), Some(_)) => Ok(0),
+            (Some(shard), None) => {
+                let path = shard.write(&folder, &rows).map_err(not_written)?;
+                print(&format!(
+                    "shard {shard} of {}: {} points in {}\n",
+                    sweep.name,
+                    rows.len(),
+                    path.display()
+                ))?;
+                Ok(status(&rows))
+            }
+        },
+    )
+}
+
+/// Rows that came in any order, in that of their tasks.
+fn in_order(tasks: &[Task], rows: Vec<Row>) -> Vec<Row> {
+    let mut known: BTreeMap<String, Row> =
+        rows.into_iter().map(|row| (row.id.clone(), row)).collect();
+    tasks
+        .iter()
+        .filter_map(|task| known.remove(task.id()))
+        .collect()
 }
 
 pub(super) fn merge(arguments: &MergeArguments) -> Result<u8, Stop> {
@@ -140,73 +157,43 @@ pub(super) fn merge(arguments: &MergeArguments) -> Result<u8, Stop> {
     )?;
     let tasks = sweep.tasks();
     let rows = sweep::merge(&tasks, &folder).map_err(complained)?;
-    hand_out(&sweep, &tasks, rows, &folder)
+    output::test(&folder)?;
+    hand_out(&sweep, &tasks, rows, None, &folder)
 }
 
-/// A bar that counts what the journal did not know.
-struct Counted<'a> {
-    bar: Bar,
-    journal: &'a Journal,
-    finished: AtomicUsize,
-}
-
-impl Progress for Counted<'_> {
-    fn expected(&self, seconds: f64) {
-        self.bar.expected(seconds);
-    }
-
-    fn done(&self, task: &Task, row: &Row) {
-        if self.journal.get(task.id()).is_none() {
-            self.finished.fetch_add(1, Ordering::Relaxed);
-            self.bar.done(task, row);
-        }
-    }
-}
-
-/// Runs what the journal does not know, with progress; Ctrl-C leaves the journal.
-fn run(tasks: &[Task], journal: &Journal) -> Result<Vec<Row>, Stop> {
-    let kept = tasks.iter().filter(|t| journal.get(t.id()).is_some());
-    let kept = kept.count();
-    if kept > 0 {
-        eprintln!("{kept} of {} points are finished already", tasks.len());
-    }
-    let counted = Counted {
-        bar: Bar::new(),
-        journal,
-        finished: AtomicUsize::new(kept),
-    };
-    let work = || sweep::run(tasks, Some(journal), &counted);
-    let rows = interrupt::or_leave(work, || {
-        counted.bar.clear();
-        eprintln!(
-            "interrupted: {} of {} points are in {}; run the same command again to go on",
-            counted.finished.load(Ordering::Relaxed),
-            tasks.len(),
-            journal.path().display()
-        );
+/// Prints what is in a sweep and writes its files.
+fn hand_out(
+    sweep: &Sweep,
+    tasks: &[Task],
+    mut rows: Vec<Row>,
+    why: Option<&str>,
+    folder: &Path,
+) -> Result<u8, Stop> {
+    let partial = why.map(|why| Partial {
+        why: why.to_owned(),
+        finished: rows.len(),
+        of: tasks.len(),
     });
-    counted.bar.clear();
-    rows.map_err(not_written)
-}
-
-/// Writes the files of a complete sweep and prints what is in them.
-fn hand_out(sweep: &Sweep, tasks: &[Task], mut rows: Vec<Row>, folder: &Path) -> Result<u8, Stop> {
+    let partial = partial.as_ref();
     let checks = sweep::compare(tasks, &mut rows);
     let rows = &rows;
     let path = folder.join("sweep.csv");
     let times = sweep::times_csv(rows).map_err(not_written)?;
-    write_whole(&folder.join("times.csv"), &times).map_err(not_written)?;
     let csv = sweep::sweep_csv(rows).map_err(not_written)?;
-    write_whole(&path, &csv).map_err(not_written)?;
-    print(&format!(
-        "{}: {}\n{}{}{} points in {}\n",
+    let said = partial.map_or(String::new(), |partial| format!("{partial}\n"));
+    let printed = print(&format!(
+        "{said}{}: {}\n{}{}{} points in {}\n",
         sweep.name,
         sweep.title,
         summary(rows),
         compared(&checks),
         rows.len(),
         path.display()
-    ))?;
+    ));
+    let files = [("times.csv", times), ("sweep.csv", csv)];
+    let files = files.map(|(name, text)| (name.to_owned(), marked(text, partial)));
+    output::write(folder, files.into())?;
+    printed?;
     let violated = checks
         .iter()
         .any(|one| one.check.verdict == Verdict::Violated);

@@ -7,6 +7,7 @@
 //! time_limit = 60                   # seconds, optional
 //! ```
 
+use std::io;
 use std::path::Path;
 use std::time::Duration;
 
@@ -15,6 +16,7 @@ use toml::Spanned;
 
 use super::program::{DEFAULT_LIMIT, External};
 use crate::case::{Complaint, Document, explain, program_name};
+use crate::files::{Input, read_input};
 use crate::method::METHODS;
 
 #[derive(Deserialize)]
@@ -50,7 +52,9 @@ pub fn read(argument: &str) -> Result<Vec<External>, Complaint> {
         let title = format!("--external {argument}: neither a .toml file nor NAME=COMMAND");
         return Err(Complaint::new(title).help("write `--external highs=\"python3 highs.py\"`"));
     }
-    let text = std::fs::read_to_string(argument).map_err(|error| {
+    let bytes = read_input(Path::new(argument), Input::Toml);
+    let text = bytes.and_then(|bytes| String::from_utf8(bytes).map_err(io::Error::other));
+    let text = text.map_err(|error| {
         Complaint::new(format!("cannot read {argument}: {error}"))
             .help("check the path and that it is a text")
     })?;

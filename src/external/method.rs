@@ -13,6 +13,10 @@ impl Method for External {
         &self.name
     }
 
+    fn determined_by(&self) -> Vec<String> {
+        self.texts()
+    }
+
     fn solve(&self, scene: &Scene, settings: &Settings) -> Outcome {
         self.solve_timed(scene, settings).0
     }

@@ -17,6 +17,7 @@ mod text;
 
 pub use answer::{AnswerFile, AnswerKind, answer_schema};
 pub use list::{parse, read};
+pub use process::stop_all;
 pub use program::External;
 pub use scene::{SceneFile, export, scene_schema};
 pub use states::answers;

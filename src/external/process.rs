@@ -1,7 +1,8 @@
 //! A program run to its end or to its time limit, whichever comes first.
 
-use std::io::{Read, Write};
+use std::io::{self, Read, Write};
 use std::process::{Child, Command, ExitStatus, Stdio};
+use std::sync::Mutex;
 use std::sync::mpsc::{Receiver, channel};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -49,7 +50,9 @@ pub(super) fn run(program: &External, input: String) -> Result<Finished, Program
         // A program may end without reading it all, which is its own affair.
         thread::spawn(move || drop(pipe.write_all(input.as_bytes())));
     }
-    let in_time = wait(&child, program.limit)?;
+    let in_time = wait(&child, program.limit);
+    ended(&child);
+    let in_time = in_time?;
     stop_group(&mut child);
     let used = child.wait4().map_err(not_waited_for)?;
     let output = output.recv_timeout(GRACE).unwrap_or_default();
@@ -99,10 +102,51 @@ fn start(external: &External) -> Result<Child, ProgramFailure> {
     // A group of its own, so that its children can be stopped with it.
     #[cfg(unix)]
     std::os::unix::process::CommandExt::process_group(&mut command, 0);
-    command.spawn().map_err(|error| ProgramFailure::NotStarted {
+    begun(|| command.spawn()).map_err(|error| ProgramFailure::NotStarted {
         program: program.clone(),
         error: error.to_string(),
     })
+}
+
+/// Numbers of the programs that run; `None` once all were stopped.
+static RUNNING: Mutex<Option<Vec<u32>>> = Mutex::new(Some(Vec::new()));
+
+/// Stops every program with its group, because this one is about to end. None is begun afterwards,
+/// and none gives an answer: that it was stopped says nothing about it.
+pub fn stop_all() {
+    let running = RUNNING.lock().expect("nobody panics with it").take();
+    #[cfg(unix)]
+    for program in running.into_iter().flatten() {
+        use rustix::process::{Pid, Signal, kill_process_group};
+        if let Some(group) = i32::try_from(program).ok().and_then(Pid::from_raw) {
+            // One that has ended needs nothing more.
+            let _ = kill_process_group(group, Signal::KILL);
+        }
+    }
+    #[cfg(not(unix))]
+    drop(running);
+}
+
+/// Starts a program that [`stop_all`] knows.
+fn begun(start: impl FnOnce() -> io::Result<Child>) -> io::Result<Child> {
+    let mut running = RUNNING.lock().expect("nobody panics with it");
+    let Some(running) = running.as_mut() else {
+        return Err(io::ErrorKind::Interrupted.into());
+    };
+    let child = start()?;
+    running.push(child.id());
+    Ok(child)
+}
+
+/// Forgets a program that has ended; does not return where all were stopped.
+fn ended(child: &Child) {
+    if let Some(running) = RUNNING.lock().expect("nobody panics with it").as_mut() {
+        running.retain(|&program| program != child.id());
+        return;
+    }
+    loop {
+        thread::park();
+    }
 }
 
 /// Reads a pipe to its end in a thread of its own, and keeps at most `most` bytes.

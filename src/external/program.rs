@@ -27,7 +27,7 @@ const LARGEST_FILE: u64 = 64 << 20;
 impl External {
     /// What determines its answer beyond the scene: the command, and the text of every file that it
     /// names. What those files use in turn is the user's to know.
-    pub fn determined_by(&self) -> Vec<String> {
+    pub(super) fn texts(&self) -> Vec<String> {
         let mut texts = vec![format!("{:?}", self.command)];
         for word in &self.command {
             let path = match &self.folder {

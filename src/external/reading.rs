@@ -99,7 +99,7 @@ fn bracket(
     mechanism: Option<&Mechanism>,
     ceiling: Option<&Mechanism>,
 ) -> Result<Option<Bracket>, ProgramFailure> {
-    let needs = |keys| ProgramFailure::MissingKeys { keys };
+    let needs = |keys: &'static str| ProgramFailure::MissingKeys { keys: keys.into() };
     let one = answer.lambda.ok_or(needs("`lambda`"));
     let proof = answer.forces.is_some() && mechanism.is_some();
     match answer.kind {
@@ -150,10 +150,10 @@ fn check_length<T>(
         Ok(())
     } else {
         Err(ProgramFailure::WrongLength {
-            key,
+            key: key.into(),
             entries: list.len(),
             expected,
-            of,
+            of: of.into(),
         })
     }
 }

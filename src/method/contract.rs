@@ -12,6 +12,12 @@ pub trait Method: Sync {
     /// The name in tables, cases and on the command line.
     fn name(&self) -> &str;
 
+    /// Texts that determine the answer beyond the scene, the settings and this program: for an outside
+    /// program its command.
+    fn determined_by(&self) -> Vec<String> {
+        Vec::new()
+    }
+
     /// The answer for one scene. Every ending is a status; nothing here panics on a valid scene.
     fn solve(&self, scene: &Scene, settings: &Settings) -> Outcome;
 
@@ -25,6 +31,10 @@ pub trait Method: Sync {
 impl<M: Method + ?Sized> Method for &M {
     fn name(&self) -> &str {
         (**self).name()
+    }
+
+    fn determined_by(&self) -> Vec<String> {
+        (**self).determined_by()
     }
 
     fn solve(&self, scene: &Scene, settings: &Settings) -> Outcome {

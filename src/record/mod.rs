@@ -6,7 +6,7 @@
 mod snapshot;
 mod table;
 
-pub use snapshot::{RecordChange, compare};
+pub use snapshot::{RecordChange, compare, records_beside};
 pub(crate) use table::{LEGEND, fixed_width};
 pub use table::{heading, lines};
 
@@ -19,6 +19,9 @@ use crate::scene::{HeadJoints, JointClass, Scene};
 /// a head-joint setting for what it all comes to.
 pub fn record(result: &CaseResult) -> String {
     let mut text = title(result);
+    if let Some(partial) = result.partial() {
+        text.push_str(&format!("{partial}\n"));
+    }
     for (head_joints, sides) in &result.scenes {
         text.push_str(&fingerprint(*head_joints, &sides[0]));
         text.push('\n');

@@ -5,14 +5,16 @@ use std::path::{Path, PathBuf};
 
 use insta::Snapshot;
 
-use crate::files::write_whole;
+use crate::files::{Input, read_input, write_whole};
 
 /// How a record compares with the accepted one.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum RecordChange {
     /// Equal to the accepted snapshot.
     Same,
-    /// Different from the accepted snapshot, or the first; the new one stands in this file.
+    /// The first of its case; it stands in this file.
+    New(PathBuf),
+    /// Different from the accepted snapshot; the new one stands in this file.
     Changed(PathBuf),
 }
 
@@ -24,7 +26,14 @@ pub enum RecordChange {
 pub fn compare(folder: &Path, name: &str, record: &str) -> io::Result<RecordChange> {
     let accepted = folder.join(format!("{name}.snap"));
     let pending = folder.join(format!("{name}.snap.new"));
-    if accepted.exists() {
+    let known = accepted.exists();
+    if known {
+        let failed = |error: io::Error| {
+            let text = format!("cannot read {}: {error}", accepted.display());
+            io::Error::new(error.kind(), text)
+        };
+        // The reader of snapshots opens whatever it is given, of any size.
+        read_input(&accepted, Input::Record).map_err(failed)?;
         let snapshot = Snapshot::from_file(&accepted).map_err(|e| {
             let text = format!("{} is not a snapshot: {e}", accepted.display());
             io::Error::new(io::ErrorKind::InvalidData, text)
@@ -39,7 +48,33 @@ pub fn compare(folder: &Path, name: &str, record: &str) -> io::Result<RecordChan
     }
     let source = serde_json::Value::from(format!("trilith run --record: {name}"));
     write_whole(&pending, &format!("---\nsource: {source}\n---\n{record}"))?;
-    Ok(RecordChange::Changed(pending))
+    Ok(if known {
+        RecordChange::Changed(pending)
+    } else {
+        RecordChange::New(pending)
+    })
+}
+
+/// The snapshots in a folder, accepted and new ones, whose case is none of these: by the names of
+/// their cases, sorted.
+///
+/// # Errors
+/// Where the folder cannot be read.
+pub fn records_beside(folder: &Path, cases: &[&str]) -> io::Result<Vec<(String, PathBuf)>> {
+    let mut others = Vec::new();
+    for entry in std::fs::read_dir(folder)? {
+        let path = entry?.path();
+        let name = path.file_name().and_then(|name| name.to_str());
+        let name = name.map(|name| name.strip_suffix(".new").unwrap_or(name));
+        let Some(case) = name.and_then(|name| name.strip_suffix(".snap")) else {
+            continue;
+        };
+        if !cases.contains(&case) {
+            others.push((case.to_owned(), path));
+        }
+    }
+    others.sort();
+    Ok(others)
 }
 
 #[cfg(test)]
@@ -54,7 +89,7 @@ mod tests {
         let text = "wall: mine\n\n  a line\n";
         assert_eq!(
             compare(path, "wall", text).unwrap(),
-            RecordChange::Changed(pending.clone())
+            RecordChange::New(pending.clone())
         );
         // What `cargo insta accept` does.
         std::fs::rename(&pending, path.join("wall.snap")).unwrap();
@@ -63,5 +98,8 @@ mod tests {
         assert_eq!(changed, RecordChange::Changed(pending.clone()));
         assert_eq!(compare(path, "wall", text).unwrap(), RecordChange::Same);
         assert!(!pending.exists());
+        let others = |cases: &[&str]| records_beside(path, cases).unwrap();
+        assert_eq!(others(&["wall"]), []);
+        assert_eq!(others(&["tower"])[0].0, "wall");
     }
 }

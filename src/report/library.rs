@@ -64,6 +64,11 @@ pub fn library_case(result: &CaseResult) -> String {
             text.push_str(&reference_line(row, computed, against, verdict));
         }
     }
+    if let Some(partial) = result.partial() {
+        text.push_str(&columns(
+            [(result.case.name.as_str(), 24), (&partial, 0)].into_iter(),
+        ));
+    }
     for conclusion in &result.conclusions {
         let cells = [
             (result.case.name.as_str(), 24),

@@ -6,7 +6,7 @@ use crate::answer::Mechanism;
 use crate::external::{SceneFile, answers};
 use crate::judge::{Conclusion, Verdict};
 use crate::record::{self, LEGEND};
-use crate::run::{self, Audience, COLUMNS, CaseResult, Column, Row, Value};
+use crate::run::{self, Audience, COLUMNS, CaseResult, Column, Partial, Row, Value};
 
 /// One table for people: a block a case, and every check that does not hold.
 pub fn table(results: &[CaseResult]) -> String {
@@ -19,6 +19,7 @@ pub fn case_table(result: &CaseResult) -> String {
     let mut lines = vec![record::heading()];
     lines.extend(record::lines(result));
     lines.push(record::tally(&result.checks));
+    lines.extend(result.partial());
     let open = result.checks.iter().filter(|c| c.verdict > Verdict::Holds);
     lines.extend(open.map(record::check_line));
     lines.push("answer".to_owned());
@@ -57,14 +58,19 @@ pub fn csv(results: &[CaseResult]) -> Result<String, csv::Error> {
 /// case's length unit and its rotation in radians, counter-clockwise. `conclusion` has what all rows
 /// about the scene come to, the same in each of them: `difference` is how far λ_A is above the lowest
 /// state, relative to that, and `explained` whether nothing but that is to be explained.
+/// Where results are partial, a last object says so in `partial`, and its columns are `null`.
 ///
 /// # Errors
 /// Those of the JSON writer; none is expected in memory.
-pub fn json(results: &[CaseResult]) -> Result<String, serde_json::Error> {
+pub fn json(
+    results: &[CaseResult],
+    partial: Option<&Partial>,
+) -> Result<String, serde_json::Error> {
     let of_case = |result: &CaseResult| -> Vec<JsonObject> {
         result.rows.iter().map(|row| object(result, row)).collect()
     };
-    let list: Vec<JsonObject> = results.iter().flat_map(of_case).collect();
+    let mut list: Vec<JsonObject> = results.iter().flat_map(of_case).collect();
+    list.extend(partial.map(mark));
     let mut text = serde_json::to_string_pretty(&list)?;
     text.push('\n');
     Ok(text)
@@ -76,7 +82,10 @@ pub fn json(results: &[CaseResult]) -> Result<String, serde_json::Error> {
 ///
 /// # Errors
 /// As [`json()`].
-pub fn json_with_states(results: &[CaseResult]) -> Result<String, serde_json::Error> {
+pub fn json_with_states(
+    results: &[CaseResult],
+    partial: Option<&Partial>,
+) -> Result<String, serde_json::Error> {
     let mut lines = Vec::new();
     for result in results {
         for row in &result.rows {
@@ -86,7 +95,17 @@ pub fn json_with_states(results: &[CaseResult]) -> Result<String, serde_json::Er
             lines.push(serde_json::to_string(&object)?);
         }
     }
+    if let Some(partial) = partial {
+        lines.push(serde_json::to_string(&mark(partial))?);
+    }
     Ok(format!("[\n{}\n]\n", lines.join(",\n")))
+}
+
+/// The last object of partial results.
+fn mark(partial: &Partial) -> JsonObject {
+    let nothing = for_programs().map(|column| (column.name.to_owned(), serde_json::Value::Null));
+    let said = ("partial".to_owned(), partial.to_string().into());
+    nothing.chain([said]).collect()
 }
 
 type JsonObject = serde_json::Map<String, serde_json::Value>;

@@ -1,14 +1,16 @@
-//! A row as files keep it: the flat facts, in nine digits, without forces or mechanisms.
+//! A row as files keep it, a line each with a sum over its text: the flat facts, in nine digits,
+//! without forces or mechanisms; for those who need these too, also the whole answer.
 
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};
 
-use super::row::Row;
+use super::row::{Row, StrongerSide};
 use crate::answer::{Bracket, Claim, Crack, Fact, Outcome, Status, Work};
+use crate::fingerprint::Fingerprint;
 use crate::number::nine_digits;
 use crate::scene::{HeadJoints, Push};
 
 /// The line of a journal. A row that was kept is the row that is read back, to the last bit.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct KeptRow {
     id: String,
@@ -36,6 +38,115 @@ struct KeptRow {
     /// Blocks that were modelled as movable, linear programs, their iterations, block steps.
     work: [usize; 5],
     seconds: f64,
+    /// What the flat facts leave out.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    whole: Option<WholeAnswer>,
+}
+
+/// A row's answer with its forces, mechanisms and facts, to the last bit.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct WholeAnswer {
+    outcome: Outcome,
+    stronger: Option<(Push, Outcome)>,
+    residual: Option<f64>,
+    seconds: f64,
+}
+
+impl From<&Row> for WholeAnswer {
+    fn from(row: &Row) -> Self {
+        let stronger = row.stronger.as_ref();
+        Self {
+            outcome: row.outcome.clone(),
+            stronger: stronger.map(|side| (side.push, (*side.outcome).clone())),
+            residual: row.residual,
+            seconds: row.seconds,
+        }
+    }
+}
+
+impl WholeAnswer {
+    /// The row of the flat facts with this answer.
+    fn put_into(self, row: Row) -> Row {
+        let side = |(push, outcome)| StrongerSide {
+            push,
+            outcome: Box::new(outcome),
+        };
+        Row {
+            outcome: self.outcome,
+            stronger: self.stronger.map(side),
+            residual: self.residual,
+            seconds: self.seconds,
+            ..row
+        }
+    }
+}
+
+/// How much of a row a journal keeps.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Keeps {
+    /// The flat facts: what tables of many rows need.
+    Numbers,
+    /// The whole answer: what a record, a drawing and the judge need.
+    Everything,
+}
+
+impl Keeps {
+    /// What is left of a row, whether it was just answered or is read back.
+    pub(super) fn of(self, row: Row) -> Row {
+        match self {
+            Keeps::Numbers => row.kept(),
+            Keeps::Everything => row,
+        }
+    }
+
+    /// The row as a line; `None` for one that would not be read back as it is, because JSON has no
+    /// infinite numbers.
+    pub(super) fn line(self, row: &Row) -> serde_json::Result<Option<String>> {
+        let whole = match self {
+            Keeps::Numbers => None,
+            Keeps::Everything => Some(WholeAnswer::from(row)),
+        };
+        let kept = KeptRow {
+            whole,
+            ..row.clone().into()
+        };
+        let text = serde_json::to_string(&kept)?;
+        let line = format!("{} {text}\n", sum(text.as_bytes()));
+        let same = || {
+            let read = read_line(line.trim_end().as_bytes());
+            read.is_some_and(|read| format!("{read:?}") == format!("{row:?}"))
+        };
+        let kept = self == Keeps::Numbers || same();
+        Ok(kept.then_some(line))
+    }
+}
+
+/// Tells a line that is not the one that was written.
+fn sum(text: &[u8]) -> String {
+    let mut sum = Fingerprint::new();
+    sum.add(text);
+    sum.hex()
+}
+
+/// The row of a line without its end; `None` where a single character of it has changed.
+pub(crate) fn read_line(line: &[u8]) -> Option<Row> {
+    let (written, text) = line.split_at_checked(line.iter().position(|&byte| byte == b' ')?)?;
+    let text = &text[1..];
+    if sum(text).as_bytes() != written {
+        return None;
+    }
+    serde_json::from_slice(text).ok()
+}
+
+/// Rows as the lines of a file.
+///
+/// # Errors
+/// Those of the JSON writer; none is expected in memory.
+pub(crate) fn lines(rows: &[Row]) -> serde_json::Result<String> {
+    let lines = rows.iter().map(|row| Keeps::Numbers.line(row));
+    let lines: serde_json::Result<Vec<Option<String>>> = lines.collect();
+    Ok(lines?.into_iter().flatten().collect())
 }
 
 impl From<Row> for KeptRow {
@@ -82,6 +193,7 @@ impl From<Row> for KeptRow {
             blocks: row.blocks,
             joints: row.joints,
             multiplier_unit: row.multiplier_unit,
+            whole: None,
         }
     }
 }
@@ -112,6 +224,7 @@ impl TryFrom<KeptRow> for Row {
         let pushes = [Push::Right, Push::Left];
         let status = named("status", Status::ALL, Status::name, kept.status)?;
         let claim = named("claim", Claim::ALL, Claim::name, kept.claim)?;
+        let whole = kept.whole;
         let [modelled, programs, iterations, block_steps, fallbacks] = kept.work;
         let ends = kept.lower.zip(kept.upper);
         let crack = kept.tan_beta.map(|tan_beta| Crack {
@@ -120,7 +233,7 @@ impl TryFrom<KeptRow> for Row {
             tan_beta,
             sharp: kept.sharp,
         });
-        Ok(Self {
+        let flat = Self {
             head_joints: named(
                 "head joints",
                 head_joints,
@@ -162,6 +275,10 @@ impl TryFrom<KeptRow> for Row {
             stronger: None,
             references: Vec::new(),
             verdict: None,
+        };
+        Ok(match whole {
+            Some(whole) => whole.put_into(flat),
+            None => flat,
         })
     }
 }
@@ -192,7 +309,8 @@ impl Row {
             seconds: 0.0,
             ..KeptRow::from(row.clone())
         };
-        timeless(self) == timeless(other)
+        let text = |row: &Row| serde_json::to_string(&timeless(row)).ok();
+        text(self) == text(other)
     }
 }
 

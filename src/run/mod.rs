@@ -4,8 +4,12 @@
 //! subject × method × settings ── task ── schedule ──▶ row ── columns ──▶ tables, files, studies
 //! ```
 
+mod cases;
 mod columns;
+mod execute;
+mod journal;
 mod kept;
+mod partial;
 mod progress;
 mod results;
 mod row;
@@ -13,10 +17,15 @@ mod schedule;
 mod task;
 mod weaker;
 
+pub use cases::{CaseRuns, run};
 pub use columns::{Audience, COLUMNS, Column, Value, column, csv, values};
+pub use execute::{run_rows, run_tasks};
+pub use journal::Journal;
+pub use kept::Keeps;
+pub(crate) use kept::{lines, read_line};
+pub use partial::{PARTIAL_MARK, Partial, titled};
 pub use progress::Progress;
-pub use results::{CaseResult, Plan, Results, run, run_into};
+pub use results::{CaseResult, CaseScenes, Plan};
 pub use row::{Row, StrongerSide, scene_name};
-pub use schedule::InOrder;
-pub(crate) use schedule::longest_first;
+pub(crate) use task::fingerprint;
 pub use task::{Sides, Subject, Task, answer};

@@ -8,6 +8,9 @@ pub trait Progress: Sync {
     /// CPU seconds that tasks may take together, roughly, before the first of them begins.
     fn expected(&self, _seconds: f64) {}
 
+    /// A task was done before: a journal knows its row.
+    fn known(&self, _task: &Task, _row: &Row) {}
+
     /// A task is done.
     fn done(&self, _task: &Task, _row: &Row) {}
 }

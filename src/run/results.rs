@@ -1,11 +1,6 @@
 //! Cases: every method of a plan on every scene, as rows with the checks about them.
 
-use std::sync::Mutex;
-
-use super::progress::Progress;
 use super::row::Row;
-use super::schedule::{InOrder, longest_first};
-use super::task::{Subject, Task};
 use crate::answer::Outcome;
 use crate::case::Case;
 use crate::judge::{Check, Conclusion, conclude, cross_check, open_never_raises, reference_checks};
@@ -18,7 +13,7 @@ pub struct CaseResult {
     /// The case.
     pub case: Case,
     /// What was run for each head-joint setting: one scene a direction of the push.
-    pub scenes: Vec<(HeadJoints, Vec<Scene>)>,
+    pub scenes: CaseScenes,
     /// One row a method and head-joint setting, methods in their own order, then contact before
     /// open.
     pub rows: Vec<Row>,
@@ -26,6 +21,8 @@ pub struct CaseResult {
     pub checks: Vec<Check>,
     /// What it all comes to, one a head-joint setting.
     pub conclusions: Vec<Conclusion>,
+    /// What was not finished when the run was ended early; empty where the case is complete.
+    pub missing: Vec<String>,
 }
 
 impl CaseResult {
@@ -50,7 +47,18 @@ impl CaseResult {
         scene.expect("this side ran")
     }
 
-    fn new(case: Case, scenes: Vec<(HeadJoints, Vec<Scene>)>, mut rows: Vec<Row>) -> Self {
+    /// Why the result is not complete, in words; `None` where it is.
+    pub fn partial(&self) -> Option<String> {
+        let missing = self.missing.join(", ");
+        (!missing.is_empty()).then(|| format!("PARTIAL: not finished: {missing}"))
+    }
+
+    pub(super) fn new(
+        case: Case,
+        scenes: CaseScenes,
+        mut rows: Vec<Row>,
+        missing: Vec<String>,
+    ) -> Self {
         let checks = checks(&case, &scenes, &rows);
         rows.iter_mut().for_each(|row| row.compare(&case, &checks));
         let conclusions = conclusions(&scenes, &rows);
@@ -60,6 +68,7 @@ impl CaseResult {
             rows,
             checks,
             conclusions,
+            missing,
         }
     }
 }
@@ -76,8 +85,12 @@ pub struct Plan<'a> {
 }
 
 impl Plan<'_> {
-    /// The scenes of a case: one a direction of the push for each head-joint setting.
-    fn scenes(&self, case: &Case) -> Vec<(HeadJoints, Vec<Scene>)> {
+    /// The scenes of cases, which their runs borrow.
+    pub fn scenes(&self, cases: &[Case]) -> Vec<CaseScenes> {
+        cases.iter().map(|case| self.of_case(case)).collect()
+    }
+
+    fn of_case(&self, case: &Case) -> CaseScenes {
         let settings = match self.head_joints {
             Some(only) => vec![only],
             None => case.head_joints.clone(),
@@ -87,67 +100,8 @@ impl Plan<'_> {
     }
 }
 
-/// The results of cases while they run.
-pub type Results = InOrder<CaseResult>;
-
-/// Runs every method of the plan on every scene of every case, on all cores, and judges them.
-pub fn run(cases: &[Case], plan: &Plan, progress: &dyn Progress) -> Vec<CaseResult> {
-    let results = Results::default();
-    run_into(&results, cases, plan, progress, &|_| {});
-    results.take().0
-}
-
-/// As [`run`], putting each case's result where others can take it before the last is done: what is
-/// complete outlives an interruption. `show` gets each result as soon as those before it are
-/// shown. Without methods, every case is complete at once.
-pub fn run_into(
-    results: &Results,
-    cases: &[Case],
-    plan: &Plan,
-    progress: &dyn Progress,
-    show: &(dyn Fn(&CaseResult) + Sync),
-) {
-    let scenes: Vec<_> = cases.iter().map(|case| plan.scenes(case)).collect();
-    let (mut tasks, mut places, mut open) = (Vec::new(), Vec::new(), Vec::new());
-    for (index, (case, of_case)) in cases.iter().zip(&scenes).enumerate() {
-        let first = tasks.len();
-        for &method in &plan.methods {
-            for (head_joints, sides) in of_case {
-                let subject = Subject {
-                    head_joints: *head_joints,
-                    ..Subject::of_scenes(&case.name, sides)
-                };
-                places.push((index, tasks.len() - first));
-                tasks.push(Task::new(subject, method, plan.settings));
-            }
-        }
-        let rows: Vec<Option<Row>> = vec![None; tasks.len() - first];
-        open.push(Mutex::new(rows));
-    }
-    let complete = |index: usize, rows: Vec<Row>| {
-        let result = CaseResult::new(cases[index].clone(), scenes[index].clone(), rows);
-        results.add(index, result, |result| show(result));
-    };
-    if plan.methods.is_empty() {
-        (0..cases.len()).for_each(|index| complete(index, Vec::new()));
-    }
-    let seconds: Vec<f64> = tasks.iter().map(Task::expected_seconds).collect();
-    progress.expected(seconds.iter().sum());
-    longest_first(&seconds, |task| {
-        let row = tasks[task].run();
-        progress.done(&tasks[task], &row);
-        let (index, place) = places[task];
-        let rows = {
-            let mut open = open[index].lock().expect("a task's panic is a row");
-            open[place] = Some(row);
-            let all_there = open.iter().all(Option::is_some);
-            all_there.then(|| std::mem::take(&mut *open))
-        };
-        if let Some(rows) = rows {
-            complete(index, rows.into_iter().flatten().collect());
-        }
-    });
-}
+/// The scenes of a case: one a direction of the push for each head-joint setting.
+pub type CaseScenes = Vec<(HeadJoints, Vec<Scene>)>;
 
 /// The answers of a head-joint setting.
 fn answers(rows: &[Row], head_joints: HeadJoints) -> Vec<(&str, &Outcome)> {

@@ -33,8 +33,7 @@ pub struct Subject<'a> {
     pub blocks: usize,
     /// The scenes. Where there are two, the weaker side counts.
     pub sides: Sides<'a>,
-    /// Texts that determine these scenes, and the method beyond its name and settings: the text of
-    /// a case, a command with its version.
+    /// Texts that determine these scenes: that of a case, or of the scenes themselves.
     pub determined_by: Vec<String>,
 }
 
@@ -50,9 +49,17 @@ impl<'a> Subject<'a> {
             parameters: Vec::new(),
             blocks: sides[0].blocks().len(),
             sides: Box::new(move || Cow::Borrowed(sides)),
-            determined_by: Vec::new(),
+            determined_by: sides.iter().map(fingerprint).collect(),
         }
     }
+}
+
+/// What tells a scene from every other.
+pub(crate) fn fingerprint(scene: &Scene) -> String {
+    let mut of_scene = Fingerprint::new();
+    // Every number of it, to the last bit.
+    of_scene.add(format!("{scene:?}").as_bytes());
+    of_scene.hex()
 }
 
 /// One method with its settings on one subject.
@@ -79,6 +86,7 @@ impl<'a> Task<'a> {
         // Every field with its name; what it looks like can only change with the sources.
         add(&format!("{settings:?}"));
         subject.determined_by.iter().for_each(|text| add(text));
+        method.determined_by().iter().for_each(|text| add(text));
         Self {
             id: id.hex(),
             method: Box::new(method),

@@ -1,7 +1,9 @@
 //! Which way a scene is pushed, and what its head joints carry.
 
+use serde::{Deserialize, Serialize};
+
 /// Which way the live load pushes the wall.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Push {
     /// Towards +x: the toe is the lower right corner.
     Right,
@@ -28,7 +30,7 @@ impl Push {
 }
 
 /// What the head joints (perpends) of a scene carry.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
 pub enum HeadJoints {
     /// Coulomb contact.
     Contact,

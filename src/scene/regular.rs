@@ -1,5 +1,7 @@
 //! What only a coursed wall has: what its crack is measured with, and the wall of the closed form.
 
+use serde::{Deserialize, Serialize};
+
 /// What the crack slope of a coursed wall is measured with.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Coursing {
@@ -35,7 +37,7 @@ pub struct RegularWall {
 }
 
 /// Why a wall is not a regular one.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]
 pub enum Irregularity {
     /// One course has no stagger.
     #[error("a single course has no stagger line")]

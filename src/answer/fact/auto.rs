@@ -2,11 +2,13 @@
 
 use std::fmt;
 
+use serde::{Deserialize, Serialize};
+
 use super::super::bracket::Bracket;
 use crate::number::short;
 
 /// What `auto` concludes from the other methods.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum AutoFact {
     /// The program for λ_A settles the scene, as the facts after this one say.
     SettledByAssociative,
@@ -41,7 +43,7 @@ pub enum AutoFact {
 }
 
 /// The gap between the lowest collapse state found and λ_A.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Uniqueness {
     /// Whether the gap is within the tolerance.
     pub unique: bool,

@@ -1,9 +1,11 @@
 //! Facts of the closed form.
 
+use serde::{Deserialize, Serialize};
+
 use crate::scene::Irregularity;
 
 /// Why the closed form does not apply.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]
 pub enum InapplicableForm {
     /// The scene is not a regular wall.
     #[error(transparent)]
@@ -14,7 +16,7 @@ pub enum InapplicableForm {
 }
 
 /// Where the closed form does not hold.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]
 pub enum Invalid {
     /// α_b > α_p: the stagger line leaves the wall through its side.
     #[error(

@@ -2,13 +2,15 @@
 
 use std::fmt;
 
+use serde::{Deserialize, Serialize};
+
 use super::super::block_residual::{BlockResidual, VERIFIED_BLOCK};
 use super::super::residual::{CollapseResidual, StaticResidual};
 use super::super::status::Status;
 use crate::number::number;
 
 /// What the judge finds.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum JudgedFact {
     /// Forces and mechanism are a collapse state, although the method claims none.
     CollapseState,
@@ -26,7 +28,7 @@ pub enum JudgedFact {
 }
 
 /// The residuals that a proof was judged by.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Residuals {
     /// Of a collapse state.
     State {
@@ -51,7 +53,7 @@ pub enum Residuals {
 }
 
 /// What a mechanism has to show as an upper bound.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct CeilingSlack {
     /// Its violation of the associative flow rule.
     pub flow_rule: f64,

@@ -2,11 +2,13 @@
 
 use std::fmt;
 
+use serde::{Deserialize, Serialize};
+
 use super::super::block_residual::BlockResidual;
 use crate::number::number;
 
 /// What a limit analysis proves, or fails to.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum LimitFact {
     /// The scene falls: the mechanism is the proof.
     MovesUnpushed {
@@ -122,7 +124,7 @@ fn write_first(f: &mut fmt::Formatter<'_>, first: &[String]) -> fmt::Result {
 }
 
 /// What the solver says of a linear program. No proof of it.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum SolverEnding {
     /// It has an optimum.
     Optimum,

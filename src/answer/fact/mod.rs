@@ -1,6 +1,8 @@
 //! What is to be said about an answer, as data. `Display` makes the sentence, and nothing else does:
 //! a program that needs a figure reads the field.
 
+use serde::{Deserialize, Serialize};
+
 mod auto;
 mod closed_form;
 mod judged;
@@ -24,7 +26,7 @@ pub use sequential::{SequentialEnding, SequentialFacts};
 pub use side::SideFact;
 
 /// One thing that is to be said about an answer.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Fact {
     /// Free words: those of an outside program, or of a panic.
     Words(String),

@@ -1,9 +1,12 @@
 //! Facts of outside programs.
 
+use std::borrow::Cow;
 use std::fmt;
 
+use serde::{Deserialize, Serialize};
+
 /// Why an outside program gave no answer.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]
 pub enum ProgramFailure {
     /// The scene cannot be written as JSON.
     #[error("the scene cannot be written: {error}")]
@@ -54,7 +57,7 @@ pub enum ProgramFailure {
     #[error("an answer of this kind needs {keys}")]
     MissingKeys {
         /// Which, and what else may be meant.
-        keys: &'static str,
+        keys: Cow<'static, str>,
     },
     /// An upper end or a stated error beside a proof, which has its own.
     #[error("`upper` and `stated_error` go with the kind `estimate` only")]
@@ -77,13 +80,13 @@ pub enum ProgramFailure {
     #[error("`{key}` has {entries} entries, the scene has {expected} {of}")]
     WrongLength {
         /// The list.
-        key: &'static str,
+        key: Cow<'static, str>,
         /// Its length.
         entries: usize,
         /// The length that it should have.
         expected: usize,
         /// What there is one entry of for each.
-        of: &'static str,
+        of: Cow<'static, str>,
     },
 }
 
@@ -96,7 +99,7 @@ fn after_colon(messages: &str) -> String {
 }
 
 /// How an outside program ended that gave no answer.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum ProgramEnding {
     /// It was stopped at its time limit.
     TimeLimit {

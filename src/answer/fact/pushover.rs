@@ -2,11 +2,13 @@
 
 use std::fmt;
 
+use serde::{Deserialize, Serialize};
+
 use super::super::bracket::Bracket;
 use super::super::self_check::{SelfCheck, Variation};
 
 /// What a pushover ends with, or why it has no answer.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum PushoverFact {
     /// The bracket is of the first slip of a joint, not of the collapse.
     FirstSlip {

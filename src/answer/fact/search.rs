@@ -2,10 +2,12 @@
 
 use std::fmt;
 
+use serde::{Deserialize, Serialize};
+
 use crate::answer::bracket::is_same_multiplier;
 
 /// How every start of a search for collapse states ended, in the order in which they ran.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SearchFacts {
     /// One ending a start; a search that may stop early has fewer than it was allowed.
     pub starts: Vec<StartEnding>,
@@ -14,7 +16,7 @@ pub struct SearchFacts {
 }
 
 /// Where one start began and how it ended.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct StartEnding {
     /// Where it began.
     pub start: SearchStart,
@@ -23,7 +25,7 @@ pub struct StartEnding {
 }
 
 /// What the normal forces are that a start begins with.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum SearchStart {
     /// Those of the lowest state with open head joints.
     OpenState,
@@ -61,7 +63,7 @@ pub enum SearchStart {
 }
 
 /// How a start ended.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum SearchEnding {
     /// With collapse states. Where a part of the scene is searched, these are proved as states of the
     /// part: one lower than all before it is completed to a state of the whole scene at once, any
@@ -75,7 +77,7 @@ pub enum SearchEnding {
 }
 
 /// Why a start gave no state.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum SearchFailure {
     /// The gap stayed open.
     GapOpen,
@@ -117,7 +119,7 @@ impl fmt::Display for SearchFailure {
 }
 
 /// How far the starts of a search cover the states that there are.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Coverage {
     /// Starts.
     pub starts: usize,

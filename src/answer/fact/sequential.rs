@@ -2,8 +2,10 @@
 
 use std::fmt;
 
+use serde::{Deserialize, Serialize};
+
 /// How the sequential method ended, and after how many steps.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct SequentialFacts {
     /// How it ended.
     pub ending: SequentialEnding,
@@ -12,7 +14,7 @@ pub struct SequentialFacts {
 }
 
 /// How the sequential method ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum SequentialEnding {
     /// λ settled.
     Converged,

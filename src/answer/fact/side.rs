@@ -2,10 +2,12 @@
 
 use std::fmt;
 
+use serde::{Deserialize, Serialize};
+
 use crate::scene::Push;
 
 /// Which side of a wall that is pushed both ways the answer is about.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub enum SideFact {
     /// The wall is weaker when pushed this way, and this is that side's multiplier.
     Weaker(Push),

@@ -1,11 +1,11 @@
 //! A case that was found and not yet read.
 
-use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::embedded::embedded_file;
 use crate::case::complaint::Complaint;
 use crate::case::model::Case;
+use crate::files::{Input, read_input};
 
 /// The text of a case, and where it comes from.
 #[derive(Clone, Debug)]
@@ -38,7 +38,7 @@ impl UnreadCase {
             Complaint::new(format!("cannot read {shown}: {error}"))
                 .help("check the path and its permissions")
         };
-        let bytes = fs::read(path).map_err(failed)?;
+        let bytes = read_input(path, Input::Toml).map_err(failed)?;
         let file = Some(path.canonicalize().map_err(failed)?);
         Ok(Self {
             path: shown,
@@ -59,7 +59,10 @@ impl UnreadCase {
     pub fn read_file(&self, name: &str) -> Result<Vec<u8>, String> {
         match &self.file {
             // Beside the file itself, also where a link leads to it.
-            Some(file) => fs::read(file.with_file_name(name)).map_err(|error| error.to_string()),
+            Some(file) => {
+                let path = file.with_file_name(name);
+                read_input(&path, Input::Table).map_err(|error| error.to_string())
+            }
             None => embedded_file(&self.path, name),
         }
     }

@@ -5,7 +5,7 @@ use maud::{DOCTYPE, Markup, PreEscaped, html};
 use super::sweep::SweepTable;
 use super::{panel, prose, ranges, summary, sweep, table};
 use crate::method::Settings;
-use crate::run::CaseResult;
+use crate::run::{CaseResult, Partial};
 
 /// What a report is made of.
 pub struct Report<'a> {
@@ -14,7 +14,9 @@ pub struct Report<'a> {
     /// Settings that they were computed with.
     pub settings: &'a Settings,
     /// Sweeps to plot, each under its own heading.
-    pub sweeps: Vec<SweepTable>,
+    pub sweeps: &'a [SweepTable],
+    /// That results are missing, and why.
+    pub partial: Option<&'a Partial>,
 }
 
 /// The page. It refers to nothing outside itself.
@@ -31,7 +33,7 @@ pub fn page(report: &Report) -> String {
                 meta http-equiv="Content-Security-Policy"
                     content="default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
                 link rel="icon" href="data:,";
-                title { "trilith report: " (names(results)) }
+                title { @if report.partial.is_some() { "PARTIAL: " } "trilith report: " (names(results)) }
                 style { (PreEscaped(include_str!("style.css"))) }
             }
             body {
@@ -45,6 +47,7 @@ pub fn page(report: &Report) -> String {
                     }
                 }
                 main #main {
+                    @if let Some(partial) = report.partial { p.headline.bad { (partial) } }
                     @for (id, title, body) in &sections {
                         section id=(id) aria-labelledby={(id) "-title"} {
                             h2 id={(id) "-title"} { (title) }

@@ -5,15 +5,19 @@ use std::path::Path;
 use maud::{Markup, PreEscaped, html};
 
 use super::table::{TableCell, sortable};
+use crate::files::{Input, read_input};
 use crate::method::method_look;
 use crate::number::short;
 use crate::picture::{Line, Plot, PlotAxis, Ticks, plot};
+use crate::run::PARTIAL_MARK;
 
 /// A sweep's CSV, read.
 pub struct SweepTable {
     name: String,
     columns: Vec<String>,
     rows: Vec<Vec<String>>,
+    /// What the last line says of a sweep that did not come to its end.
+    partial: Option<String>,
 }
 
 /// Why a file is no sweep.
@@ -54,7 +58,8 @@ impl SweepTable {
             path: shown.clone(),
             error,
         };
-        let mut reader = csv::Reader::from_path(path).map_err(unreadable)?;
+        let bytes = read_input(path, Input::Table).map_err(|error| unreadable(error.into()))?;
+        let mut reader = csv::Reader::from_reader(bytes.as_slice());
         let heading = reader.headers().map_err(unreadable)?;
         let columns: Vec<String> = heading.iter().map(str::to_owned).collect();
         for column in ["case", "method", "lower", "upper"] {
@@ -65,9 +70,14 @@ impl SweepTable {
                 });
             }
         }
-        let mut rows = Vec::new();
+        let (mut rows, mut partial) = (Vec::new(), None);
         for record in reader.records() {
             let record = record.map_err(unreadable)?;
+            let first = record.get(0).unwrap_or_default();
+            if first.starts_with(PARTIAL_MARK) {
+                partial = Some(first.trim_start_matches("# ").to_owned());
+                continue;
+            }
             rows.push(record.iter().map(str::to_owned).collect());
         }
         let stem = path.file_stem().unwrap_or_default().to_string_lossy();
@@ -80,6 +90,7 @@ impl SweepTable {
             name,
             columns,
             rows,
+            partial,
         })
     }
 
@@ -154,6 +165,7 @@ pub fn section(table: &SweepTable) -> Markup {
         .map(|row| row.iter().map(|cell| fitting(cell)).collect())
         .collect();
     html! {
+        @if let Some(partial) = &table.partial { p.headline.bad { (partial) } }
         @if let Some(x) = table.abscissa() {
             @if let Some(svg) = plotted(table, x) {
                 figure { (PreEscaped(svg)) figcaption { "λ over " (x) ": both ends of each method's range" } }

@@ -1,14 +1,14 @@
 //! What a method's answer at one place is worth.
 
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 
 use super::grid::{Grid, GridPoint};
 use super::grids::grids;
 use crate::answer::{Bracket, Status};
 use crate::method::{Method, kind};
-use crate::run::{Progress, Row, Subject, Task};
+use crate::run::{Progress, Row, Subject, Task, run_rows};
 use crate::scene::HeadJoints;
-use crate::study::sweep;
 
 /// What an answer turned out to be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -108,25 +108,51 @@ fn verdict(status: Status, error: Option<f64>, holds: bool) -> CellVerdict {
     }
 }
 
-/// Runs methods on every place of the grids that speak of them, through the sweep's runner.
-pub fn run(grids: &[Grid], methods: &[&dyn Method], progress: &dyn Progress) -> Vec<Cell> {
-    let (mut of_task, mut tasks) = (Vec::new(), Vec::new());
-    for grid in grids {
-        let speaks = |name: &str| grid.kinds.is_empty() || grid.kinds.contains(&kind(name));
-        for &method in methods.iter().filter(|method| speaks(method.name())) {
-            for place in &grid.cells {
-                of_task.push((grid, place));
-                tasks.push(task(grid, place, method));
+/// Methods on every place of the grids that speak of them, before and while they run.
+pub struct Atlas<'a> {
+    places: Vec<(&'a Grid, &'a GridPoint)>,
+    tasks: Vec<Task<'a>>,
+}
+
+impl<'a> Atlas<'a> {
+    /// These methods on these grids.
+    pub fn new(grids: &'a [Grid], methods: &[&'a dyn Method]) -> Self {
+        let (mut places, mut tasks) = (Vec::new(), Vec::new());
+        for grid in grids {
+            let speaks = |name: &str| grid.kinds.is_empty() || grid.kinds.contains(&kind(name));
+            for &method in methods.iter().filter(|method| speaks(method.name())) {
+                for place in &grid.cells {
+                    places.push((grid, place));
+                    tasks.push(task(grid, place, method));
+                }
             }
         }
+        Self { places, tasks }
     }
-    let rows = sweep::run(&tasks, None, progress);
+
+    /// The tasks, one a cell.
+    pub fn tasks(&self) -> &[Task<'a>] {
+        &self.tasks
+    }
+
+    /// The cells whose rows are there, in the order of the tasks.
+    pub fn cells(&self, rows: &[Row]) -> Vec<Cell> {
+        let known: BTreeMap<&str, &Row> = rows.iter().map(|row| (row.id.as_str(), row)).collect();
+        let places = self.places.iter().zip(&self.tasks);
+        let cells = places.filter_map(|((grid, place), task)| {
+            let row = known.get(task.id())?;
+            Some(Cell::new(grid, place, (*row).clone()))
+        });
+        cells.collect()
+    }
+}
+
+/// The whole atlas at once, without a journal.
+pub fn run(grids: &[Grid], methods: &[&dyn Method], progress: &dyn Progress) -> Vec<Cell> {
+    let atlas = Atlas::new(grids, methods);
     // Only a journal can fail.
-    let rows = rows.unwrap_or_default();
-    let cells = of_task.into_iter().zip(rows);
-    cells
-        .map(|((grid, place), row)| Cell::new(grid, place, row))
-        .collect()
+    let rows = run_rows(atlas.tasks(), None, progress).unwrap_or_default();
+    atlas.cells(&rows)
 }
 
 fn task<'a>(grid: &Grid, place: &'a GridPoint, method: &'a dyn Method) -> Task<'a> {

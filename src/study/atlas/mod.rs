@@ -21,7 +21,7 @@ mod towers;
 mod unequal;
 mod walls;
 
-pub use cell::{Cell, CellVerdict, run, size};
+pub use cell::{Atlas, Cell, CellVerdict, run, size};
 pub use columns::Columns;
 pub use grid::{Grid, GridPoint, Known};
 pub use grids::grids;

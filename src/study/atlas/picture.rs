@@ -5,9 +5,10 @@ use super::grid::Grid;
 use super::text::{between, methods};
 use crate::picture::palette::{INACCURATE, REFUSED, RIGHT, Tone, WRONG};
 use crate::picture::{self, Cells, Field};
+use crate::run::{Partial, titled};
 
-/// The picture of one grid as SVG: the same bytes for the same cells.
-pub fn picture(grid: &Grid, cells: &[Cell]) -> String {
+/// The picture of one grid as SVG: the same bytes for the same cells. It says so where it is partial.
+pub fn picture(grid: &Grid, cells: &[Cell], partial: Option<&Partial>) -> String {
     let (xs, ys) = axes(grid);
     let place = |cell: &Cell| {
         let column = xs.iter().position(|x| *x == cell.x)?;
@@ -31,7 +32,10 @@ pub fn picture(grid: &Grid, cells: &[Cell]) -> String {
         }
     };
     picture::cells(&Cells {
-        title: format!("{} (to the right) × {} (upwards)", grid.x, grid.y),
+        title: titled(
+            &format!("{} (to the right) × {} (upwards)", grid.x, grid.y),
+            partial,
+        ),
         legend: CellVerdict::ALL
             .map(|verdict| (tone(verdict), meaning(verdict)))
             .to_vec(),

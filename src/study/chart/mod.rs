@@ -17,4 +17,4 @@ pub use ladder::{Step, ladder};
 pub use picture::picture;
 pub use reference::reference;
 pub use summary::{Summary, csv as summary_csv, summaries, table as summary_table};
-pub use table::{Measurement, csv, run};
+pub use table::{Chart, Measurement, csv, run};

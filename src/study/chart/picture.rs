@@ -11,6 +11,7 @@ use crate::method::{Look, METHODS, method_look};
 use crate::number::short;
 use crate::picture::palette::{FRONT, NO_ANSWER};
 use crate::picture::{Band, Line, Marks, Note, Plot, PlotAxis, PlotPoint, Ticks, panels};
+use crate::run::{Partial, titled};
 
 /// The plane of all panels, in decades.
 #[derive(Clone, Copy)]
@@ -76,8 +77,8 @@ impl Plane {
     }
 }
 
-/// The chart as SVG: the same bytes for the same table.
-pub fn picture(entries: &[Measurement]) -> String {
+/// The chart as SVG: the same bytes for the same table. It says so where it is partial.
+pub fn picture(entries: &[Measurement], partial: Option<&Partial>) -> String {
     let cases: IndexSet<String> = entries.iter().map(|e| e.row.scene_name()).collect();
     let looks = looks(entries);
     let plane = Plane::of(entries);
@@ -90,7 +91,7 @@ pub fn picture(entries: &[Measurement]) -> String {
     };
     let plots: Vec<Plot> = cases.iter().map(of_case).collect();
     let title = "Speed against accuracy: CPU time, and error of the farther end of the bracket";
-    panels(title, &plots, &looks)
+    panels(&titled(title, partial), &plots, &looks)
 }
 
 /// Names and looks of the methods, those of the table first and in its order.

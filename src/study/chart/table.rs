@@ -1,6 +1,7 @@
 //! The table behind the picture: case × method × setting, each timed until its median is stable.
 
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 use std::io;
 
 use super::ladder::{Step, ladder};
@@ -8,9 +9,10 @@ use super::reference;
 use crate::answer::{Status, magnitude};
 use crate::case::{Case, Reference};
 use crate::method::Method;
-use crate::run::{self, Progress, Row, Subject, Task, Value, values};
+use crate::run::{
+    self, Journal, Progress, Row, Subject, Task, Value, fingerprint, run_rows, values,
+};
 use crate::scene::HeadJoints;
-use crate::study::sweep;
 
 /// One point of the chart.
 #[derive(Clone, Debug)]
@@ -64,60 +66,95 @@ const REPEAT: &str = "repeat";
 const FILL: f64 = 0.4;
 const MOST_RUNS: usize = 9;
 
-/// Runs every step on every scene of the cases that has a reference, through the sweep's runner:
-/// once, then quick ones again until their median is stable.
+/// Every step on every scene that has a reference, before and while they run.
+pub struct Chart<'a> {
+    planned: Vec<Planned<'a>>,
+}
+
+impl<'a> Chart<'a> {
+    /// The scenes of the cases with the ladders of all methods.
+    pub fn new(
+        cases: &'a [Case],
+        head_joints: Option<HeadJoints>,
+        externals: &[&'static dyn Method],
+    ) -> Self {
+        let mut planned = Vec::new();
+        for case in cases {
+            for &of_case in &case.head_joints {
+                if head_joints.is_some_and(|only| only != of_case)
+                    || reference(case, of_case).is_none()
+                {
+                    continue;
+                }
+                let sides = case.sides(of_case);
+                let determined_by: Vec<String> = sides.iter().map(fingerprint).collect();
+                for step in ladder(sides[0].blocks().len(), externals) {
+                    planned.push(Planned {
+                        case,
+                        head_joints: of_case,
+                        blocks: sides[0].blocks().len(),
+                        determined_by: determined_by.clone(),
+                        step,
+                    });
+                }
+            }
+        }
+        Self { planned }
+    }
+
+    /// Number of points of the chart.
+    pub fn len(&self) -> usize {
+        self.planned.len()
+    }
+
+    /// Whether there is nothing to draw.
+    pub fn is_empty(&self) -> bool {
+        self.planned.is_empty()
+    }
+
+    /// Runs every step on every scene that the journal does not know: once, then quick ones again
+    /// until their median is stable. The rows come in any order.
+    ///
+    /// # Errors
+    /// Where the journal cannot be written.
+    pub fn run(&self, journal: Option<&Journal>, progress: &dyn Progress) -> io::Result<Vec<Row>> {
+        let tasks: Vec<Task> = self.planned.iter().map(|planned| planned.task(0)).collect();
+        let mut rows = run_rows(&tasks, journal, progress)?;
+        let mut again = Vec::new();
+        for (planned, row) in self.planned.iter().zip(&rows) {
+            let runs = (FILL / row.seconds.max(1e-9)).min(MOST_RUNS as f64) as usize;
+            again.extend((1..runs).map(|repeat| planned.task(repeat)));
+        }
+        rows.extend(run_rows(&again, journal, progress)?);
+        Ok(rows)
+    }
+
+    /// The points whose first run is among the rows, in their order.
+    pub fn measurements(&self, rows: &[Row]) -> Vec<Measurement> {
+        let known: BTreeMap<&str, &Row> = rows.iter().map(|row| (row.id.as_str(), row)).collect();
+        let points = self.planned.iter().filter_map(|planned| {
+            let run = |repeat| known.get(planned.task(repeat).id()).copied();
+            let first = run(0)?;
+            let seconds = (0..MOST_RUNS).filter_map(run).map(|row| row.seconds);
+            let mut seconds: Vec<f64> = seconds.collect();
+            Some(planned.entry(first.clone(), &mut seconds))
+        });
+        points.collect()
+    }
+}
+
+/// The whole chart at once, without a journal.
 ///
 /// # Errors
-/// Never without a journal; the sweep's runner says so for one.
+/// None is expected without a journal.
 pub fn run(
     cases: &[Case],
     head_joints: Option<HeadJoints>,
     externals: &[&'static dyn Method],
     progress: &dyn Progress,
 ) -> io::Result<Vec<Measurement>> {
-    let mut first = Vec::new();
-    for case in cases {
-        for &of_case in &case.head_joints {
-            if head_joints.is_some_and(|only| only != of_case) || reference(case, of_case).is_none()
-            {
-                continue;
-            }
-            let blocks = case.scene(of_case).blocks().len();
-            for step in ladder(blocks, externals) {
-                first.push(Planned {
-                    case,
-                    head_joints: of_case,
-                    blocks,
-                    step,
-                });
-            }
-        }
-    }
-    let tasks: Vec<Task> = first.iter().map(|planned| planned.task(0)).collect();
-    let rows = sweep::run(&tasks, None, progress)?;
-    let mut again = Vec::new();
-    for (planned, row) in first.iter().zip(&rows) {
-        let runs = (FILL / row.seconds.max(1e-9)).min(MOST_RUNS as f64) as usize;
-        again.extend((1..runs).map(|repeat| planned.task(repeat)));
-    }
-    let repeated = sweep::run(&again, None, progress)?;
-    let mut repeated = repeated.into_iter().peekable();
-    let mut entries = Vec::new();
-    for (planned, row) in first.iter().zip(rows) {
-        let mut seconds = vec![row.seconds];
-        while let Some(next) = repeated.next_if(|next| same(next, &row)) {
-            seconds.push(next.seconds);
-        }
-        entries.push(planned.entry(row, &mut seconds));
-    }
-    Ok(entries)
-}
-
-/// Whether two rows are runs of one entry.
-fn same(a: &Row, b: &Row) -> bool {
-    a.scene_name() == b.scene_name()
-        && a.method == b.method
-        && a.parameter(SETTING) == b.parameter(SETTING)
+    let chart = Chart::new(cases, head_joints, externals);
+    Ok(chart.measurements(&chart.run(None, progress)?))
 }
 
 /// An entry before it has run.
@@ -125,6 +162,7 @@ struct Planned<'a> {
     case: &'a Case,
     head_joints: HeadJoints,
     blocks: usize,
+    determined_by: Vec<String>,
     step: Step<'static>,
 }
 
@@ -140,7 +178,7 @@ impl<'a> Planned<'a> {
             ],
             blocks: self.blocks,
             sides: Box::new(move || Cow::Owned(case.sides(head_joints))),
-            determined_by: Vec::new(),
+            determined_by: self.determined_by.clone(),
         };
         Task::new(subject, self.step.method, self.step.settings)
     }

@@ -5,6 +5,7 @@ use std::path::Path;
 use super::Sweep;
 use super::name::stem;
 use crate::case::{Complaint, listed, nearest};
+use crate::files::{Input, read_input};
 
 /// Path from the top of the repository, and text, of all sweeps below `cases/`.
 const SWEEPS: &[(&str, &str)] = include!(concat!(env!("OUT_DIR"), "/embedded_sweeps.rs"));
@@ -22,8 +23,8 @@ impl Sweep {
     /// Where there is none, and what is wrong with its file.
     pub fn find(argument: &str) -> Result<Self, Complaint> {
         let path = Path::new(argument);
-        if path.is_file() {
-            let bytes = std::fs::read(path).map_err(|error| {
+        if path.exists() && !path.is_dir() {
+            let bytes = read_input(path, Input::Toml).map_err(|error| {
                 Complaint::new(format!("cannot read {argument}: {error}"))
                     .help("check the path and its permissions")
             })?;

@@ -10,9 +10,7 @@
 //! determines the answer. Charts and atlas make points in code and run them the same way.
 
 mod compare;
-mod execute;
 mod file;
-mod journal;
 mod library;
 mod name;
 mod neighbours;
@@ -24,8 +22,6 @@ mod values;
 mod variants;
 
 pub use compare::{SweepCheck, compare};
-pub use execute::run;
-pub use journal::Journal;
 pub use library::embedded;
 pub use plan::Sweep;
 pub use shard::{MOST_SHARDS, Shard, merge};

@@ -10,7 +10,6 @@ use super::name::sweep_name;
 use super::neighbours::FromNeighbours;
 use super::variants::{Axis, Base, Variant, axes, settings, variants};
 use crate::case::{self, Complaint, Document, UnreadCase, listed, nearest};
-use crate::external::External;
 use crate::method::{Kind, METHODS, Method, defaults, kind, methods as all_methods};
 use crate::run::{Subject, Task};
 use crate::scene::HeadJoints;
@@ -25,8 +24,6 @@ pub struct Sweep {
     pub source: String,
     variants: Vec<Variant>,
     methods: Vec<&'static dyn Method>,
-    /// Outside programs that run behind them.
-    programs: Vec<&'static External>,
     /// How far apart in `variants` the neighbours are that the interval also starts from, and on
     /// which axis they lie.
     neighbours: Option<(usize, usize)>,
@@ -55,36 +52,23 @@ impl Sweep {
             name,
             variants,
             methods,
-            programs: Vec::new(),
             neighbours,
         })
     }
 
     /// The sweep with outside programs behind its methods.
-    pub fn with_programs(mut self, programs: Vec<&'static External>) -> Self {
-        self.programs = programs;
+    pub fn with_programs(mut self, programs: Vec<&'static dyn Method>) -> Self {
+        self.methods.extend(programs);
         self
     }
 
     /// Every task: walls slowest, then methods, then head joints, as in the tables of `run`.
     pub fn tasks(&self) -> Vec<Task<'_>> {
         let mut tasks = Vec::new();
-        let programs: Vec<_> = self
-            .programs
-            .iter()
-            .map(|p| (*p, p.determined_by()))
-            .collect();
         for (index, variant) in self.variants.iter().enumerate() {
             for &method in &self.methods {
                 for &head_joints in &variant.case.head_joints {
                     tasks.push(self.task(index, method, head_joints));
-                }
-            }
-            for (program, determined_by) in &programs {
-                for &head_joints in &variant.case.head_joints {
-                    let mut subject = self.subject(index, head_joints);
-                    subject.determined_by.extend(determined_by.iter().cloned());
-                    tasks.push(Task::new(subject, *program, variant.settings));
                 }
             }
         }

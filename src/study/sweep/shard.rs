@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use crate::case::Complaint;
-use crate::files::write_whole;
-use crate::run::{Row, Task};
+use crate::files::{Input, read_input, write_whole};
+use crate::run::{Row, Task, lines, read_line};
 
 /// The `index`-th of `count` shards, from 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -64,11 +64,7 @@ impl Shard {
     /// # Errors
     /// Any error of the file system.
     pub fn write(self, folder: &Path, rows: &[Row]) -> std::io::Result<PathBuf> {
-        let mut text = String::new();
-        for row in rows {
-            text.push_str(&serde_json::to_string(row)?);
-            text.push('\n');
-        }
+        let text = lines(rows)?;
         let name = format!("shard-{}-of-{}.rows", self.index, self.count);
         let path = folder.join(name);
         write_whole(&path, &text)?;
@@ -148,10 +144,13 @@ fn read(path: &Path) -> Result<Vec<Row>, Complaint> {
         Complaint::new(format!("{}: {what}", path.display()))
             .help("remove the file and run its shard again: the journal keeps what is finished")
     };
-    let text = std::fs::read_to_string(path).map_err(|error| damaged(error.to_string()))?;
-    let lines = text.lines().enumerate().map(|(index, line)| {
-        serde_json::from_str(line)
-            .map_err(|error| damaged(format!("line {} is no row of a sweep: {error}", index + 1)))
+    let bytes = read_input(path, Input::Rows).map_err(|error| damaged(error.to_string()))?;
+    let lines = bytes
+        .split(|&byte| byte == b'\n')
+        .filter(|line| !line.is_empty());
+    let lines = lines.enumerate().map(|(index, line)| {
+        let row = read_line(line);
+        row.ok_or_else(|| damaged(format!("line {} is not as it was written", index + 1)))
     });
     lines.collect()
 }

@@ -1,29 +1,34 @@
-//! Runs the tasks of a sweep, with its journal.
+//! The one runner: tasks on the schedule, with a journal of those that are finished.
 
 use std::io;
 use std::sync::{Mutex, OnceLock};
 
-use super::Journal;
-use crate::run::{Progress, Row, Task, longest_first};
+use super::journal::Journal;
+use super::kept::Keeps;
+use super::progress::Progress;
+use super::row::Row;
+use super::schedule::longest_first;
+use super::task::Task;
 
-/// Runs every task that the journal does not know and returns the rows in the order of the tasks.
-/// Each row goes to the journal as it finishes, and then to `progress`; rows that the journal knows
-/// go there at once.
+/// Runs every task that the journal does not know. Each row goes to `finished` with the place of its
+/// task as it finishes, then to `progress`, then to the journal; rows that the journal knows go to
+/// the former at once. Without a journal `keeps` says how much of a row is left.
 ///
 /// # Errors
 /// Where the journal cannot be written; nothing further is begun then.
-pub fn run(
+pub fn run_tasks(
     tasks: &[Task],
+    keeps: Keeps,
     journal: Option<&Journal>,
     progress: &dyn Progress,
-) -> io::Result<Vec<Row>> {
-    let rows: Vec<OnceLock<Row>> = tasks.iter().map(|_| OnceLock::new()).collect();
+    finished: &(dyn Fn(usize, Row) + Sync),
+) -> io::Result<()> {
     let mut open = Vec::new();
     for (index, task) in tasks.iter().enumerate() {
         match journal.and_then(|journal| journal.get(task.id())) {
             Some(row) => {
-                progress.done(task, row);
-                rows[index].get_or_init(|| row.clone());
+                finished(index, row.clone());
+                progress.known(task, row);
             }
             None => open.push(index),
         }
@@ -37,32 +42,59 @@ pub fn run(
         if has_failed {
             return;
         }
-        let row = tasks[index].run().kept();
-        match journal.map_or(Ok(()), |journal| journal.append(&row)) {
-            Ok(()) => progress.done(&tasks[index], &row),
-            Err(e) => *error.lock().expect("no other thread panicked") = Some(e),
+        let row = keeps.of(tasks[index].run());
+        finished(index, row.clone());
+        progress.done(&tasks[index], &row);
+        // Last, so that what the journal has is handed out too, should the program be told to end.
+        if let Some(Err(e)) = journal.map(|journal| journal.append(&row)) {
+            *error.lock().expect("no other thread panicked") = Some(e);
         }
-        rows[index].get_or_init(|| row);
     });
     match error.into_inner().expect("no other thread panicked") {
         Some(error) => Err(error),
-        None => Ok(rows.into_iter().filter_map(OnceLock::into_inner).collect()),
+        None => Ok(()),
     }
+}
+
+/// As [`run_tasks`], with the flat part of the rows in the order of the tasks.
+///
+/// # Errors
+/// As [`run_tasks`].
+pub fn run_rows(
+    tasks: &[Task],
+    journal: Option<&Journal>,
+    progress: &dyn Progress,
+) -> io::Result<Vec<Row>> {
+    let rows: Vec<OnceLock<Row>> = tasks.iter().map(|_| OnceLock::new()).collect();
+    run_tasks(tasks, Keeps::Numbers, journal, progress, &|index, row| {
+        rows[index].get_or_init(|| row);
+    })?;
+    Ok(rows.into_iter().filter_map(OnceLock::into_inner).collect())
 }
 
 #[cfg(test)]
 mod tests {
     use std::borrow::Cow;
     use std::fs;
+    use std::path::Path;
     use std::sync::atomic::{AtomicUsize, Ordering};
 
     use super::*;
     use crate::answer::{Outcome, Status};
-    use crate::case;
+    use crate::case::{self, Complaint};
     use crate::method::{Method, Settings};
-    use crate::run::Subject;
+    use crate::run::{Subject, csv, read_line, values};
     use crate::scene::{HeadJoints, Scene};
-    use crate::study::sweep::sweep_csv;
+
+    fn open(path: &Path) -> Result<Journal, Complaint> {
+        Journal::open(path, Keeps::Numbers)
+    }
+
+    /// What rows say, apart from the time.
+    fn told(rows: &[Row]) -> Result<String, csv::Error> {
+        let names = ["case", "method", "status", "reason"];
+        csv(names, rows.iter().map(|row| values(row, &names)))
+    }
 
     /// Counts its calls; panics on the third task.
     struct Counting<'a>(&'a AtomicUsize, usize);
@@ -103,19 +135,19 @@ mod tests {
         let path = folder.path().join("deep/journal.jsonl");
         let calls = AtomicUsize::new(0);
         let tasks = tasks(&calls);
-        let sweep = |journal: Option<&Journal>| run(&tasks, journal, &()).unwrap();
-        let alone = sweep_csv(&sweep(None)).unwrap();
-        let crashed = "sliding-block,counting,failed,,,,,,,";
+        let sweep = |journal: Option<&Journal>| run_rows(&tasks, journal, &()).unwrap();
+        let alone = told(&sweep(None)).unwrap();
+        let crashed = "sliding-block,counting,failed,";
         assert!(alone.contains(crashed), "{alone}");
         calls.store(0, Ordering::SeqCst);
-        let first = sweep_csv(&sweep(Some(&Journal::open(&path).unwrap()))).unwrap();
+        let first = told(&sweep(Some(&open(&path).unwrap()))).unwrap();
         assert_eq!((first.as_str(), calls.load(Ordering::SeqCst)), (&*alone, 5));
         // The end of the program in the middle of the last line, and rubbish before.
         let text = fs::read_to_string(&path).unwrap();
         fs::write(&path, format!("\0\0\n{}", &text[..text.len() - 9])).unwrap();
-        let again = sweep_csv(&sweep(Some(&Journal::open(&path).unwrap()))).unwrap();
+        let again = told(&sweep(Some(&open(&path).unwrap()))).unwrap();
         assert_eq!((again.as_str(), calls.load(Ordering::SeqCst)), (&*alone, 6));
-        sweep(Some(&Journal::open(&path).unwrap()));
+        sweep(Some(&open(&path).unwrap()));
         assert_eq!(calls.load(Ordering::SeqCst), 6);
     }
 
@@ -124,18 +156,20 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("journal.jsonl");
         let calls = AtomicUsize::new(0);
-        let journal = Journal::open(&path).unwrap();
-        let refused = Journal::open(&path).err().unwrap();
+        let journal = open(&path).unwrap();
+        let refused = open(&path).err().unwrap();
         assert!(refused.title().contains("another process"), "{refused}");
-        run(&tasks(&calls), Some(&journal), &()).unwrap();
+        run_rows(&tasks(&calls), Some(&journal), &()).unwrap();
         drop(journal);
         let text = fs::read_to_string(&path).unwrap();
         let line = text.lines().next().unwrap();
         fs::write(&path, format!("{text}{line}\n")).unwrap();
-        assert!(Journal::open(&path).is_ok(), "the same row twice");
-        let other = line.replace("counting", "accounting");
-        fs::write(&path, format!("{text}{other}\n")).unwrap();
-        let refused = Journal::open(&path).err().unwrap();
+        assert!(open(&path).is_ok(), "the same row twice");
+        let mut row = read_line(line.as_bytes()).unwrap();
+        row.method = "accounting".to_owned();
+        let other = Keeps::Numbers.line(&row).unwrap().unwrap();
+        fs::write(&path, format!("{text}{other}")).unwrap();
+        let refused = open(&path).err().unwrap();
         assert!(refused.title().contains("says two things"), "{refused}");
     }
 }

@@ -1,4 +1,4 @@
-//! The journal of a sweep: a line a finished row, so that nothing finished is ever repeated.
+//! The journal of long work: a line a finished row, so that nothing finished is ever repeated.
 
 use std::collections::BTreeMap;
 use std::fs::{File, OpenOptions, TryLockError};
@@ -6,25 +6,28 @@ use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
+use super::kept::{Keeps, read_line};
+use super::row::Row;
 use crate::case::Complaint;
-use crate::run::Row;
 
 /// Rows that are finished, on disk. One process at a time: the file stays locked, and the lock ends
 /// with the process, however that ends.
 pub struct Journal {
     path: PathBuf,
+    keeps: Keeps,
     file: Mutex<File>,
     rows: BTreeMap<String, Row>,
+    damaged: usize,
 }
 
 impl Journal {
     /// Opens a journal, or begins one. A last line that was being written when the program ended is
-    /// dropped, as is any line that is no row: its point is run again.
+    /// dropped, as is any line whose text is not the one that was written: its row is run again.
     ///
     /// # Errors
-    /// Where another process writes it, where it says two things about one point, and any error of
-    /// the file system.
-    pub fn open(path: &Path) -> Result<Self, Complaint> {
+    /// Where another process writes it, where it says two things about one row, and any error of the
+    /// file system.
+    pub fn open(path: &Path, keeps: Keeps) -> Result<Self, Complaint> {
         let failed = |error: io::Error| {
             Complaint::new(format!(
                 "cannot use the journal {}: {error}",
@@ -34,6 +37,9 @@ impl Journal {
         };
         if let Some(folder) = path.parent() {
             std::fs::create_dir_all(folder).map_err(failed)?;
+        }
+        if path.exists() && !path.is_file() {
+            return Err(failed(io::Error::other("it is no file")));
         }
         let mut options = OpenOptions::new();
         let options = options.read(true).write(true).create(true).truncate(false);
@@ -53,15 +59,19 @@ impl Journal {
         let whole = whole.map_or(0, |newline| newline + 1);
         file.set_len(whole as u64).map_err(failed)?;
         file.seek(SeekFrom::End(0)).map_err(failed)?;
-        let rows = read_rows(&bytes[..whole]);
+        let lines = bytes[..whole].split(|&byte| byte == b'\n');
+        let lines = lines.filter(|line| !line.is_empty()).map(read_line);
+        let (rows, damaged): (Vec<Option<Row>>, Vec<_>) = lines.partition(Option::is_some);
         Ok(Self {
-            rows: by_id(rows, path)?,
+            rows: by_id(rows.into_iter().flatten(), path)?,
+            damaged: damaged.len(),
             path: path.to_owned(),
+            keeps,
             file: Mutex::new(file),
         })
     }
 
-    /// The row of a point that was finished before the journal was opened.
+    /// The row of a task that was finished before the journal was opened.
     pub fn get(&self, id: &str) -> Option<&Row> {
         self.rows.get(id)
     }
@@ -71,23 +81,36 @@ impl Journal {
     /// # Errors
     /// Any error of the file system.
     pub fn append(&self, row: &Row) -> io::Result<()> {
-        let mut line = serde_json::to_vec(row)?;
-        line.push(b'\n');
+        let Some(line) = self.keeps.line(row)? else {
+            return Ok(());
+        };
         let mut file = self.file.lock().expect("no other thread panicked");
         // One write a line, without a buffer: no line is torn but by the end of the machine.
-        file.write_all(&line)
+        file.write_all(line.as_bytes())
+    }
+
+    /// Removes the file: everything is handed out.
+    ///
+    /// # Errors
+    /// Any error of the file system.
+    pub fn remove(self) -> io::Result<()> {
+        std::fs::remove_file(&self.path)
+    }
+
+    /// Lines that were not what had been written, and do not count.
+    pub fn damaged(&self) -> usize {
+        self.damaged
+    }
+
+    /// How much of a row it holds.
+    pub fn keeps(&self) -> Keeps {
+        self.keeps
     }
 
     /// The file.
     pub fn path(&self) -> &Path {
         &self.path
     }
-}
-
-/// Every line that is a row.
-pub(super) fn read_rows(bytes: &[u8]) -> impl Iterator<Item = Row> {
-    let lines = bytes.split(|&byte| byte == b'\n');
-    lines.filter_map(|line| serde_json::from_slice(line).ok())
 }
 
 /// Rows by id; a row said twice counts once.
@@ -98,13 +121,13 @@ fn by_id(rows: impl Iterator<Item = Row>, path: &Path) -> Result<BTreeMap<String
             && !other.agrees(&row)
         {
             let title = format!(
-                "{} says two things about the point {} ({} {})",
+                "{} says two things about the row {} ({} {})",
                 path.display(),
                 row.id,
                 row.case,
                 row.method
             );
-            return Err(Complaint::new(title).help("remove the file: its points are run again"));
+            return Err(Complaint::new(title).help("remove the file: its rows are run again"));
         }
         known.insert(row.id.clone(), row);
     }

@@ -1,0 +1,63 @@
+//! Where results go: tried before the work begins, written whole, kept in a journal meanwhile.
+
+use std::path::Path;
+
+use trilith::files::{test_folder, write_together};
+use trilith::run::{Journal, Keeps, Task};
+
+use super::stop::Stop;
+
+/// Tells before the work whether files can be written into a folder.
+pub(super) fn test(folder: &Path) -> Result<(), Stop> {
+    test_folder(folder).map_err(|error| {
+        Stop::bad_input(format!(
+            "error: cannot write into {}: {error}\nhelp: name a folder that can be written to, with \
+             room in it; nothing was computed",
+            folder.display()
+        ))
+    })
+}
+
+/// Writes files of these names into a folder, or none of them.
+pub(super) fn write(folder: &Path, files: Vec<(String, String)>) -> Result<(), Stop> {
+    let files: Vec<_> = files
+        .into_iter()
+        .map(|(name, text)| (folder.join(name), text))
+        .collect();
+    write_together(&files).map_err(|(path, error)| {
+        Stop::bad_input(format!("error: cannot write {}: {error}", path.display()))
+    })
+}
+
+/// Opens the journal of this name in a folder that can be written to, and says where it is damaged.
+pub(super) fn journal(folder: &Path, name: &str, keeps: Keeps) -> Result<Journal, Stop> {
+    test(folder)?;
+    let journal = Journal::open(&folder.join(name), keeps);
+    let journal = journal.map_err(|complaint| Stop::bad_input(complaint.to_string()))?;
+    if journal.damaged() > 0 {
+        eprintln!(
+            "lines of {} that are not as they were written: {}; what they held is computed again",
+            journal.path().display(),
+            journal.damaged()
+        );
+    }
+    Ok(journal)
+}
+
+/// Says how many of the tasks the journal knows.
+pub(super) fn tell_known(journal: &Journal, tasks: &[Task]) {
+    let known = tasks.iter().filter(|task| journal.get(task.id()).is_some());
+    let known = known.count();
+    if known > 0 {
+        eprintln!("{known} of {} results are finished already", tasks.len());
+    }
+}
+
+/// Removes a journal of which everything is handed out.
+pub(super) fn finish(journal: Journal) {
+    let path = journal.path().to_owned();
+    // The results are there; a journal that stays costs room and nothing else.
+    if let Err(error) = journal.remove() {
+        eprintln!("warning: cannot remove {}: {error}", path.display());
+    }
+}
