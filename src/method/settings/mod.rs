@@ -31,7 +31,7 @@ settings! {
 
     /// Settings of the pushover.
     pushover: PushoverSettings {
-        /// Error that the pushover states.
+        /// Error of λ that the pushover aims at; the one that it states is measured on the scene.
         accuracy: Accuracy = Accuracy::Normal, Allowed::words::<Accuracy>(), "";
         /// Repeat each pushover with half the substep, mirrored and undamped; all must agree.
         verify: bool = false, Allowed::Switch, "";
