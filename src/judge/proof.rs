@@ -16,7 +16,14 @@ use crate::scene::Scene;
 /// to vouch for.
 pub fn judge(scene: &Scene, outcome: &mut Outcome) -> Option<f64> {
     if matches!(outcome.status, Status::Falls | Status::Stands) {
-        return judge_certificate(scene, outcome);
+        let residual = judge_certificate(scene, outcome);
+        if outcome.status == Status::Falls && scene.left_out() > 0 {
+            let count = scene.left_out();
+            outcome
+                .facts
+                .push(JudgedFact::OpenHeadJoints { count }.into());
+        }
+        return residual;
     }
     let (Some(bracket), Some(forces), Some(mechanism)) =
         (outcome.bracket, &outcome.forces, &outcome.mechanism)

@@ -12,7 +12,9 @@ impl Scene {
     /// has lost them does not get them back.
     pub fn with_head_joints(mut self, head_joints: HeadJoints) -> Self {
         if head_joints == HeadJoints::Open {
+            let before = self.joints.len();
             self.joints.retain(|joint| joint.class != JointClass::Head);
+            self.left_out += before - self.joints.len();
             self.head_joints = HeadJoints::Open;
         }
         self
@@ -60,6 +62,7 @@ impl Scene {
             supports,
             joints,
             head_joints: self.head_joints,
+            left_out: self.left_out,
             push: self.push,
             wall: self.wall.clone(),
             labels: Labels::default(),

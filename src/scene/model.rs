@@ -19,6 +19,8 @@ pub struct Scene {
     pub(super) joints: Vec<Joint>,
     /// What the head joints carry.
     pub(super) head_joints: HeadJoints,
+    /// How many head joints were left out, as open.
+    pub(super) left_out: usize,
     /// Direction of the live load.
     pub(super) push: Push,
     /// What only a coursed wall has.
@@ -46,6 +48,11 @@ impl Scene {
     /// What the head joints carry.
     pub fn head_joints(&self) -> HeadJoints {
         self.head_joints
+    }
+
+    /// How many head joints were left out of [`Scene::joints`], as open.
+    pub fn left_out(&self) -> usize {
+        self.left_out
     }
 
     /// What only a coursed wall has.

@@ -107,6 +107,7 @@ impl Scene {
             supports: parts.supports,
             joints,
             head_joints: HeadJoints::Contact,
+            left_out: 0,
             push: parts.push,
             wall: parts.wall,
             labels: Labels::default(),

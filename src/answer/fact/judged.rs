@@ -23,6 +23,11 @@ pub enum JudgedFact {
     Unresolved(BlockResidual),
     /// The method claims a proof and hands over no forces or no mechanism.
     NothingToProve,
+    /// The scene falls, and its open head joints carry nothing of it.
+    OpenHeadJoints {
+        /// How many there are.
+        count: usize,
+    },
     /// The method claims `falls` or `stands` and hands over nothing that proves it.
     NoCertificate(Status),
 }
@@ -94,6 +99,14 @@ impl fmt::Display for JudgedFact {
             JudgedFact::NothingToProve => {
                 write!(f, "claims a proof without forces and mechanism")
             }
+            JudgedFact::OpenHeadJoints { count: 1 } => write!(
+                f,
+                "its open head joint carries nothing; where that touches, the scene may stand"
+            ),
+            JudgedFact::OpenHeadJoints { count } => write!(
+                f,
+                "its {count} open head joints carry nothing; where they touch, the scene may stand"
+            ),
             JudgedFact::NoCertificate(status) => {
                 write!(f, "claims that it {} without a proof", status.name())
             }
