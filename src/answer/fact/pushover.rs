@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::super::bracket::Bracket;
 use super::super::self_check::{SelfCheck, Variation};
+use crate::number::number;
 
 /// What a pushover ends with, or why it has no answer.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -109,6 +110,13 @@ pub enum PushoverFact {
         /// The softest contacts, as a multiple of what the substep allows.
         softest: f64,
     },
+    /// Blocks slide away before the scene collapses, at every substep: several collapse states.
+    SlidesFirst,
+    /// One level of substep alone has a bracket, so that nothing measures its error.
+    OneLevel {
+        /// That bracket.
+        bracket: Bracket,
+    },
     /// Levels of substep do not agree on one multiplier.
     LevelsDisagree {
         /// Their brackets, from the longest substep to the shortest.
@@ -122,6 +130,11 @@ impl PushoverFact {
     pub(super) fn introduces_next(&self) -> bool {
         matches!(self, PushoverFact::Without(_))
     }
+}
+
+/// A bracket with the decimals of tables.
+fn printed(Bracket { lower, upper }: &Bracket) -> String {
+    format!("{}-{}", number(*lower, 5), number(*upper, 5))
 }
 
 impl fmt::Display for PushoverFact {
@@ -208,7 +221,7 @@ impl fmt::Display for PushoverFact {
                     "not ended: {run} of the {pushovers} pushovers of a range were run"
                 )?;
                 match so_far {
-                    Some(Bracket { lower, upper }) => write!(f, ", so far {lower:.5}-{upper:.5}"),
+                    Some(bracket) => write!(f, ", so far {}", printed(bracket)),
                     None => Ok(()),
                 }
             }
@@ -219,13 +232,18 @@ impl fmt::Display for PushoverFact {
                  joints in contact the answer is not unique",
                 1.0 / softest
             ),
-            Self::LevelsDisagree { brackets } if brackets.is_empty() => write!(
+            Self::SlidesFirst => write!(
                 f,
                 "several collapse states: blocks slide away before the scene collapses"
             ),
+            Self::OneLevel { bracket } => write!(
+                f,
+                "one length of substep alone gave an answer, {}; a second one is needed to measure \
+                 its error",
+                printed(bracket)
+            ),
             Self::LevelsDisagree { brackets } => {
-                let of = |Bracket { lower, upper }: &Bracket| format!("{lower:.5}-{upper:.5}");
-                let brackets: Vec<String> = brackets.iter().map(of).collect();
+                let brackets: Vec<String> = brackets.iter().map(printed).collect();
                 write!(
                     f,
                     "shorter and shorter substeps do not agree on one multiplier: they gave {}",

@@ -15,8 +15,12 @@ impl<P: Fn(&Model) -> Parameters> Varied<'_, P> {
         let level = levels.halvings;
         let brackets: Vec<Bracket> = levels.seen.iter().map(|level| level.bracket).collect();
         let last_two = &brackets[brackets.len().saturating_sub(2)..];
-        let fact = PushoverFact::LevelsDisagree {
-            brackets: brackets.clone(),
+        let fact = match *brackets {
+            [] => PushoverFact::SlidesFirst,
+            [bracket] => PushoverFact::OneLevel { bracket },
+            _ => PushoverFact::LevelsDisagree {
+                brackets: brackets.clone(),
+            },
         };
         let spent = levels.last.work.block_steps;
         if spent > BUDGET / 8 {
