@@ -11,6 +11,8 @@ pub struct Hint {
     overshot: bool,
     /// Where another pushover saw the collapse, while nothing here contradicts it.
     expected: Option<[u64; 2]>,
+    /// A load that was reached in too long a step to come to rest in time.
+    slow: Option<u64>,
 }
 
 /// Part of the distance to the nearest runaway by which an extrapolation may be wrong.
@@ -24,6 +26,7 @@ impl Hint {
             runaways: Vec::new(),
             overshot: false,
             expected,
+            slow: None,
         }
     }
 
@@ -54,6 +57,10 @@ impl Hint {
     /// The load to try after a rest at `lower`: no more than `finest` above it where the limit
     /// seems to lie in between, and then so that it lies in the middle.
     pub fn next(&self, lower: u64, finest: u64) -> u64 {
+        if let Some(slow) = self.slow {
+            let half = (finest / 2).max(1);
+            return (lower.midpoint(slow) / half * half).max(lower + half);
+        }
         let Some(high) = self.high() else {
             let stop = self.approach(finest).into_iter().flatten();
             let next = stop.into_iter().find(|&stop| stop > lower);
@@ -92,9 +99,15 @@ impl Hint {
         Some([half, most, nearly, below, from, to.max(from + finest)])
     }
 
+    /// A step to `load` neither rested nor ran away in time: a shorter one sways less.
+    pub fn was_slow(&mut self, load: u64) {
+        self.slow = Some(load);
+    }
+
     /// The scene rests at `lower`.
     pub fn rested(&mut self, lower: u64, finest: u64) {
         self.overshot = false;
+        self.slow = None;
         if let Some([from, to]) = self.expected {
             if lower >= to.max(from + finest) {
                 self.expected = None;
@@ -116,6 +129,7 @@ impl Hint {
     /// A step to `load` ran away with this acceleration.
     pub fn ran_away(&mut self, load: u64, acceleration: f64) {
         self.expected = None;
+        self.slow = None;
         self.overshot = self.estimate().is_some_and(|at| load as f64 <= at);
         self.runaways.retain(|&(known, _)| known > load);
         self.runaways.push((load, acceleration));

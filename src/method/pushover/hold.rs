@@ -29,7 +29,22 @@ pub struct Hold<'a> {
     stride: usize,
     /// Time that the last hold took.
     pub elapsed: f64,
+    /// Time that the first push took to come to rest; 0 until then.
+    first: f64,
+    /// The longest time that a push took to come to rest.
+    longest: f64,
 }
+
+/// Part of the time that the first push took to come to rest, over which every further step of λ is
+/// applied: that time tells how slowly a scene sways, and one that sways slowly would be thrown over
+/// by a step that a stiff one does not feel.
+const RAMP: f64 = 0.25;
+
+/// Times the longest rest so far that a load may take, where a shorter step can follow.
+const TIMES_LONGEST: f64 = 8.0;
+
+/// The least time that every load has, in √(H_c/g).
+const LEAST_PATIENCE: f64 = 20.0;
 
 impl<'a> Hold<'a> {
     /// For a model and its parameters.
@@ -40,38 +55,55 @@ impl<'a> Hold<'a> {
             frames: Vec::new(),
             stride: 1,
             elapsed: 0.0,
+            first: 0.0,
+            longest: 0.0,
         }
     }
 
     /// The scene under its weight alone.
     pub fn settle(&mut self, engine: &mut Engine) -> Held {
-        let parameters = self.parameters;
-        self.hold(engine, [0.0; 2], parameters.settled_speed, parameters.fall)
+        let Parameters {
+            settled_speed,
+            fall,
+            patience,
+            ..
+        } = *self.parameters;
+        self.hold(engine, [0.0; 2], settled_speed, fall, patience)
     }
 
     /// The scene under its weight and a small push against its live loads.
     pub fn settle_against(&mut self, engine: &mut Engine, push: f64) -> Held {
-        let parameters = self.parameters;
-        self.hold(
-            engine,
-            [-push; 2],
-            parameters.settled_speed,
-            parameters.fall,
-        )
+        let Parameters {
+            settled_speed,
+            fall,
+            patience,
+            ..
+        } = *self.parameters;
+        self.hold(engine, [-push; 2], settled_speed, fall, patience)
     }
 
-    /// From rest at one λ* to another, in grid units. `last`: a collapse counts.
+    /// From rest at one λ* to another, in grid units. `last`: a collapse counts, and there is all the
+    /// time that is allowed. A longer step has a few times what rests have taken: what sways longer
+    /// is reached sooner by two shorter steps.
     pub fn step(&mut self, engine: &mut Engine, loads: [u64; 2], finest: u64, last: bool) -> Held {
         let parameters = self.parameters;
-        let limit = if last {
-            parameters.collapse
+        let (limit, patience) = if last {
+            (parameters.collapse, parameters.patience)
         } else {
-            parameters.runaway
+            let patience = (TIMES_LONGEST * self.longest).max(LEAST_PATIENCE);
+            (parameters.runaway, patience.min(parameters.patience))
         };
         // An unbalanced tenth of the smallest increment would reach this speed in a window.
         let resting_speed = 0.1 * finest as f64 / GRID * parameters.window;
         let loads = loads.map(|load| load as f64 / GRID);
-        self.hold(engine, loads, resting_speed, limit)
+        let held = self.hold(engine, loads, resting_speed, limit, patience);
+        if held == Held::Rest {
+            self.longest = self.longest.max(self.elapsed);
+            if self.first == 0.0 {
+                self.first = self.elapsed;
+            }
+        }
+        held
     }
 
     /// Holds λ until the blocks rest at no more than `resting_speed`, or move further than `limit`
@@ -84,12 +116,14 @@ impl<'a> Hold<'a> {
         loads: [f64; 2],
         resting_speed: f64,
         limit: f64,
+        patience: f64,
     ) -> Held {
         let parameters = self.parameters;
         let from: Vec<BodyState> = engine.states();
         let steps = (parameters.window / engine.dt()).ceil() as usize;
-        let windows = (parameters.patience / parameters.window).ceil() as usize;
-        let ramp = (parameters.ramp / engine.dt()).ceil().max(1.0);
+        let windows = (patience / parameters.window).ceil() as usize;
+        let ramp = parameters.ramp.max(RAMP * self.first);
+        let ramp = (ramp / engine.dt()).ceil().max(1.0);
         // Largest speed of the window before.
         let mut peak_before = f64::INFINITY;
         // Twice the kinetic energy at its peak since the blocks were last stopped.
@@ -165,6 +199,9 @@ impl<'a> Hold<'a> {
         let fastest = speed(self.model, &states);
         let moved = displacement(self.model, from, &states);
         let now = self.pace(&states);
+        // Of a push by λ*, no more than a small part is left to accelerate a slow motion. A slender
+        // column stands by so little that a fixed limit would let it be thrown over.
+        let slow_motion = slow_motion * engine.multiplier.abs().min(1.0);
         let slow = fastest * fastest < 2.0 * moved * slow_motion;
         let Some(before) = before.filter(|_| slow && now > 0.0 && extrapolation > 0.0) else {
             return 1.0;

@@ -152,8 +152,8 @@ parameters! { of:
     /// Factor of the extrapolation of slow drift: what speeds gain or lose over a window, they gain
     /// or lose this many times more. None where it is 0.
     extrapolation: f64 = 16.0, "drift extrapolation", "";
-    /// Acceleration, in g, below which a motion is slow.
-    slow_motion: f64 = if of.sways { 0.02 } else { 0.01 }, "slow motion", "g";
+    /// Acceleration below which a motion is slow, as a part of what the push would give all blocks.
+    slow_motion: f64 = if of.sways { 0.04 } else { 0.02 }, "slow motion", "λ* g";
     /// Speed below which the settled scene is at rest under its own weight.
     settled_speed: f64 = 1e-7, "settled speed", SPEED;
     /// Displacement beyond which a large step is given up.

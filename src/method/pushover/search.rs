@@ -51,6 +51,13 @@ pub enum SearchEnd {
     Falls(PushoverFact),
 }
 
+/// Steps in a row, each half as long as the one before, that may neither rest nor run away in time:
+/// contacts that let a scene sway so long are too soft for it.
+const MOST_SLOW: usize = 3;
+
+/// The same before any push has come to rest.
+const MOST_SLOW_AT_FIRST: usize = 1;
+
 /// Raises λ from rest to rest: by doubling until a step runs away, then to where the runaways
 /// extrapolate the limit. That is only a hint of where to look: the bracket is a proved rest and a
 /// collapse from it by a step no longer than the tolerance. A longer step overshoots, so its
@@ -83,6 +90,8 @@ pub fn search(
     let mut hint = Hint::new(parameters.first_increment, expected);
     let mut lower: u64 = 0;
     let mut unclear = false;
+    // Steps in a row that took too long.
+    let mut slow = 0;
     let left_its_place = |states: &[BodyState]| {
         slip(&settled.states, states) > parameters.slip
             || displacement(model, &settled.states, states) > parameters.slide
@@ -113,6 +122,7 @@ pub fn search(
                 seen = RestState::now(engine);
                 lower = target;
                 unclear = false;
+                slow = 0;
                 hint.rested(lower, finest);
             }
             Held::Collapse { .. } if last => {
@@ -133,10 +143,24 @@ pub fn search(
                 let lambda = engine.multiplier * model.multiplier;
                 return SearchEnd::Undecided(PushoverFact::Unclear { lambda });
             }
-            Held::Unclear => {
+            Held::Unclear if last => {
                 // Perhaps too close to the limit to tell; a step twice as long may still tell.
-                unclear = last;
+                unclear = true;
                 hint.ran_away(target, 0.0);
+                engine.restore(&rest);
+            }
+            Held::Unclear => {
+                slow += 1;
+                let most = if lower == 0 {
+                    MOST_SLOW_AT_FIRST
+                } else {
+                    MOST_SLOW
+                };
+                if slow > most {
+                    let lambda = engine.multiplier * model.multiplier;
+                    return SearchEnd::Undecided(PushoverFact::Unclear { lambda });
+                }
+                hint.was_slow(target);
                 engine.restore(&rest);
             }
         }
