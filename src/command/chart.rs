@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use trilith::run::{Keeps, Partial, Row};
+use trilith::run::{Keeps, Partial, Row, marked};
 use trilith::study::chart::{self, Chart};
 
 use super::output;
@@ -93,9 +93,4 @@ fn hand_out(chart: &Chart, rows: &[Row], why: Option<&str>, folder: &Path) -> Re
     let printed = print(&format!("{said}{}", chart::summary_table(&summaries)));
     output::write(folder, files)?;
     printed
-}
-
-/// A CSV, with a last line that says so where it is partial.
-pub(super) fn marked(csv: String, partial: Option<&Partial>) -> String {
-    partial.map_or(csv.clone(), |partial| partial.mark_csv(&csv))
 }

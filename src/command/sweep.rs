@@ -10,10 +10,9 @@ use trilith::answer::Status;
 use trilith::case::Complaint;
 use trilith::judge::Verdict;
 use trilith::number::number;
-use trilith::run::{Keeps, Partial, Row, Task, run_rows};
+use trilith::run::{Keeps, Partial, Row, Task, marked, run_rows};
 use trilith::study::sweep::{self, MOST_SHARDS, Shard, Sweep, SweepCheck};
 
-use super::chart::marked;
 use super::output;
 use super::plan::externals;
 use super::slurm;
