@@ -26,10 +26,10 @@ pub fn write_together(files: &[(PathBuf, String)]) -> Result<(), (PathBuf, io::E
     for (path, text) in files {
         temporary.push(staged(path, text).map_err(|error| (path.clone(), error))?);
     }
+    if let Some((path, _)) = files.iter().find(|(path, _)| path.is_dir()) {
+        return Err((path.clone(), io::Error::other("a folder has its name")));
+    }
     for ((path, _), file) in files.iter().zip(temporary) {
-        if path.is_dir() {
-            return Err((path.clone(), io::Error::other("a folder has its name")));
-        }
         file.persist(path)
             .map_err(|error| (path.clone(), error.error))?;
     }
@@ -159,6 +159,11 @@ mod tests {
         let files = [path("a"), path("a/c")].map(|path| (path, "new".to_owned()));
         let (refused, _) = write_together(&files).unwrap_err();
         assert_eq!(refused, path("a/c"));
+        assert_eq!(fs::read_to_string(path("a")).unwrap(), "text");
+        // A folder in the place of the second file: the same.
+        let files = [path("a"), path("b")].map(|path| (path, "new".to_owned()));
+        let (refused, _) = write_together(&files).unwrap_err();
+        assert_eq!(refused, path("b"));
         assert_eq!(fs::read_to_string(path("a")).unwrap(), "text");
         assert!(test_folder(&path("a")).is_err() && test_folder(&path("d/e")).is_ok());
         let left: Vec<_> = fs::read_dir(folder.path()).unwrap().flatten().collect();
