@@ -27,16 +27,17 @@ pub(super) struct DrawArguments {
     /// Also draw the contact forces of each method that gives them.
     #[arg(long)]
     forces: bool,
-    /// The file to write.
+    /// The file to write; `-` for standard output.
     #[arg(short, long, value_name = "FILE.svg")]
     output: PathBuf,
 }
 
 pub(super) fn draw(arguments: &DrawArguments) -> Result<u8, Stop> {
-    if arguments.output.extension().is_none_or(|end| end != "svg") {
+    let to_standard_output = arguments.output.as_os_str() == "-";
+    if !to_standard_output && arguments.output.extension().is_none_or(|end| end != "svg") {
         let path = arguments.output.display();
         let text = format!(
-            "error: a drawing is SVG, and {path} does not end in `.svg`\nhelp: write `-o FILE.svg`"
+            "error: a drawing is SVG, and {path} does not end in `.svg`\nhelp: write `-o FILE.svg`, or `-o -` for standard output"
         );
         return Err(Stop::bad_input(text));
     }
@@ -78,7 +79,9 @@ pub(super) fn draw(arguments: &DrawArguments) -> Result<u8, Stop> {
     let folder = path
         .parent()
         .filter(|parent| !parent.as_os_str().is_empty());
-    output::test(folder.unwrap_or(Path::new(".")))?;
+    if !to_standard_output {
+        output::test(folder.unwrap_or(Path::new(".")))?;
+    }
     if path.is_dir() {
         let text = format!(
             "error: cannot write {}: a folder has its name",
@@ -98,6 +101,10 @@ pub(super) fn draw(arguments: &DrawArguments) -> Result<u8, Stop> {
     };
     let title = format!("{}: {}", result.case.name, result.case.title);
     let svg = figure(&title, &views, &options);
+    if to_standard_output {
+        print(&svg)?;
+        return Ok(0);
+    }
     write_whole(path, &svg)
         .map_err(|e| Stop::bad_input(format!("error: cannot write {}: {e}", path.display())))?;
     print(&format!("wrote {}\n", path.display()))?;

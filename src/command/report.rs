@@ -6,8 +6,9 @@ use clap::Args;
 
 use trilith::case;
 use trilith::method::Settings;
-use trilith::report::html::{Report, SweepTable, page};
+use trilith::report::html::{Report, page};
 use trilith::run::{CaseResult, Partial};
+use trilith::study::sweep::SweepTable;
 
 use super::output;
 use super::plan::PlanArguments;

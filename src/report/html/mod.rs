@@ -17,4 +17,3 @@ mod sweep;
 mod table;
 
 pub use page::{Report, page};
-pub use sweep::{SweepError, SweepTable};

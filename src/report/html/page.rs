@@ -2,10 +2,10 @@
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
-use super::sweep::SweepTable;
 use super::{panel, prose, ranges, summary, sweep, table};
 use crate::method::Settings;
 use crate::run::{CaseResult, Partial};
+use crate::study::sweep::SweepTable;
 
 /// What a report is made of.
 pub struct Report<'a> {
@@ -86,7 +86,11 @@ fn sections(report: &Report) -> Vec<(String, String, Markup)> {
     add("ranges", "Ranges", ranges::ranges(results));
     for (index, table) in report.sweeps.iter().enumerate() {
         let body = sweep::section(table);
-        add(&format!("sweep-{}", index + 1), &table.title(), Some(body));
+        add(
+            &format!("sweep-{}", index + 1),
+            &sweep::title(table),
+            Some(body),
+        );
     }
     for result in results {
         let name = &result.case.name;
