@@ -25,7 +25,7 @@ pub fn figure(title: &str, views: &[View], options: &Options) -> String {
         .scale
         .unwrap_or_else(|| scale(&panels, options.width));
     let heights = panels.iter().map(|panel| panel.height(scale));
-    let height = heights.fold(0.0, f64::max);
+    let height = heights.fold(options.height, f64::max);
     let captions: Vec<Vec<String>> = panels
         .iter()
         .map(|panel| panel.caption(options.width, options.forces))
@@ -111,13 +111,15 @@ fn panels<'a>(views: &'a [View], options: &Options) -> (Vec<Panel<'a>>, Vec<Stri
 }
 
 /// The largest scale at which the mechanism of each of these views fits into a picture so many pixels
-/// wide.
-pub fn common_scale(views: &[View], width: f64) -> f64 {
+/// wide, and the pixels that the highest of them then takes.
+pub fn common_size(views: &[View], width: f64) -> (f64, f64) {
     let panels: Vec<Panel> = views
         .iter()
         .map(|view| Panel::new(view, Contents::Mechanism))
         .collect();
-    scale(&panels, width)
+    let scale = scale(&panels, width);
+    let heights = panels.iter().map(|panel| panel.height(scale));
+    (scale, heights.fold(0.0, f64::max))
 }
 
 fn scale(panels: &[Panel], width: f64) -> f64 {

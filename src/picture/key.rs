@@ -103,7 +103,7 @@ pub fn entries(holds: &Holds, scale: f64) -> Vec<LegendEntry> {
         entries.push(LegendEntry::arrow(FORCE, pixels, words));
     }
     let length = round_below(LENGTH / scale);
-    let words = format!("{} in units of length", short(length, 9));
+    let words = format!("{} units of length", short(length, 9));
     entries.push(LegendEntry::length(INK, length * scale, words));
     entries
 }

@@ -38,7 +38,7 @@ mod wall;
 mod words;
 
 pub(crate) use cells::{Cells, Field, PictureCell, cells};
-pub(crate) use figure::common_scale;
+pub(crate) use figure::common_size;
 pub(crate) use legend::LegendEntry;
 pub(crate) use marks::Filling;
 pub(crate) use plot::{Band, Between, Line, Marks, Note, Plot, PlotAxis, PlotPoint, Ticks};

@@ -42,7 +42,7 @@ pub const SQUARE_LINE: &str = "#777";
 /// Lines behind a plot.
 pub const GRID: &str = "#dddddd";
 /// The staircase of the fastest and most accurate settings.
-pub const FRONT: &str = "#bbbbbb";
+pub const FRONT: &str = "#8a8a8a";
 /// From a point to its name.
 pub const LEADER: &str = "#888888";
 /// Behind points without an answer.

@@ -188,10 +188,10 @@ impl<'a> Panel<'a> {
         let largest = short(factor * fastest, 3);
         Some(match self.view.row.kind() {
             Kind::Observed => format!(
-                "displacements × {}, the largest drawn as {largest} in units of length",
+                "displacements × {}, the largest drawn as {largest} units of length",
                 significant(factor)
             ),
-            _ => format!("velocities, the largest drawn as {largest} in units of length"),
+            _ => format!("velocities, the largest drawn as {largest} units of length"),
         })
     }
 

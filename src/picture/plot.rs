@@ -100,7 +100,7 @@ pub struct PlotPoint {
 
 /// Words in a plot.
 pub struct Note {
-    /// Where they begin, and the middle of their line.
+    /// Where they begin, but within the plot, and the middle of their line.
     pub at: [f64; 2],
     /// The words.
     pub words: String,

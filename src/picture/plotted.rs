@@ -106,7 +106,8 @@ fn panel(svg: &mut Svg, plot: &Plot, [x, y]: Pixel) -> f64 {
     }
     for note in &plot.notes {
         let [x, y] = area.at(note.at);
-        let style = style().font_size(NAME);
+        let x = x.max(area.corner[0] + 4.0);
+        let style = style().font_size(NAME).halo();
         svg.text([x, y + 4.0], Anchor::Start, style, &note.words);
     }
     for (name, _, [x, y]) in &named {

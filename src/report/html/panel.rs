@@ -4,7 +4,7 @@ use maud::{Markup, PreEscaped, html};
 
 use super::{certificates, replay};
 use crate::method::{Kind, entry};
-use crate::picture::{Options, View, common_scale, figure};
+use crate::picture::{Options, View, common_size, figure};
 use crate::record::record;
 use crate::run::{CaseResult, Row};
 use crate::scene::HeadJoints;
@@ -15,16 +15,16 @@ pub fn panel(result: &CaseResult) -> Markup {
     let all: Vec<View> = (foremost.iter().chain(&further))
         .map(|row| view(result, row))
         .collect();
-    let scale = common_scale(&all, WIDTH);
+    let size = common_size(&all, WIDTH);
     html! {
         @if result.case.title != result.case.name { p.title { (result.case.title) } }
         @if !result.case.source.is_empty() { p.small { "Source: " (result.case.source) } }
         h3 { "Mechanisms" }
-        (drawings(result, &foremost, scale))
+        (drawings(result, &foremost, size))
         @if !further.is_empty() {
             details {
                 summary { (further.len()) " more: other methods and head joints" }
-                (drawings(result, &further, scale))
+                (drawings(result, &further, size))
             }
         }
         @for row in result.rows.iter().filter(|row| row.outcome.recording.len() > 1) {
@@ -40,6 +40,22 @@ pub fn panel(result: &CaseResult) -> Markup {
             }
         }
     }
+}
+
+/// Drawings of the foremost answers of a case, for print.
+pub fn foremost(result: &CaseResult) -> Vec<String> {
+    let (rows, _) = drawn(result);
+    let mut rows: Vec<&Row> = rows
+        .into_iter()
+        .filter(|row| row.kind() != Kind::ClosedForm)
+        .collect();
+    rows.truncate(1);
+    let options = Options {
+        framed: false,
+        ..Options::for_pictures(3)
+    };
+    let svg = |row: &&Row| figure(&result.case.name, &[view(result, row)], &options);
+    rows.iter().map(svg).collect()
 }
 
 /// Rows to draw: the foremost methods with the head joints that published mechanisms are of, and
@@ -87,13 +103,15 @@ fn view<'a>(result: &'a CaseResult, row: &'a Row) -> View<'a> {
 /// Pixels that a drawing is wide where the page does not make it narrower.
 const WIDTH: f64 = 400.0;
 
-/// Drawings of these rows with so many pixels for a unit of length, so that they can be compared.
-fn drawings(result: &CaseResult, rows: &[&Row], scale: f64) -> Markup {
+/// Drawings of these rows with so many pixels for a unit of length, and so high, so that they can be
+/// compared.
+fn drawings(result: &CaseResult, rows: &[&Row], (scale, height): (f64, f64)) -> Markup {
     let options = Options {
         forces: false,
         framed: false,
         width: WIDTH,
         scale: Some(scale),
+        height,
     };
     let svg = |row: &Row| figure(&result.case.name, &[view(result, row)], &options);
     html! {

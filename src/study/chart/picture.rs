@@ -9,8 +9,8 @@ use crate::method::{Look, METHODS, Mark, method_look};
 use crate::number::short;
 use crate::picture::palette::{FRONT, INK, NO_ANSWER};
 use crate::picture::{
-    Band, Filling, LegendEntry, Line, Marks, Note, Plot, PlotAxis, PlotPoint, Ticks, dashed_line,
-    plots, solid_line,
+    Band, Filling, LegendEntry, Line, Marks, Plot, PlotAxis, PlotPoint, Ticks, dashed_line, plots,
+    solid_line,
 };
 use crate::run::{Partial, titled};
 
@@ -176,10 +176,6 @@ fn panel(own: &[&Measurement], looks: &IndexMap<&str, Look>, plane: Plane) -> Pl
             line(steps(&front, plane), FRONT, false),
         ],
         marks: marks.collect(),
-        notes: vec![Note {
-            at: [from + 0.06, plane.failures()],
-            words: "no answer".to_owned(),
-        }],
         ..Plot::default()
     }
 }

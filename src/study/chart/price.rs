@@ -143,10 +143,6 @@ pub fn price_picture(prices: &[Price]) -> Option<String> {
         },
         ..Plot::default()
     };
-    let least = prices
-        .iter()
-        .map(|price| price.relative)
-        .fold(0.0, f64::min);
     for (line, assumption) in shown.iter().enumerate() {
         let mut own: Vec<&Price> = prices
             .iter()
@@ -170,7 +166,7 @@ pub fn price_picture(prices: &[Price]) -> Option<String> {
             points: points.collect(),
         });
         plot.notes.push(Note {
-            at: [100.0 * least, middle + 0.3],
+            at: [f64::NEG_INFINITY, middle + 0.3],
             words: in_words(&own),
         });
     }
