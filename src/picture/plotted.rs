@@ -60,16 +60,18 @@ fn panel(svg: &mut Svg, plot: &Plot, [x, y]: Pixel) -> f64 {
     let words = headings(svg, plot, [x, y]);
     let names = plot.lines.iter().filter_map(|line| line.name.as_deref());
     let widest = names.map(|name| text_width(name, NAME)).fold(0.0, f64::max);
-    let right = if widest > 0.0 {
-        LEADER_WIDTH + widest + 6.0
-    } else {
-        right
-    };
     let (y_ends, y_ticks) = scale(&plot.y.ticks, plot.values(1));
     let labels = y_ticks.iter().map(|(_, words)| text_width(words, NAME));
     let label = if plot.y.label.is_empty() { 0.0 } else { LABEL };
     let left = left.max(labels.fold(0.0, f64::max) + 14.0 + label);
     let (x_ends, x_ticks) = scale(&plot.x.ticks, plot.values(0));
+    let last = x_ticks
+        .last()
+        .map_or(0.0, |(_, words)| text_width(words, NAME));
+    let right = match widest > 0.0 {
+        true => LEADER_WIDTH + widest + 6.0,
+        false => right.max(last / 2.0 + 6.0),
+    };
     let area = Area {
         corner: [x + left, y + words + top],
         size: [SIZE[0] - left - right, SIZE[1] - top - bottom],

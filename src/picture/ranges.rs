@@ -4,19 +4,24 @@
 use super::axes::{Area, round_ticks};
 use super::legend::{self, LegendEntry};
 use super::marks::{Filling, mark};
+use super::metrics::text_width;
 use super::palette::{FAINT, INK};
 use super::path::{Path, Pixel};
 use super::svg::{Anchor, Svg, style};
 use super::words::fitting;
 use crate::method::{Look, Mark};
+use crate::number::number;
 
 /// Pixels of the picture, of a range, and of what is left, right of and below all of them.
 const WIDTH: f64 = 480.0;
 const LINE: f64 = 24.0;
 const LEFT: f64 = 148.0;
-const RIGHT: f64 = 14.0;
+const RIGHT: f64 = 30.0;
 const BELOW: f64 = 50.0;
 const BORDER: f64 = 12.0;
+
+/// Font size of names and values.
+const FONT: f64 = 12.0;
 
 /// Pixels of the strip that shows everything at once.
 const STRIP: f64 = 62.0;
@@ -93,7 +98,7 @@ pub fn ranges(picture: &Ranges, entries: &[LegendEntry], title: &str) -> String 
     for (line, range) in picture.ranges.iter().enumerate() {
         let middle = line as f64 + 0.5;
         one(&mut svg, range, &area, middle);
-        let text = style().font_size(12.0);
+        let text = style().font_size(FONT);
         let y = area.at([near[0], middle])[1];
         svg.text([LEFT - 9.0, y + 4.0], Anchor::End, text, &range.name);
     }
@@ -152,11 +157,24 @@ fn strip(
         }
     }
     svg.path(&lines, style().hollow().stroke(INK).stroke_width(0.7), "");
-    let text = style().font_size(12.0);
+    let text = style().font_size(FONT);
     svg.text([LEFT - 9.0, top + 13.0], Anchor::End, text.clone(), name);
-    for ([x, _], end, anchor) in [(from, ends[0], Anchor::Start), (to, ends[1], Anchor::End)] {
-        let words = crate::number::number(end, 4);
-        svg.text([x, top + 31.0], anchor, text.clone().class("x-end"), &words);
+    let [least, most] = ends.map(|end| number(end, 4));
+    let room = text_width(&least, FONT) + text_width(&most, FONT) + 12.0;
+    if to[0] - from[0] > room {
+        for (x, anchor, words) in [(from[0], Anchor::Start, least), (to[0], Anchor::End, most)] {
+            svg.text([x, top + 31.0], anchor, text.clone(), &words);
+        }
+    } else {
+        let words = if least == most {
+            least
+        } else {
+            format!("{least} to {most}")
+        };
+        let half = text_width(&words, FONT) / 2.0;
+        let middle = (from[0] + to[0]) / 2.0;
+        let middle = middle.clamp(LEFT + half, WIDTH - RIGHT - half);
+        svg.text([middle, top + 31.0], Anchor::Middle, text.clone(), &words);
     }
     // What is shown below, as a window that opens downwards.
     let [left, right] = near.map(|end| area.at([end, 0.0])[0]);

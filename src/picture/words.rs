@@ -25,7 +25,9 @@ pub(super) fn fitting(text: &str, font_size: f64, width: f64) -> Vec<String> {
     for word in text.split_whitespace() {
         match lines.last_mut() {
             Some(line)
-                if text_width(line, font_size) + text_width(word, font_size) + 0.3 * font_size
+                if text_width(line, font_size)
+                    + text_width(word, font_size)
+                    + text_width(" ", font_size)
                     <= width =>
             {
                 line.push(' ');

@@ -4,7 +4,7 @@ use super::known::of_overburden;
 use super::points::{SweepTable, Variable};
 use crate::method::{Look, Mark, method_look};
 use crate::number::number;
-use crate::picture::palette::{INK, tone_of};
+use crate::picture::palette::{INK, SCALE, tone_of};
 use crate::picture::{
     Between, Cells, Field, Filling, LegendEntry, Line, Marks, PictureCell, Plot, PlotAxis,
     PlotPoint, Ticks, cells, dashed_line, plots,
@@ -38,7 +38,7 @@ pub fn sweep_picture(table: &SweepTable) -> Result<String, String> {
     if let [y] = others.as_slice()
         && y.values.len() >= MANY
     {
-        return Ok(fields(table, &title, x, y));
+        return Ok(fields(table, &format!("{title} and {}", y.label()), x, y));
     }
     let count = others
         .iter()
@@ -317,11 +317,15 @@ fn fields(table: &SweepTable, title: &str, x: &Variable, y: &Variable) -> String
     let label = format!("{} (to the right) × {} (upwards)", x.label(), y.label());
     cells(&Cells {
         title: title.to_owned(),
-        legend: Vec::new(),
+        legend: vec![LegendEntry::scale(
+            &SCALE,
+            [least, most].map(|end| number(end, 4)),
+            "lower end of λ",
+        )],
         x_label: &label,
         xs: x.values.iter().map(String::as_str).collect(),
         ys: y.values.iter().map(String::as_str).collect(),
         fields: fields.collect(),
-        words: "A cell has the lower end of the answer's range; the darker, the larger. A dash: no answer.",
+        words: "A cell has the lower end of the answer's range; a dash: no answer.",
     })
 }
