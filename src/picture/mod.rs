@@ -29,6 +29,8 @@ mod parts;
 mod path;
 mod plot;
 mod plotted;
+#[cfg(feature = "print")]
+mod print;
 mod ranges;
 mod replay;
 mod svg;
@@ -49,4 +51,6 @@ pub(crate) use words::lines;
 
 pub use figure::figure;
 pub use parts::{RigidPart, parts, threshold};
+#[cfg(feature = "print")]
+pub use print::{PrintError, pdf, png};
 pub use view::{Options, View};
