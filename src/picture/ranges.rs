@@ -157,7 +157,18 @@ fn strip(
         }
     }
     svg.path(&lines, style().hollow().stroke(INK).stroke_width(0.7), "");
-    let text = style().font_size(FONT);
+    // What is shown below, as a window that opens downwards.
+    let [left, right] = near.map(|end| area.at([end, 0.0])[0]);
+    let bottom = top + STRIP;
+    let window = [
+        [LEFT, bottom],
+        [left, top + 20.0],
+        [right, top + 20.0],
+        [LEFT + area.size[0], bottom],
+    ];
+    let line = style().hollow().stroke(FAINT).stroke_width(0.8);
+    svg.path(&Path::through(&window, false), line.dashes("3 2"), "");
+    let text = style().font_size(FONT).halo();
     svg.text([LEFT - 9.0, top + 13.0], Anchor::End, text.clone(), name);
     let [least, most] = ends.map(|end| number(end, 4));
     let room = text_width(&least, FONT) + text_width(&most, FONT) + 12.0;
@@ -176,17 +187,6 @@ fn strip(
         let middle = middle.clamp(LEFT + half, WIDTH - RIGHT - half);
         svg.text([middle, top + 31.0], Anchor::Middle, text.clone(), &words);
     }
-    // What is shown below, as a window that opens downwards.
-    let [left, right] = near.map(|end| area.at([end, 0.0])[0]);
-    let bottom = top + STRIP;
-    let window = [
-        [LEFT, bottom],
-        [left, top + 20.0],
-        [right, top + 20.0],
-        [LEFT + area.size[0], bottom],
-    ];
-    let line = style().hollow().stroke(FAINT).stroke_width(0.8);
-    svg.path(&Path::through(&window, false), line.dashes("3 2"), "");
 }
 
 /// The shaded range as far as the axis shows it.

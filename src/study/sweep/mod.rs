@@ -10,6 +10,8 @@
 //! determines the answer. Charts and atlas make points in code and run them the same way.
 
 mod compare;
+mod curves;
+mod fields;
 mod file;
 mod known;
 mod library;
