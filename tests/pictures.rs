@@ -67,7 +67,7 @@ fn the_librarys_pictures_are_clear() {
     };
     for html in [page(&report), manual(&results, &settings, None)] {
         let pictures = pictures(&html);
-        assert!(pictures.len() > 2 * cases.len(), "{}", pictures.len());
+        assert!(pictures.len() > cases.len(), "{}", pictures.len());
         let mut all = Vec::new();
         for (index, picture) in pictures.iter().enumerate() {
             let name = texts(picture).first().map(|text| text.words.clone());
@@ -104,12 +104,12 @@ fn a_chart_is_clear() {
     assert_chart_is_clear("stack");
 }
 
-/// The charts of the paper's first walls and of those with openings; in contact the interval's answer lies
+/// The charts of the first wall of the paper and of one with openings; in contact the interval's answer lies
 /// at the floor where both ends meet the independent range, and the closed form far above it.
 #[test]
 #[ignore = "takes a minute in release"]
 fn the_charts_of_the_walls_are_clear() {
-    for case in ["paper-1", "paper-2", "openings-3", "openings-4"] {
+    for case in ["paper-1", "openings-4"] {
         assert_chart_is_clear(case);
     }
     let cases = find("paper-1").unwrap();

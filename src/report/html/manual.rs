@@ -56,7 +56,7 @@ fn case(result: &CaseResult) -> Markup {
             @if !source.is_empty() { p.small { "Source: " (source) } }
             p.small { (in_figures(result)) }
             div.drawings {
-                @for svg in foremost(result) { figure.drawing { (PreEscaped(svg)) } }
+                @if let Some(svg) = foremost(result) { figure.drawing { (PreEscaped(svg)) } }
                 @if let Some(svg) = range_figure(result) { figure.drawing { (PreEscaped(svg)) } }
             }
             @if !result.case.references.is_empty() { (references(result)) }

@@ -42,20 +42,16 @@ pub fn panel(result: &CaseResult) -> Markup {
     }
 }
 
-/// Drawings of the foremost answers of a case, for print.
-pub fn foremost(result: &CaseResult) -> Vec<String> {
-    let (rows, _) = drawn(result);
-    let mut rows: Vec<&Row> = rows
-        .into_iter()
-        .filter(|row| row.kind() != Kind::ClosedForm)
-        .collect();
-    rows.truncate(1);
+/// The drawing of the foremost answer of a case that is not the closed form's.
+pub fn foremost(result: &CaseResult) -> Option<String> {
+    let (rows, further) = drawn(result);
+    let mut rows = rows.into_iter().chain(further).chain(&result.rows);
+    let row = rows.find(|row| row.kind() != Kind::ClosedForm)?;
     let options = Options {
         framed: false,
         ..Options::for_pictures(3)
     };
-    let svg = |row: &&Row| figure(&result.case.name, &[view(result, row)], &options);
-    rows.iter().map(svg).collect()
+    Some(figure(&result.case.name, &[view(result, row)], &options))
 }
 
 /// Rows to draw: the foremost methods with the head joints that published mechanisms are of, and
@@ -82,6 +78,14 @@ fn drawn(result: &CaseResult) -> (Vec<&Row>, Vec<&Row>) {
         .partition(|row| is_foremost(row));
     if foremost.is_empty() {
         std::mem::swap(&mut foremost, &mut further);
+    }
+    if foremost.is_empty() {
+        // The wall as it stands, with what a method says of it.
+        let mut own = result
+            .rows
+            .iter()
+            .filter(|row| row.kind() != Kind::ClosedForm);
+        foremost.extend(own.next());
     }
     (foremost, further)
 }
