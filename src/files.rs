@@ -11,8 +11,8 @@ use tempfile::NamedTempFile;
 ///
 /// # Errors
 /// Any error of the file system.
-pub fn write_whole(path: &Path, text: &str) -> io::Result<()> {
-    staged(path, text)?.persist(path)?;
+pub fn write_whole(path: &Path, contents: impl AsRef<[u8]>) -> io::Result<()> {
+    staged(path, contents.as_ref())?.persist(path)?;
     Ok(())
 }
 
@@ -24,12 +24,12 @@ pub fn write_whole(path: &Path, text: &str) -> io::Result<()> {
 pub fn write_together(files: &[(PathBuf, String)]) -> Result<(), (PathBuf, io::Error)> {
     let mut temporary = Vec::new();
     for (path, text) in files {
-        temporary.push(staged(path, text).map_err(|error| (path.clone(), error))?);
+        temporary.push(staged(path, text.as_bytes()).map_err(|error| (path.clone(), error))?);
+    }
+    if let Some((path, _)) = files.iter().find(|(path, _)| path.is_dir()) {
+        return Err((path.clone(), io::Error::other("a folder has its name")));
     }
     for ((path, _), file) in files.iter().zip(temporary) {
-        if path.is_dir() {
-            return Err((path.clone(), io::Error::other("a folder has its name")));
-        }
         file.persist(path)
             .map_err(|error| (path.clone(), error.error))?;
     }
@@ -44,11 +44,11 @@ pub fn test_folder(folder: &Path) -> io::Result<()> {
     if folder.exists() && !folder.is_dir() {
         return Err(io::Error::other("it is a file, not a folder"));
     }
-    staged(&folder.join("results"), &" ".repeat(1 << 12)).map(drop)
+    staged(&folder.join("results"), &[b' '; 1 << 12]).map(drop)
 }
 
-/// The text in a temporary file beside its target, which goes where nobody persists it.
-fn staged(path: &Path, text: &str) -> io::Result<NamedTempFile> {
+/// Contents in a temporary file beside its target, which goes where nobody persists it.
+fn staged(path: &Path, contents: &[u8]) -> io::Result<NamedTempFile> {
     let folder = match path.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),
@@ -57,7 +57,7 @@ fn staged(path: &Path, text: &str) -> io::Result<NamedTempFile> {
     let mut file = tempfile::Builder::new()
         .prefix(".trilith-")
         .tempfile_in(folder)?;
-    file.write_all(text.as_bytes())?;
+    file.write_all(contents)?;
     // A temporary file is private to its owner; a result is not.
     #[cfg(unix)]
     {
@@ -159,6 +159,11 @@ mod tests {
         let files = [path("a"), path("a/c")].map(|path| (path, "new".to_owned()));
         let (refused, _) = write_together(&files).unwrap_err();
         assert_eq!(refused, path("a/c"));
+        assert_eq!(fs::read_to_string(path("a")).unwrap(), "text");
+        // A folder in the place of the second file: the same.
+        let files = [path("a"), path("b")].map(|path| (path, "new".to_owned()));
+        let (refused, _) = write_together(&files).unwrap_err();
+        assert_eq!(refused, path("b"));
         assert_eq!(fs::read_to_string(path("a")).unwrap(), "text");
         assert!(test_folder(&path("a")).is_err() && test_folder(&path("d/e")).is_ok());
         let left: Vec<_> = fs::read_dir(folder.path()).unwrap().flatten().collect();

@@ -49,11 +49,11 @@ fn holds_on_the_library(blocks: std::ops::Range<usize>, least: usize) {
                     bracket.relative_width(1.0) > settings.auto.tolerance,
                     "{what}"
                 );
-                let slack = 2.0 * settings.auto.tolerance * known.value;
-                assert!(known.value <= bracket.upper + slack, "{what}");
+                let slack = 2.0 * settings.auto.tolerance * known.range.lower;
+                assert!(known.range.lower <= bracket.upper + slack, "{what}");
             } else {
                 assert!(
-                    bracket.error(known.value, 1.0) <= settings.auto.tolerance,
+                    bracket.error(known.range.lower, 1.0) <= settings.auto.tolerance,
                     "{what}"
                 );
             }

@@ -33,8 +33,10 @@ fn a_chart_shows_every_rung_with_its_error() {
     assert_eq!(picture, chart::picture(&entries, None), "the same bytes");
     for word in [
         "no answer",
-        "CPU time",
-        "stack against 0.4 (analytic",
+        "CPU time, seconds",
+        "error against 0.4 (analytic)",
+        "floor: the references",
+        "loose setting",
         "interval",
     ] {
         assert!(picture.contains(word), "{word}");

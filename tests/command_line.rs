@@ -324,8 +324,21 @@ fn a_program_runs_whichever_of_our_own_methods_run_beside_it() {
 #[test]
 fn a_drawing_is_not_written_into_a_file_of_another_kind() {
     let folder = tempfile::tempdir().unwrap();
+    for name in ["wall.jpg", "wall"] {
+        let output = trilith(folder.path(), &["draw", "sliding-block", "-o", name]);
+        assert_eq!(output.status.code(), Some(2));
+        assert!(text(&output.stderr).contains("does not end in `.svg`"));
+        assert!(!folder.path().join(name).exists());
+    }
     let output = trilith(folder.path(), &["draw", "sliding-block", "-o", "wall.png"]);
-    assert_eq!(output.status.code(), Some(2));
-    assert!(text(&output.stderr).contains("does not end in `.svg`"));
-    assert!(!folder.path().join("wall.png").exists());
+    let said = text(&output.stderr);
+    if cfg!(feature = "print") {
+        assert_eq!(output.status.code(), Some(0), "{said}");
+    } else {
+        assert_eq!(output.status.code(), Some(2));
+        assert!(said.contains("--features print"), "{said}");
+    }
+    let output = trilith(folder.path(), &["draw", "sliding-block", "-o", "-"]);
+    assert_eq!(output.status.code(), Some(0));
+    assert!(text(&output.stdout).starts_with("<svg"));
 }

@@ -187,8 +187,8 @@ fn captions_say_what_was_found() {
     ] {
         assert!(svg.contains(words), "{words}");
     }
-    // Forces exist for the interval alone.
-    assert_eq!(svg.matches("class=\"picture\"").count(), 4);
+    // Forces exist for the interval alone; what has no mechanism takes a line and no picture.
+    assert_eq!(svg.matches("class=\"picture\"").count(), 3);
     assert_eq!(svg.matches("class=\"forces\"").count(), 1);
     assert_eq!(svg.matches("class=\"macro-block\"").count(), 1);
 }

@@ -29,6 +29,17 @@ fn assert_refused(folder: &Path, arguments: &str, why: &str) {
     assert!(output.stdout.is_empty(), "{arguments}");
 }
 
+/// Refusals of files so named where cases, sweeps and programs are read (`toml`), and of `corners.csv`
+/// where corners and points are (`csv`).
+#[track_caller]
+fn assert_readers_refuse(folder: &Path, name: &str, toml: &str, csv: &str) {
+    assert_refused(folder, &format!("run {name}.toml"), toml);
+    assert_refused(folder, &format!("sweep {name}.sweep.toml"), toml);
+    assert_refused(folder, &format!("run stack --external {name}.toml"), toml);
+    assert_refused(folder, "run beside.toml", csv);
+    assert_refused(folder, "report stack --sweep corners.csv --out out", csv);
+}
+
 /// Sparse: it takes no room on the disk.
 fn large(path: &Path, bytes: u64) {
     File::create(path).unwrap().set_len(bytes).unwrap();
@@ -46,13 +57,9 @@ fn files_beyond_the_limits_are_refused() {
     fs::write(folder.join("beside.toml"), BESIDE).unwrap();
     let toml = "it has 477 MiB, and no more than 16 MiB are read";
     let csv = "it has 1431 MiB, and no more than 64 MiB are read";
-    assert_refused(folder, "run large.toml", toml);
     assert_refused(folder, "check large.toml", toml);
     assert_refused(folder, "show large.toml", toml);
-    assert_refused(folder, "sweep large.sweep.toml", toml);
-    assert_refused(folder, "run stack --external large.toml", toml);
-    assert_refused(folder, "run beside.toml", csv);
-    assert_refused(folder, "report stack --sweep corners.csv --out out", csv);
+    assert_readers_refuse(folder, "large", toml, csv);
     fs::create_dir(folder.join("records")).unwrap();
     large(&folder.join("records/stack.snap"), 500_000_000);
     let output = trilith(folder, "run stack --method associative --record records");
@@ -71,11 +78,7 @@ fn what_is_no_file_is_refused_and_does_not_hang() {
         assert!(made.expect("there is a mkfifo").success());
     }
     let pipe = "it is a pipe, not a file";
-    assert_refused(folder, "run pipe.toml", pipe);
-    assert_refused(folder, "sweep pipe.sweep.toml", pipe);
-    assert_refused(folder, "run stack --external pipe.toml", pipe);
-    assert_refused(folder, "run beside.toml", pipe);
-    assert_refused(folder, "report stack --sweep corners.csv --out out", pipe);
+    assert_readers_refuse(folder, "pipe", pipe, pipe);
     // In a folder of cases too.
     assert_refused(folder, "run .", pipe);
     std::os::unix::fs::symlink("/dev/zero", folder.join("zero.toml")).unwrap();

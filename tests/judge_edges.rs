@@ -1,11 +1,14 @@
 //! The judge on the edge: an answer that it verifies, and the same one with a single condition missed
 //! by a thousandth. A block that slides, so that each condition is known by hand: λ = μ.
 
+mod scenes;
+
+use scenes::{laid, wall};
 use trilith::answer::{Bracket, JointForce, Outcome, Status};
 use trilith::judge::judge;
 use trilith::method::limit::{Associative, Interval};
 use trilith::method::{Method, Settings};
-use trilith::scene::{HeadJoints, Piece, Push, Scene, Wall};
+use trilith::scene::{HeadJoints, Scene};
 
 const FRICTION: f64 = 0.3;
 
@@ -14,17 +17,7 @@ const LITTLE: f64 = 1e-3;
 
 /// A flat block on the ground.
 fn block(friction: f64) -> Scene {
-    let wall = Wall {
-        unit_length: 4.0,
-        unit_height: 1.0,
-        thickness: 1.0,
-        unit_weight: 1.0,
-        courses: vec![vec![Piece::Unit]],
-        friction: friction.into(),
-        overburden: 0.0,
-        push: Push::Right,
-    };
-    wall.scene(HeadJoints::Open).expect("it can be laid")
+    laid(&wall(&["1"], friction), HeadJoints::Open)
 }
 
 fn answered(method: &dyn Method) -> Outcome {

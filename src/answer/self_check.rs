@@ -5,6 +5,7 @@ use std::fmt;
 use serde::{Deserialize, Serialize};
 
 use super::bracket::Bracket;
+use crate::number::number;
 
 /// A self-check that ran: a figure, and what it must not exceed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -109,7 +110,9 @@ impl fmt::Display for SelfCheck {
                 answer: Ok(Bracket { lower, upper }),
             } => write!(
                 f,
-                "{with}: [{lower:.5}, {upper:.5}], {value:.1e} of λ away, at most {limit:.0e}"
+                "{with}: [{}, {}], {value:.1e} of λ away, at most {limit:.0e}",
+                number(*lower, 5),
+                number(*upper, 5)
             ),
             Checked::Repetition {
                 with,

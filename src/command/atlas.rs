@@ -4,10 +4,9 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use trilith::method::methods;
-use trilith::run::{Keeps, Partial, Row, run_rows};
+use trilith::run::{Keeps, Partial, Row, marked, run_rows};
 use trilith::study::atlas::{self, Atlas, CellVerdict, Grid};
 
-use super::chart::marked;
 use super::output;
 use super::plan::externals;
 use super::stop::{REFUTED, Stop, print};

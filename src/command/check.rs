@@ -9,7 +9,7 @@ use trilith::run::{CaseResult, Partial};
 
 use super::output;
 use super::plan::PlanArguments;
-use super::run::{files, kept_in, refuted};
+use super::run::{files, refuted};
 use super::solve::solve;
 use super::stop::{REFUTED, Stop, print};
 
@@ -39,7 +39,7 @@ pub(super) fn check(arguments: &CheckArguments) -> Result<u8, Stop> {
     }
     print(&report::library_heading())?;
     let show = |result: &CaseResult| print(&report::library_case(result));
-    let kept = kept_in(arguments.resume.as_deref(), arguments.out.as_deref());
+    let kept = arguments.resume.as_deref().or(arguments.out.as_deref());
     let kept = kept.map(|folder| (folder, "check.journal"));
     let results = solve(&cases, &plan, kept, show, |results, partial| {
         hand_out(arguments, results, partial)

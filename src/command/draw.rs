@@ -27,19 +27,19 @@ pub(super) struct DrawArguments {
     /// Also draw the contact forces of each method that gives them.
     #[arg(long)]
     forces: bool,
-    /// The file to write.
+    /// The file to write, SVG; `-` for standard output; PNG or PDF where the program is built with
+    /// `--features print`.
     #[arg(short, long, value_name = "FILE.svg")]
     output: PathBuf,
 }
 
 pub(super) fn draw(arguments: &DrawArguments) -> Result<u8, Stop> {
-    if arguments.output.extension().is_none_or(|end| end != "svg") {
-        let path = arguments.output.display();
-        let text = format!(
-            "error: a drawing is SVG, and {path} does not end in `.svg`\nhelp: write `-o FILE.svg`"
-        );
-        return Err(Stop::bad_input(text));
-    }
+    let to_standard_output = arguments.output.as_os_str() == "-";
+    let format = if to_standard_output {
+        Format::Svg
+    } else {
+        Format::of(&arguments.output)?
+    };
     let (mut cases, mut plan) = arguments
         .plan
         .read(std::slice::from_ref(&arguments.case), case::paper)?;
@@ -78,7 +78,9 @@ pub(super) fn draw(arguments: &DrawArguments) -> Result<u8, Stop> {
     let folder = path
         .parent()
         .filter(|parent| !parent.as_os_str().is_empty());
-    output::test(folder.unwrap_or(Path::new(".")))?;
+    if !to_standard_output {
+        output::test(folder.unwrap_or(Path::new(".")))?;
+    }
     if path.is_dir() {
         let text = format!(
             "error: cannot write {}: a folder has its name",
@@ -98,10 +100,64 @@ pub(super) fn draw(arguments: &DrawArguments) -> Result<u8, Stop> {
     };
     let title = format!("{}: {}", result.case.name, result.case.title);
     let svg = figure(&title, &views, &options);
-    write_whole(path, &svg)
+    if to_standard_output {
+        print(&svg)?;
+        return Ok(0);
+    }
+    let contents = format
+        .print(svg)
+        .map_err(|why| Stop::bad_input(format!("error: cannot write {}: {why}", path.display())))?;
+    write_whole(path, contents)
         .map_err(|e| Stop::bad_input(format!("error: cannot write {}: {e}", path.display())))?;
     print(&format!("wrote {}\n", path.display()))?;
     Ok(0)
+}
+
+/// What a file of a drawing holds.
+#[derive(Clone, Copy)]
+enum Format {
+    Svg,
+    #[cfg(feature = "print")]
+    Png,
+    #[cfg(feature = "print")]
+    Pdf,
+}
+
+impl Format {
+    /// By the end of a file's name.
+    fn of(path: &Path) -> Result<Self, Stop> {
+        let end = path
+            .extension()
+            .map(|end| end.to_string_lossy().to_lowercase());
+        let help = match end.as_deref() {
+            Some("svg") => return Ok(Format::Svg),
+            #[cfg(feature = "print")]
+            Some("png") => return Ok(Format::Png),
+            #[cfg(feature = "print")]
+            Some("pdf") => return Ok(Format::Pdf),
+            #[cfg(not(feature = "print"))]
+            Some("png" | "pdf") => {
+                "PNG and PDF are made by a trilith that is built with `cargo build --release \
+                 --features print`"
+            }
+            _ => "write `-o FILE.svg`, or `-o -` for standard output",
+        };
+        Err(Stop::bad_input(format!(
+            "error: a drawing is SVG, and {} does not end in `.svg`\nhelp: {help}",
+            path.display()
+        )))
+    }
+
+    /// The drawing in this format; why it cannot be had.
+    fn print(self, svg: String) -> Result<Vec<u8>, String> {
+        match self {
+            Format::Svg => Ok(svg.into_bytes()),
+            #[cfg(feature = "print")]
+            Format::Png => trilith::picture::png(&svg).map_err(|error| error.to_string()),
+            #[cfg(feature = "print")]
+            Format::Pdf => trilith::picture::pdf(&svg).map_err(|error| error.to_string()),
+        }
+    }
 }
 
 /// Names of the methods that are drawn: those that were named, or the collapse states found; side by

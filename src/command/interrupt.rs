@@ -21,7 +21,7 @@ use signal_hook::flag;
 use trilith::external::stop_all;
 
 /// Time for which further signals do nothing.
-const PATIENCE: Duration = Duration::from_secs(2);
+const DELAY: Duration = Duration::from_secs(2);
 
 /// Time between two looks at what has come.
 const POLL_INTERVAL: Duration = Duration::from_millis(20);
@@ -91,7 +91,7 @@ pub(super) fn or_leave<T: Send>(work: impl FnOnce() -> T + Send, leave: impl FnO
     };
     watch.at_once.store(false, Ordering::SeqCst);
     let (at_once, came) = (watch.at_once.clone(), watch.came.clone());
-    thread::spawn(move || lose_patience(&at_once, &came));
+    thread::spawn(move || end_at_once_after_delay(&at_once, &came));
     let here = thread::current();
     thread::scope(|scope| {
         let worker = scope.spawn(move || {
@@ -116,11 +116,11 @@ pub(super) fn or_leave<T: Send>(work: impl FnOnce() -> T + Send, leave: impl FnO
 }
 
 /// Lets signals end the program at once, a while after the first.
-fn lose_patience(at_once: &AtomicBool, came: &AtomicUsize) {
+fn end_at_once_after_delay(at_once: &AtomicBool, came: &AtomicUsize) {
     while came.load(Ordering::SeqCst) == 0 {
         thread::sleep(POLL_INTERVAL);
     }
-    thread::sleep(PATIENCE);
+    thread::sleep(DELAY);
     at_once.store(true, Ordering::SeqCst);
 }
 

@@ -1,13 +1,14 @@
 //! `trilith report`.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
 
 use trilith::case;
 use trilith::method::Settings;
-use trilith::report::html::{Report, SweepTable, page};
+use trilith::report::html::{Report, manual, page};
 use trilith::run::{CaseResult, Partial};
+use trilith::study::sweep::SweepTable;
 
 use super::output;
 use super::plan::PlanArguments;
@@ -25,13 +26,21 @@ pub(super) struct ReportArguments {
     /// Also plot this sweep's `sweep.csv`; the overburden's is the paper's Fig. 7.
     #[arg(long, value_name = "FILE.csv")]
     sweep: Vec<PathBuf>,
-    /// Folder for report.html, results.csv, results.json and one record a case.
+    /// Write the verification manual instead, a page a case; none named: the whole library.
+    #[arg(long, conflicts_with = "sweep")]
+    manual: bool,
+    /// Folder for report.html or manual.html, results.csv, results.json and one record a case.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
 }
 
 pub(super) fn report(arguments: &ReportArguments) -> Result<u8, Stop> {
-    let (cases, mut plan) = arguments.plan.read(&arguments.cases, case::paper)?;
+    let none_named = if arguments.manual {
+        case::library
+    } else {
+        case::paper
+    };
+    let (cases, mut plan) = arguments.plan.read(&arguments.cases, none_named)?;
     plan.settings.pushover.recording = true;
     // Before the long work: a file that cannot be read is known now.
     let sweeps = read(&arguments.sweep)?;
@@ -43,7 +52,7 @@ pub(super) fn report(arguments: &ReportArguments) -> Result<u8, Stop> {
         kept,
         |_| Ok(()),
         |results, partial| {
-            let path = hand_out(&arguments.out, results, &settings, &sweeps, partial)?;
+            let path = hand_out(arguments, results, &settings, &sweeps, partial)?;
             let said = partial.map_or(String::new(), |partial| format!("{partial}\n"));
             print(&format!("{said}wrote {path}\n"))
         },
@@ -60,20 +69,26 @@ fn read(paths: &[PathBuf]) -> Result<Vec<SweepTable>, Stop> {
 
 /// Writes the page and, beside it, what `run` writes.
 fn hand_out(
-    folder: &Path,
+    arguments: &ReportArguments,
     results: &[CaseResult],
     settings: &Settings,
     sweeps: &[SweepTable],
     partial: Option<&Partial>,
 ) -> Result<String, Stop> {
-    let text = page(&Report {
-        results,
-        settings,
-        sweeps,
-        partial,
-    });
+    let folder = &arguments.out;
+    let (name, text) = if arguments.manual {
+        ("manual.html", manual(results, settings, partial))
+    } else {
+        let report = Report {
+            results,
+            settings,
+            sweeps,
+            partial,
+        };
+        ("report.html", page(&report))
+    };
     let mut files = files(results, false, partial)?;
-    files.push(("report.html".to_owned(), text));
+    files.push((name.to_owned(), text));
     output::write(folder, files)?;
-    Ok(folder.join("report.html").display().to_string())
+    Ok(folder.join(name).display().to_string())
 }

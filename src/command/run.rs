@@ -3,16 +3,13 @@
 use std::path::PathBuf;
 
 use clap::{Args, ValueEnum};
-use std::path::Path;
-
 use trilith::answer::Status;
 use trilith::case;
 use trilith::judge::Verdict;
 use trilith::record::record;
 use trilith::report;
-use trilith::run::{CaseResult, Partial};
+use trilith::run::{CaseResult, Partial, marked};
 
-use super::chart::marked;
 use super::output;
 use super::plan::PlanArguments;
 use super::records::compare;
@@ -69,7 +66,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<u8, Stop> {
     let format = arguments.format;
     print(&format.heading()?)?;
     let show = |result: &CaseResult| print(&format.case(result)?);
-    let kept = kept_in(arguments.resume.as_deref(), arguments.out.as_deref());
+    let kept = arguments.resume.as_deref().or(arguments.out.as_deref());
     let kept = kept.map(|folder| (folder, "run.journal"));
     let results = solve(&cases, &plan, kept, show, |results, partial| {
         hand_out(arguments, results, partial)
@@ -140,11 +137,6 @@ fn hand_out(
         output::write(folder, files(results, states, partial)?)?;
     }
     printed
-}
-
-/// The folder of the journal: that of `--resume`, or that of `--out`.
-pub(super) fn kept_in<'a>(resume: Option<&'a Path>, out: Option<&'a Path>) -> Option<&'a Path> {
-    resume.or(out)
 }
 
 fn csv(results: &[CaseResult]) -> Result<String, Stop> {

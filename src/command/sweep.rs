@@ -10,10 +10,11 @@ use trilith::answer::Status;
 use trilith::case::Complaint;
 use trilith::judge::Verdict;
 use trilith::number::number;
-use trilith::run::{Keeps, Partial, Row, Task, run_rows};
-use trilith::study::sweep::{self, MOST_SHARDS, Shard, Sweep, SweepCheck};
+use trilith::run::{Keeps, Partial, Row, Task, marked, run_rows};
+use trilith::study::sweep::{
+    self, MOST_SHARDS, Shard, Sweep, SweepCheck, SweepTable, sweep_picture,
+};
 
-use super::chart::marked;
 use super::output;
 use super::plan::externals;
 use super::slurm;
@@ -43,7 +44,8 @@ pub(super) const FORMAT: &str = r#"A sweep file names a case and what varies in 
 unit of a bond into n by n: more courses in a wall of the same size.
 
 Rows go to a journal as they finish: the same command goes on where it was stopped. At the end
-sweep.csv holds every point in order, times.csv what each took."#;
+sweep.csv holds every point in order, times.csv what each took, sweep.svg has plots where not too
+much varies."#;
 
 #[derive(Args)]
 pub(super) struct SweepArguments {
@@ -181,8 +183,14 @@ fn hand_out(
     let times = sweep::times_csv(rows).map_err(not_written)?;
     let csv = sweep::sweep_csv(rows).map_err(not_written)?;
     let said = partial.map_or(String::new(), |partial| format!("{partial}\n"));
+    let table = SweepTable::parse(&sweep.name, marked(csv.clone(), partial).as_bytes());
+    let picture = sweep_picture(&table.map_err(not_written)?);
+    let drawn = match &picture {
+        Ok(_) => String::new(),
+        Err(why) => format!("{why}\n"),
+    };
     let printed = print(&format!(
-        "{said}{}: {}\n{}{}{} points in {}\n",
+        "{said}{}: {}\n{}{}{drawn}{} points in {}\n",
         sweep.name,
         sweep.title,
         summary(rows),
@@ -192,7 +200,9 @@ fn hand_out(
     ));
     let files = [("times.csv", times), ("sweep.csv", csv)];
     let files = files.map(|(name, text)| (name.to_owned(), marked(text, partial)));
-    output::write(folder, files.into())?;
+    let picture = picture.map(|svg| ("sweep.svg".to_owned(), svg));
+    let files = files.into_iter().chain(picture.ok()).collect();
+    output::write(folder, files)?;
     printed?;
     let violated = checks
         .iter()

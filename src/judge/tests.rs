@@ -3,20 +3,10 @@
 
 use super::*;
 use crate::answer::{Bracket, Claim, Outcome, Status};
-use crate::scene::{HeadJoints, Piece, Push, Scene, Wall};
+use crate::scene::{HeadJoints, Push, Scene, Wall};
 
 fn scene(head_joints: HeadJoints) -> Scene {
-    let wall = Wall {
-        unit_length: 1.0,
-        unit_height: 1.0,
-        thickness: 1.0,
-        unit_weight: 1.0,
-        courses: vec![vec![Piece::Unit, Piece::Unit]],
-        friction: 0.5.into(),
-        overburden: 0.0,
-        push: Push::Right,
-    };
-    wall.scene(head_joints).unwrap()
+    Wall::of_cubes(2, Push::Right).scene(head_joints).unwrap()
 }
 
 fn at(status: Status, claim: Claim, lower: f64, upper: f64) -> Outcome {

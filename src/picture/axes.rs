@@ -1,10 +1,14 @@
 //! Axes: from values to pixels, round ticks, and the lines and words of both.
 
+use super::metrics::text_width;
 use super::palette::{GRID, INK};
 use super::path::{Path, Pixel};
 use super::plot::Ticks;
 use super::svg::{Anchor, Svg, style};
 use crate::number::{nine_digits, number};
+
+/// Font size of labels of ticks.
+const FONT: f64 = 12.0;
 
 /// Where a plot has its points.
 #[derive(Clone, Copy, Debug)]
@@ -40,18 +44,24 @@ impl Area {
     pub fn x_axis(&self, svg: &mut Svg, ticks: &[(f64, String)], label: &str) {
         let bottom = self.bottom();
         let (mut grid, mut axis) = (Path::default(), Path::default());
-        for (value, words) in ticks {
+        let room = self.size[0] / ticks.len().max(2) as f64;
+        let widest = ticks.iter().map(|(_, words)| text_width(words, FONT));
+        // Every second or third has a label where there is no room for all.
+        let every = ((widest.fold(0.0, f64::max) + 6.0) / room).ceil().max(1.0) as usize;
+        for (index, (value, words)) in ticks.iter().enumerate() {
             let x = self.at([*value, self.y[0]])[0];
             grid.add(&[[x, self.corner[1]], [x, bottom]], false);
             axis.add(&[[x, bottom], [x, bottom + 5.0]], false);
-            let style = style().font_size(12.0);
-            svg.text([x, bottom + 18.0], Anchor::Middle, style, words);
+            if index % every == 0 {
+                let style = style().class("x-tick").font_size(FONT);
+                svg.text([x, bottom + 18.0], Anchor::Middle, style, words);
+            }
         }
         let [left, right] = [self.corner[0], self.corner[0] + self.size[0]];
         axis.add(&[[left, bottom], [right, bottom]], false);
         self.lines(svg, grid, axis);
         let middle = (left + right) / 2.0;
-        svg.text([middle, bottom + 40.0], Anchor::Middle, style(), label);
+        svg.text([middle, bottom + 37.0], Anchor::Middle, style(), label);
     }
 
     /// Draws the left axis with a line to the right from each tick, and its label `away` pixels from
@@ -63,7 +73,7 @@ impl Area {
             let y = self.at([self.x[0], *value])[1];
             grid.add(&[[left, y], [left + self.size[0], y]], false);
             axis.add(&[[left - 5.0, y], [left, y]], false);
-            let style = style().font_size(12.0);
+            let style = style().class("y-tick").font_size(FONT);
             svg.text([left - 9.0, y + 4.0], Anchor::End, style, words);
         }
         axis.add(&[[left, top], [left, self.bottom()]], false);
@@ -82,15 +92,37 @@ impl Area {
 
 /// Ends and ticks of an axis with these values on it.
 pub fn scale(ticks: &Ticks, values: impl Iterator<Item = f64>) -> ([f64; 2], Vec<(f64, String)>) {
-    let more = match ticks {
-        Ticks::Words(ends, words) => return (*ends, words.clone()),
-        Ticks::Fitting => None,
-        Ticks::With(value) => Some(*value),
-    };
-    let ends = |[low, high]: [f64; 2], value: f64| [low.min(value), high.max(value)];
-    let none = [f64::INFINITY, f64::NEG_INFINITY];
-    let ticks = round_ticks(values.chain(more).fold(none, ends));
-    ([ticks[0].0, ticks[ticks.len() - 1].0], ticks)
+    match ticks {
+        Ticks::Words(ends, words) => (*ends, words.clone()),
+        Ticks::Decades(ends, last) => {
+            let decades = ends[0].ceil() as i32..=*last;
+            let tick = |decade: i32| (f64::from(decade), power_of_ten(decade));
+            (*ends, decades.map(tick).collect())
+        }
+        Ticks::Fitting => {
+            let none = [f64::INFINITY, f64::NEG_INFINITY];
+            let ends = values.fold(none, |[low, high], value| [low.min(value), high.max(value)]);
+            let ticks = round_ticks(ends);
+            ([ticks[0].0, ticks[ticks.len() - 1].0], ticks)
+        }
+    }
+}
+
+/// A power of ten as people write it.
+fn power_of_ten(power: i32) -> String {
+    match power {
+        ..-3 | 5.. => format!("1e{power}"),
+        -3..0 => number(10f64.powi(power), power.unsigned_abs() as usize),
+        _ => number(10f64.powi(power), 0),
+    }
+}
+
+/// The largest of 1, 2 and 5 times a power of ten that is not above a positive number.
+pub fn round_below(value: f64) -> f64 {
+    let power = 10f64.powf(value.log10().floor());
+    let steps = [10.0, 5.0, 2.0].map(|step| step * power);
+    let found = steps.into_iter().find(|&step| step <= 1.0001 * value);
+    found.unwrap_or(power)
 }
 
 /// About six round numbers, the first and last of which enclose these ends.
@@ -121,6 +153,29 @@ pub fn round_ticks([low, high]: [f64; 2]) -> Vec<(f64, String)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Every label says its place, to the digits that it has: 0.25 is not 0.2.
+    #[test]
+    fn labels_say_where_they_stand() {
+        let spans = (-8..9)
+            .flat_map(|power| [1.0, 1.3, 2.0, 2.4, 3.3, 5.0, 7.7].map(|m| m * 10f64.powi(power)));
+        for span in spans {
+            for low in [0.0, 0.5 * span, -0.73 * span, 17.0 * span] {
+                let ticks = round_ticks([low, low + span]);
+                assert!((3..=14).contains(&ticks.len()), "{low} {span}: {ticks:?}");
+                for (value, words) in &ticks {
+                    let read: f64 = words.parse().unwrap();
+                    assert!((read - value).abs() <= 1e-6 * span, "{words} at {value}");
+                }
+                let (first, last) = (ticks[0].0, ticks[ticks.len() - 1].0);
+                assert!(first <= low + 1e-6 * span && last >= low + span - 1e-6 * span);
+            }
+        }
+        for power in -9..9 {
+            let read: f64 = power_of_ten(power).parse().unwrap();
+            assert!((read.log10() - f64::from(power)).abs() < 1e-12);
+        }
+    }
 
     #[test]
     fn ticks_are_round_and_enclose_the_ends() {

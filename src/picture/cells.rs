@@ -1,13 +1,14 @@
 //! Fields of coloured cells over two values, with what the colours mean and words below.
 
+use super::legend::{self, LegendEntry};
+use super::metrics::text_width;
 use super::palette::{INK, Tone};
 use super::path::Pixel;
 use super::svg::{Anchor, Svg, style};
-use super::words::lines;
+use super::words::fitting;
 
-/// Pixels of a cell, of the space left of a field for its values, of that above and below it.
+/// Pixels of a cell, of the space above and below a field.
 const CELL: [f64; 2] = [58.0, 30.0];
-const LEFT: f64 = 150.0;
 const ABOVE: f64 = 34.0;
 const BELOW: f64 = 48.0;
 
@@ -17,16 +18,18 @@ const HEAD: f64 = 74.0;
 /// Fields in a row.
 const FIELDS: usize = 3;
 
-/// Pixels of a line of text, and of a letter of it.
+/// Pixels of a line of text, its font size, and those of headings and of small print.
 const LINE: f64 = 16.0;
-const LETTER: f64 = 6.2;
+const FONT: f64 = 12.0;
+const HEADING: f64 = 13.5;
+const SMALL: f64 = 10.5;
 
 /// A picture of fields that share their axes.
 pub struct Cells<'a> {
     /// Heading.
     pub title: String,
-    /// What each colour means.
-    pub legend: Vec<(Tone, &'static str)>,
+    /// What the colours mean.
+    pub legend: Vec<LegendEntry>,
     /// Name of the values from left to right.
     pub x_label: &'a str,
     /// Values from left to right, and from bottom to top.
@@ -61,48 +64,54 @@ pub struct PictureCell {
 
 /// The picture as a whole SVG file.
 pub fn cells(picture: &Cells) -> String {
+    let left = left(picture);
     let field = [
-        LEFT + CELL[0] * picture.xs.len() as f64 + 20.0,
+        left + wide(picture) + 20.0,
         ABOVE + CELL[1] * picture.ys.len() as f64 + BELOW,
     ];
     let columns = picture.fields.len().clamp(1, FIELDS);
     let rows = picture.fields.len().div_ceil(columns);
     let width = (field[0] * columns as f64).max(860.0) + 20.0;
-    let words = lines(picture.words, (width / LETTER) as usize);
+    let words = fitting(picture.words, FONT, width - 40.0);
     let below = HEAD + field[1] * rows as f64;
     let height = below + LINE * words.len() as f64 + 24.0;
     let mut svg = Svg::default();
     let heading = style().font_size(15.0);
     svg.text([20.0, 26.0], Anchor::Start, heading, &picture.title);
-    legend(&mut svg, &picture.legend);
+    legend::draw(&mut svg, &picture.legend, [20.0, 36.0], width - 40.0);
     for (index, one) in picture.fields.iter().enumerate() {
         let corner = [
             10.0 + field[0] * (index % columns) as f64,
             HEAD + field[1] * (index / columns) as f64,
         ];
-        one_field(&mut svg, corner, picture, one);
+        one_field(&mut svg, corner, left, picture, one);
     }
     for (index, line) in words.iter().enumerate() {
         let y = below + LINE * (index as f64 + 1.0);
-        svg.text([20.0, y], Anchor::Start, style().font_size(12.0), line);
+        svg.text([20.0, y], Anchor::Start, style().font_size(FONT), line);
     }
     svg.document([width, height], &picture.title)
 }
 
-fn legend(svg: &mut Svg, entries: &[(Tone, &str)]) {
-    let mut x = 20.0;
-    for (tone, words) in entries {
-        svg.rect([x, 40.0], [14.0, 14.0], style().fill(tone.fill));
-        let text = style().font_size(12.0);
-        svg.text([x + 20.0, 51.0], Anchor::Start, text, words);
-        x += 44.0 + LETTER * words.chars().count() as f64;
-    }
+/// Pixels left of a field, for the words of its values.
+fn left(picture: &Cells) -> f64 {
+    let widths = picture.ys.iter().map(|words| text_width(words, SMALL));
+    widths.fold(30.0, f64::max) + 16.0
 }
 
-fn one_field(svg: &mut Svg, corner: Pixel, picture: &Cells, field: &Field) {
-    let [left, top] = [corner[0] + LEFT, corner[1] + ABOVE];
+/// Pixels that a field is wide: its cells, its heading, and what its values are called.
+fn wide(picture: &Cells) -> f64 {
+    let cells = CELL[0] * picture.xs.len() as f64;
+    let headings = picture.fields.iter();
+    let headings = headings.map(|field| 1.06 * text_width(field.name, HEADING));
+    let label = text_width(picture.x_label, SMALL);
+    headings.fold(cells.max(label), f64::max)
+}
+
+fn one_field(svg: &mut Svg, corner: Pixel, left: f64, picture: &Cells, field: &Field) {
+    let [left, top] = [corner[0] + left, corner[1] + ABOVE];
     let bottom = top + CELL[1] * picture.ys.len() as f64;
-    let heading = style().font_size(13.5).bold();
+    let heading = style().font_size(HEADING).bold();
     svg.text([left, top - 10.0], Anchor::Start, heading, field.name);
     for cell in &field.cells {
         let [column, row] = cell.place.map(|index| index as f64);
@@ -122,11 +131,10 @@ fn one_field(svg: &mut Svg, corner: Pixel, picture: &Cells, field: &Field) {
         let middle = bottom - CELL[1] * (index as f64 + 0.5) + 4.0;
         small(svg, [left - 6.0, middle], Anchor::End, INK, y);
     }
-    let middle = left + CELL[0] * picture.xs.len() as f64 / 2.0;
-    let below = [middle, bottom + 31.0];
-    small(svg, below, Anchor::Middle, INK, picture.x_label);
+    let below = [left, bottom + 31.0];
+    small(svg, below, Anchor::Start, INK, picture.x_label);
 }
 
 fn small(svg: &mut Svg, at: Pixel, anchor: Anchor, ink: &str, words: &str) {
-    svg.text(at, anchor, style().font_size(10.5).fill(ink), words);
+    svg.text(at, anchor, style().font_size(SMALL).fill(ink), words);
 }

@@ -1,10 +1,12 @@
 //! Pictures side by side, as one drawing.
 
-use super::legend::{self, Holds};
+use super::key::{self, Holds};
+use super::legend;
 use super::panel::{HEADING, LINE, Panel};
 use super::path::Pixel;
 use super::svg::{Anchor, Svg, style};
 use super::view::{Contents, Options, View};
+use super::words::fitting;
 
 /// Pixels around a figure.
 const BORDER: f64 = 16.0;
@@ -15,17 +17,18 @@ const GAP: f64 = 24.0;
 /// Pixels that a picture may be high, as a part of its width.
 const HIGHEST: f64 = 1.05;
 
-/// Pictures side by side, all at one scale and on one base line, as a whole SVG file.
+/// Pictures side by side, all at one scale and on one base line, as a whole SVG file. A method without
+/// anything to draw takes a line below them, and no picture.
 pub fn figure(title: &str, views: &[View], options: &Options) -> String {
-    let panels = panels(views, options);
+    let (panels, left_out) = panels(views, options);
     let scale = options
         .scale
-        .unwrap_or_else(|| fitting(&panels, options.width));
+        .unwrap_or_else(|| scale(&panels, options.width));
     let heights = panels.iter().map(|panel| panel.height(scale));
-    let height = heights.fold(0.0, f64::max);
+    let height = heights.fold(options.height, f64::max);
     let captions: Vec<Vec<String>> = panels
         .iter()
-        .map(|panel| panel.caption((options.width / 6.3) as usize, options.forces))
+        .map(|panel| panel.caption(options.width, options.forces))
         .collect();
     let lines = captions.iter().map(Vec::len).max().unwrap_or(0);
 
@@ -34,9 +37,12 @@ pub fn figure(title: &str, views: &[View], options: &Options) -> String {
     let mut svg = Svg::default();
     let mut y = BORDER;
     if options.framed {
-        let style = style().font_size(16.0).bold();
-        svg.text([BORDER, y + 14.0], Anchor::Start, style, title);
-        y += 28.0;
+        for line in fitting(title, 16.0 * 1.06, across) {
+            let style = style().font_size(16.0).bold();
+            svg.text([BORDER, y + 14.0], Anchor::Start, style, &line);
+            y += 22.0;
+        }
+        y += 6.0;
     }
     let size = [options.width, height];
     for (index, (panel, caption)) in panels.iter().zip(&captions).enumerate() {
@@ -44,12 +50,24 @@ pub fn figure(title: &str, views: &[View], options: &Options) -> String {
         picture(&mut svg, panel, caption, [x, y], size, scale);
     }
     y += HEADING + height + LINE * lines as f64 + 8.0;
-    if options.framed {
-        y += 6.0;
-        let entries = legend::entries(holds(views, options));
-        y += legend::draw(&mut svg, &entries, [BORDER, y], across);
+    for words in &left_out {
+        for line in fitting(words, 12.5, across) {
+            y += LINE;
+            svg.text(
+                [BORDER, y - 4.0],
+                Anchor::Start,
+                style().font_size(12.5),
+                &line,
+            );
+        }
     }
-    let words: Vec<String> = captions.iter().map(|lines| lines.join(", ")).collect();
+    y += 6.0;
+    let holds = panels.iter().map(|panel| panel.holds(scale));
+    let holds = holds.fold(Holds::default(), Holds::and);
+    let entries = key::entries(&holds, scale);
+    y += legend::draw(&mut svg, &entries, [BORDER, y], across);
+    let words = captions.iter().map(|lines| lines.join(", "));
+    let words: Vec<String> = words.chain(left_out).collect();
     let title = format!("{title}. {}", words.join(". "));
     svg.document([across + 2.0 * BORDER, y + BORDER], &title)
 }
@@ -70,61 +88,43 @@ fn picture(
     svg.close();
 }
 
-fn panels<'a>(views: &'a [View], options: &Options) -> Vec<Panel<'a>> {
-    let mut panels = Vec::new();
+/// What is drawn of the views, and a line for each that has nothing. Where none has, the first shows the
+/// wall as it stands.
+fn panels<'a>(views: &'a [View], options: &Options) -> (Vec<Panel<'a>>, Vec<String>) {
+    let (mut panels, mut left_out) = (Vec::new(), Vec::new());
     for view in views {
-        panels.push(Panel::new(view, Contents::Mechanism));
+        let panel = Panel::new(view, Contents::Mechanism);
+        if panel.shows_something() {
+            panels.push(panel);
+        } else {
+            left_out.push(panel.in_a_line());
+        }
         if options.forces && view.row.outcome.forces.is_some() {
             panels.push(Panel::new(view, Contents::Forces));
         }
     }
-    panels
+    if let ([], [first, ..]) = (panels.as_slice(), views) {
+        panels.push(Panel::new(first, Contents::Mechanism));
+        left_out.remove(0);
+    }
+    (panels, left_out)
 }
 
 /// The largest scale at which the mechanism of each of these views fits into a picture so many pixels
-/// wide.
-pub fn common_scale(views: &[View], width: f64) -> f64 {
+/// wide, and the pixels that the highest of them then takes.
+pub fn common_size(views: &[View], width: f64) -> (f64, f64) {
     let panels: Vec<Panel> = views
         .iter()
         .map(|view| Panel::new(view, Contents::Mechanism))
         .collect();
-    fitting(&panels, width)
+    let scale = scale(&panels, width);
+    let heights = panels.iter().map(|panel| panel.height(scale));
+    (scale, heights.fold(0.0, f64::max))
 }
 
-fn fitting(panels: &[Panel], width: f64) -> f64 {
+fn scale(panels: &[Panel], width: f64) -> f64 {
     let scales = panels
         .iter()
         .map(|panel| panel.scale([width, HIGHEST * width]));
     scales.fold(f64::INFINITY, f64::min)
-}
-
-/// The legend of every mark, as a drawing of its own.
-pub fn legend(width: f64) -> String {
-    let all = Holds {
-        mechanism: true,
-        crack: true,
-        macro_crack: true,
-        forces: true,
-    };
-    let mut svg = Svg::default();
-    let height = legend::draw(&mut svg, &legend::entries(all), [2.0, 2.0], width);
-    svg.document(
-        [width + 4.0, height + 4.0],
-        "What the marks of the drawings mean",
-    )
-}
-
-fn holds(views: &[View], options: &Options) -> Holds {
-    let any = |has: &dyn Fn(&View) -> bool| views.iter().any(has);
-    Holds {
-        mechanism: any(&|view| view.row.outcome.mechanism.is_some()),
-        crack: any(&|view| {
-            view.row
-                .outcome
-                .crack
-                .is_some_and(|crack| crack.c.is_some())
-        }),
-        macro_crack: any(&|view| view.macro_slope.is_some()),
-        forces: options.forces && any(&|view| view.row.outcome.forces.is_some()),
-    }
 }

@@ -1,6 +1,7 @@
 //! Contact forces over a wall.
 
 use super::frame::Frame;
+use super::legend::arrow_paths;
 use super::palette::FORCE;
 use super::path::Path;
 use super::svg::{Svg, style};
@@ -29,28 +30,44 @@ pub fn largest(scene: &Scene, forces: Option<&[JointForce]>) -> f64 {
     found.map(|(_, force)| force.norm()).fold(0.0, f64::max)
 }
 
-/// Contact forces as lines through the point of each joint where they act. Line length is
-/// proportional to force.
+/// Pixels for a unit of force; `None` where no joint carries any.
+fn pixels(scene: &Scene, frame_scale: f64, largest: f64) -> Option<f64> {
+    (largest > 0.0).then(|| LONGEST * scene.height() * frame_scale / largest)
+}
+
+/// A round force, and the pixels that its arrow is long in a drawing of this scale; `None` without
+/// forces.
+pub fn round_force(scene: &Scene, forces: &[JointForce], scale: f64) -> Option<(f64, f64)> {
+    let largest = largest(scene, Some(forces));
+    let pixels = pixels(scene, scale, largest)?;
+    let round = super::axes::round_below(largest);
+    Some((round, round * pixels))
+}
+
+/// Contact forces as arrows through the point of each joint where they act, on the block that they point
+/// into. Their length is proportional to the force.
 pub fn forces(svg: &mut Svg, frame: &Frame, scene: &Scene, forces: &[JointForce]) {
     let largest = largest(scene, Some(forces));
-    if largest <= 0.0 {
+    let Some(pixels) = pixels(scene, frame.scale, largest) else {
         return;
-    }
-    let longest = LONGEST * scene.height();
-    let mut path = Path::default();
+    };
+    let width = (1.8 * line_width(scene, frame)).clamp(0.6, 1.4);
+    let (mut shafts, mut heads) = (Path::default(), Path::default());
     let joints = scene.joints().iter().zip(forces);
     for (at, force) in joints.filter_map(|(joint, force)| resultant(joint, force)) {
-        let half = force * (0.5 * longest / largest);
-        if half.norm() * frame.scale > 0.15 {
-            path.add(&[frame.at(at - half), frame.at(at + half)], false);
+        let [x, y] = frame.at(at);
+        let [dx, dy] = [0.5 * pixels * force.x, -0.5 * pixels * force.y];
+        if dx.hypot(dy) > 0.15 {
+            let (from, to) = ([x - dx, y - dy], [x + dx, y + dy]);
+            arrow_paths(from, to, width, &mut shafts, &mut heads);
         }
     }
-    let width = (1.8 * line_width(scene, frame)).clamp(0.6, 1.6);
-    let line = style().class("forces").hollow().stroke(FORCE);
     let largest = crate::number::short(largest, 4);
+    let line = style().class("forces").hollow().stroke(FORCE);
     svg.path(
-        &path,
+        &shafts,
         line.stroke_width(width).round_ends(),
         &format!("contact forces, the largest {largest}"),
     );
+    svg.path(&heads, style().class("heads").fill(FORCE), "");
 }

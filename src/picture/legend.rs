@@ -1,26 +1,39 @@
-//! What the marks of a drawing mean.
+//! What the marks of drawings and plots mean.
 
-use super::marks::mark;
-use super::palette::{
-    BEFORE, CRACK, FORCE, LARGEST, MACRO_CRACK, OPENING, PARTS, SLIDING, SQUARE_LINE, STILL,
-};
+use super::marks::{Filling, mark};
+use super::metrics::text_width;
+use super::palette::{OPENING, SQUARE_LINE, WHITE};
 use super::path::{Path, Pixel};
 use super::svg::{Anchor, Style, Svg, style};
 use crate::method::Look;
 
-/// Pixels of a line of the legend.
+/// Pixels of a line of the legend, between two entries, and the size of its words.
 const LINE: f64 = 20.0;
+const APART: f64 = 18.0;
+const FONT: f64 = 12.0;
 
 /// What stands before the words.
 enum Sample {
     /// Squares of these colours, one a kind of part.
-    Tints(&'static [&'static str]),
+    Tints(Vec<&'static str>),
+    /// Squares of these colours without a gap, and words at both ends: a scale.
+    Scale(Vec<&'static str>, [String; 2]),
     /// A line in this style.
     Line(Style),
+    /// A line in this style over a white one.
+    Haloed(Style),
+    /// An arrow in this colour, so many pixels long.
+    Arrow(&'static str, f64),
+    /// A length, so many pixels long.
+    Length(&'static str, f64),
     /// A filled gap.
     Gap,
     /// A point of a plot.
-    Point(Look),
+    Point(Look, Filling),
+    /// A point with a bar below it.
+    Bar(&'static str),
+    /// A shaded field.
+    Shade(&'static str, f64),
 }
 
 /// One entry: what is seen and what it means.
@@ -29,103 +42,122 @@ pub struct LegendEntry {
     words: String,
 }
 
-/// What a drawing holds, which its legend explains.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Holds {
-    /// A mechanism.
-    pub mechanism: bool,
-    /// The lines of c and e.
-    pub crack: bool,
-    /// The crack of the macro-block model.
-    pub macro_crack: bool,
-    /// Contact forces.
-    pub forces: bool,
-}
-
-/// The entries that explain what is there.
-pub fn entries(holds: Holds) -> Vec<LegendEntry> {
-    let line = |colour: &str, width: f64| style().hollow().stroke(colour).stroke_width(width);
-    let mut entries = Vec::new();
-    let mut add = |there: bool, sample: Sample, words: &str| {
-        if there {
-            let words = words.to_owned();
-            entries.push(LegendEntry { sample, words });
-        }
-    };
-    let moving: &[&str] = &[LARGEST, PARTS[0], PARTS[1], PARTS[2]];
-    add(holds.mechanism, Sample::Tints(&[STILL]), "stands still");
-    add(
-        holds.mechanism,
-        Sample::Tints(moving),
-        "a tint moves as one body",
-    );
-    add(
-        holds.mechanism,
-        Sample::Line(line(SLIDING, 2.4)),
-        "joint slides",
-    );
-    add(holds.mechanism, Sample::Gap, "joint opens");
-    add(holds.mechanism, Sample::Line(line(BEFORE, 1.2)), "before");
-    add(
-        holds.crack,
-        Sample::Line(line(CRACK, 1.4)),
-        "crack of c and e",
-    );
-    add(
-        holds.macro_crack,
-        Sample::Line(line(MACRO_CRACK, 1.5).dashes("7 4")),
-        "macro-block crack",
-    );
-    add(
-        holds.forces,
-        Sample::Line(line(FORCE, 1.6)),
-        "contact force, by length",
-    );
-    entries
-}
-
 impl LegendEntry {
-    /// A line in a style.
-    pub fn line(style: Style, words: String) -> Self {
-        let sample = Sample::Line(style);
+    fn of(sample: Sample, words: impl Into<String>) -> Self {
+        let words = words.into();
         Self { sample, words }
     }
 
+    /// Squares of these colours.
+    pub fn tints(colours: Vec<&'static str>, words: impl Into<String>) -> Self {
+        Self::of(Sample::Tints(colours), words)
+    }
+
+    /// A scale of colours from one value to another.
+    pub fn scale(colours: &[&'static str], ends: [String; 2], words: impl Into<String>) -> Self {
+        Self::of(Sample::Scale(colours.to_vec(), ends), words)
+    }
+
+    /// A line in a style.
+    pub fn line(style: Style, words: impl Into<String>) -> Self {
+        Self::of(Sample::Line(style), words)
+    }
+
+    /// A line in a style on white.
+    pub fn haloed(style: Style, words: impl Into<String>) -> Self {
+        Self::of(Sample::Haloed(style), words)
+    }
+
+    /// An arrow of a length.
+    pub fn arrow(colour: &'static str, pixels: f64, words: impl Into<String>) -> Self {
+        Self::of(Sample::Arrow(colour, pixels), words)
+    }
+
+    /// A length.
+    pub fn length(colour: &'static str, pixels: f64, words: impl Into<String>) -> Self {
+        Self::of(Sample::Length(colour, pixels), words)
+    }
+
+    /// The gap of a joint that opens.
+    pub fn gap(words: impl Into<String>) -> Self {
+        Self::of(Sample::Gap, words)
+    }
+
     /// A point of a plot.
-    pub fn point(look: Look, words: String) -> Self {
-        let sample = Sample::Point(look);
-        Self { sample, words }
+    pub fn point(look: Look, filling: Filling, words: impl Into<String>) -> Self {
+        Self::of(Sample::Point(look, filling), words)
+    }
+
+    /// A range drawn as a bar with its ends.
+    pub fn bar(colour: &'static str, words: impl Into<String>) -> Self {
+        Self::of(Sample::Bar(colour), words)
+    }
+
+    /// A shaded field.
+    pub fn shade(colour: &'static str, part: f64, words: impl Into<String>) -> Self {
+        Self::of(Sample::Shade(colour, part), words)
     }
 
     fn sample_width(&self) -> f64 {
         match &self.sample {
-            Sample::Point(_) => 12.0,
+            Sample::Point(..) | Sample::Bar(_) => 12.0,
             Sample::Tints(colours) => 13.0 * colours.len() as f64,
+            Sample::Scale(colours, [from, to]) => {
+                let words = text_width(from, FONT) + text_width(to, FONT);
+                13.0 * colours.len() as f64 + words + 10.0
+            }
+            Sample::Arrow(_, pixels) | Sample::Length(_, pixels) => *pixels,
             _ => 24.0,
         }
     }
 
     fn width(&self) -> f64 {
-        self.sample_width() + 6.0 + 6.3 * self.words.chars().count() as f64 + 18.0
+        self.sample_width() + 6.0 + text_width(&self.words, FONT) + APART
     }
 
     fn draw(&self, svg: &mut Svg, [x, y]: Pixel) {
         let middle = y - 4.0;
+        let line = Path::through(&[[x, middle], [x + 24.0, middle]], false);
         match &self.sample {
-            Sample::Tints(colours) => {
-                for (index, colour) in colours.iter().enumerate() {
-                    let left = x + 13.0 * index as f64;
-                    let [top, bottom, right] = [middle - 5.5, middle + 5.5, left + 11.0];
-                    let corners = [[left, top], [right, top], [right, bottom], [left, bottom]];
-                    let style = style().fill(colour).stroke(SQUARE_LINE).stroke_width(0.6);
-                    svg.path(&Path::through(&corners, true), style, "");
+            Sample::Tints(colours) => squares(svg, colours, [x, middle], 11.0),
+            Sample::Scale(colours, [from, to]) => {
+                let text = |svg: &mut Svg, x, words| {
+                    svg.text([x, y], Anchor::Start, style().font_size(FONT), words);
+                };
+                text(svg, x, from);
+                let left = x + text_width(from, FONT) + 5.0;
+                squares(svg, colours, [left, middle], 13.0);
+                text(svg, left + 13.0 * colours.len() as f64 + 5.0, to);
+            }
+            Sample::Line(style) => svg.path(&line, style.clone(), ""),
+            Sample::Haloed(over) => {
+                let white = style().hollow().stroke(WHITE).stroke_width(5.0);
+                svg.path(&line, white, "");
+                svg.path(&line, over.clone(), "");
+            }
+            Sample::Arrow(colour, pixels) => {
+                arrow(svg, [x, middle], [x + pixels, middle], colour, 1.2)
+            }
+            Sample::Length(colour, pixels) => {
+                let mut path = Path::through(&[[x, middle], [x + pixels, middle]], false);
+                for end in [x, x + pixels] {
+                    path.add(&[[end, middle - 4.0], [end, middle + 4.0]], false);
                 }
+                svg.path(&path, style().hollow().stroke(colour).stroke_width(1.2), "");
             }
-            Sample::Line(style) => {
-                let line = Path::through(&[[x, middle], [x + 24.0, middle]], false);
-                svg.path(&line, style.clone(), "");
+            Sample::Point(look, filling) => mark(svg, [x + 6.0, middle], *look, *filling),
+            Sample::Bar(colour) => {
+                let mut path =
+                    Path::through(&[[x + 6.0, middle - 6.0], [x + 6.0, middle + 6.0]], false);
+                for end in [middle - 6.0, middle + 6.0] {
+                    path.add(&[[x + 2.0, end], [x + 10.0, end]], false);
+                }
+                svg.path(&path, style().hollow().stroke(colour).stroke_width(1.1), "");
             }
-            Sample::Point(look) => mark(svg, [x + 6.0, middle], *look),
+            Sample::Shade(colour, part) => {
+                let fill = style().fill(colour).fill_opacity(*part);
+                svg.rect([x, middle - 6.0], [24.0, 12.0], fill);
+            }
             Sample::Gap => {
                 let [right, bottom] = [x + 24.0, middle + 4.0];
                 let corners = [[x, bottom], [right, bottom], [right, middle - 5.0]];
@@ -134,8 +166,48 @@ impl LegendEntry {
             }
         }
         let at = [x + self.sample_width() + 6.0, y];
-        svg.text(at, Anchor::Start, style().font_size(12.0), &self.words);
+        svg.text(at, Anchor::Start, style().font_size(FONT), &self.words);
     }
+}
+
+/// Squares beside one another around the height of their middle, so many pixels from one to the next.
+fn squares(svg: &mut Svg, colours: &[&str], [x, middle]: Pixel, side: f64) {
+    for (index, colour) in colours.iter().enumerate() {
+        let left = x + 13.0 * index as f64;
+        let [top, bottom, right] = [middle - 5.5, middle + 5.5, left + side];
+        let corners = [[left, top], [right, top], [right, bottom], [left, bottom]];
+        let style = style().fill(colour).stroke(SQUARE_LINE).stroke_width(0.6);
+        svg.path(&Path::through(&corners, true), style, "");
+    }
+}
+
+/// An arrow from one point to another.
+fn arrow(svg: &mut Svg, from: Pixel, to: Pixel, colour: &str, width: f64) {
+    let (mut shaft, mut head) = (Path::default(), Path::default());
+    arrow_paths(from, to, width, &mut shaft, &mut head);
+    let line = style().hollow().stroke(colour).stroke_width(width);
+    svg.path(&shaft, line, "");
+    svg.path(&head, style().fill(colour), "");
+}
+
+/// Adds shaft and head of an arrow to the paths of many; short arrows have small heads.
+pub fn arrow_paths(from: Pixel, to: Pixel, width: f64, shafts: &mut Path, heads: &mut Path) {
+    let [dx, dy] = [to[0] - from[0], to[1] - from[1]];
+    let length = dx.hypot(dy);
+    if length <= 0.0 {
+        return;
+    }
+    let [ux, uy] = [dx / length, dy / length];
+    let head = (5.0 * width).min(0.5 * length);
+    let foot = [to[0] - head * ux, to[1] - head * uy];
+    let half = 0.38 * head;
+    let corners = [
+        to,
+        [foot[0] - half * uy, foot[1] + half * ux],
+        [foot[0] + half * uy, foot[1] - half * ux],
+    ];
+    shafts.add(&[from, foot], false);
+    heads.add(&corners, true);
 }
 
 /// Draws the entries from left to right, in as many lines as `width` asks for; the pixels used.
@@ -143,7 +215,7 @@ pub fn draw(svg: &mut Svg, entries: &[LegendEntry], corner: Pixel, width: f64) -
     let [left, top] = corner;
     let (mut x, mut y) = (left, top + LINE - 5.0);
     for entry in entries {
-        if x > left && x + entry.width() - 18.0 > left + width {
+        if x > left && x + entry.width() - APART > left + width {
             (x, y) = (left, y + LINE);
         }
         entry.draw(svg, [x, y]);

@@ -3,6 +3,7 @@
 //!
 //! ```text
 //! figure ── panel (one method's view) ──▶ wall, mechanism, forces, crack ─┐
+//!        └── key (its legend)                                             │
 //! replay ── the wall at rest, and poses for a script ─────────────────────┼──▶ svg
 //! cells (fields of coloured cells), plots over axes, ranges ───────────────┘
 //! ```
@@ -16,9 +17,11 @@ mod crack;
 mod figure;
 mod forces;
 mod frame;
+mod key;
 mod legend;
 mod marks;
 mod mechanism;
+mod metrics;
 mod names;
 pub(crate) mod palette;
 mod panel;
@@ -26,21 +29,28 @@ mod parts;
 mod path;
 mod plot;
 mod plotted;
+#[cfg(feature = "print")]
+mod print;
 mod ranges;
 mod replay;
 mod svg;
+mod tints;
 mod view;
 mod wall;
 mod words;
 
 pub(crate) use cells::{Cells, Field, PictureCell, cells};
-pub(crate) use figure::{common_scale, legend};
-pub(crate) use plot::{Band, Line, Marks, Note, Plot, PlotAxis, PlotPoint, Ticks};
-pub(crate) use plotted::{panels, plot};
-pub(crate) use ranges::{RangeMark, Ranges, ranges};
+pub(crate) use figure::common_size;
+pub(crate) use legend::LegendEntry;
+pub(crate) use marks::Filling;
+pub(crate) use plot::{Band, Between, Line, Marks, Note, Plot, PlotAxis, PlotPoint, Ticks};
+pub(crate) use plotted::{dashed_line, plots, solid_line};
+pub(crate) use ranges::{KNOWN, RangeMark, Ranges, ranges};
 pub(crate) use replay::{Replay, replay};
 pub(crate) use words::lines;
 
 pub use figure::figure;
 pub use parts::{RigidPart, parts, threshold};
+#[cfg(feature = "print")]
+pub use print::{PrintError, pdf, png};
 pub use view::{Options, View};

@@ -14,6 +14,10 @@ pub const STILL: &str = "#eeece7";
 pub const LARGEST: &str = "#a9d4ee";
 /// Further parts; neighbours get different ones.
 pub const PARTS: [&str; 5] = ["#f6cf86", "#93d1bb", "#e3b9d0", "#f4eea3", "#cfc4ea"];
+/// How far blocks move, from little to the most.
+pub const SCALE: [&str; 8] = [
+    "#f6f3d8", "#e9e6ae", "#d3dd9a", "#b3d194", "#8cc19a", "#66ada0", "#4a95a2", "#3b7c9c",
+];
 /// Outlines of blocks.
 pub const BLOCK_LINE: &str = "#57534b";
 /// Blocks where they were.
@@ -38,7 +42,7 @@ pub const SQUARE_LINE: &str = "#777";
 /// Lines behind a plot.
 pub const GRID: &str = "#dddddd";
 /// The staircase of the fastest and most accurate settings.
-pub const FRONT: &str = "#bbbbbb";
+pub const FRONT: &str = "#8a8a8a";
 /// From a point to its name.
 pub const LEADER: &str = "#888888";
 /// Behind points without an answer.
@@ -56,6 +60,18 @@ pub struct Tone {
 
 const fn tone(fill: &'static str, ink: &'static str) -> Tone {
     Tone { fill, ink }
+}
+
+/// The tone of a share of the most, from 0 to 1; of nothing, that of no answer.
+pub fn tone_of(share: Option<f64>) -> Tone {
+    let Some(share) = share else {
+        return REFUSED;
+    };
+    let step = (share * SCALE.len() as f64) as usize;
+    let step = step.min(SCALE.len() - 1);
+    // White on the two darkest.
+    let ink = if step + 2 < SCALE.len() { INK } else { WHITE };
+    tone(SCALE[step], ink)
 }
 
 /// What an answer turned out to be: right.

@@ -3,13 +3,15 @@
 use super::crack::{self, DIMENSIONS, PUSH};
 use super::forces;
 use super::frame::Frame;
+use super::key::Holds;
 use super::mechanism::{self, DrawnMechanism};
 use super::palette::FAINT;
 use super::path::Pixel;
 use super::svg::{Anchor, Svg, style};
 use super::view::{Contents, View};
 use super::wall;
-use super::words::first_lines;
+use super::words::fitting;
+use crate::method::Kind;
 use crate::number::{number, short};
 use crate::run::column;
 use crate::scene::{HeadJoints, Point, Push, Vector};
@@ -19,6 +21,10 @@ pub const HEADING: f64 = 26.0;
 
 /// Pixels for a line of the caption.
 pub const LINE: f64 = 17.0;
+
+/// Font sizes of the first line of the caption and of the others.
+const FIRST: f64 = 13.5;
+const FURTHER: f64 = 12.0;
 
 /// Pixels around the picture where nothing else asks for room.
 const MARGIN: f64 = 10.0;
@@ -127,28 +133,86 @@ impl<'a> Panel<'a> {
             Contents::Mechanism => row.method.clone(),
             Contents::Forces => format!("{}, contact forces", row.method),
         };
-        // Joints of an arch are neither bed joints nor perpends.
-        let has_head_joints =
-            self.view.scene.coursing().is_some() || row.head_joints == HeadJoints::Open;
-        let joints = if has_head_joints {
-            format!("{} head joints", row.head_joints.name())
-        } else {
-            String::new()
-        };
-        svg.heading([x, heading], &what, &joints);
+        svg.heading([x, heading], &what, &joints(self.view));
         for (index, line) in caption.iter().enumerate() {
             let style = match index {
-                0 => style().font_size(13.5),
-                _ => style().font_size(12.0).fill(FAINT),
+                0 => style().font_size(FIRST),
+                _ => style().font_size(FURTHER).fill(FAINT),
             };
             let y = below + LINE * (index + 1) as f64;
             svg.text([x, y], Anchor::Start, style, line);
         }
     }
 
-    /// λ, tan β, and why something that was asked for is missing; lines of no more than `width`
-    /// characters.
-    pub fn caption(&self, width: usize, forces: bool) -> Vec<String> {
+    /// Whether there is a mechanism or a macro-block to see.
+    pub fn shows_something(&self) -> bool {
+        self.view.is_macro_block() || self.drawn.mechanism.is_some()
+    }
+
+    /// What the picture holds at so many pixels for a unit of length.
+    pub fn holds(&self, scale: f64) -> Holds {
+        let (scene, outcome) = (self.view.scene, &self.view.row.outcome);
+        let is_mechanism = self.contents == Contents::Mechanism;
+        let forces = outcome.forces.as_deref().filter(|_| !is_mechanism);
+        Holds {
+            mechanism: self.drawn.occurring(scene),
+            moved: self.drawn.mechanism.is_some(),
+            supports: !scene.supports().is_empty(),
+            crack: is_mechanism
+                && scene.coursing().is_some()
+                && outcome
+                    .crack
+                    .is_some_and(|crack| crack.c.is_some() && crack.e.is_some()),
+            macro_crack: is_mechanism && self.view.macro_slope.is_some(),
+            force: forces.and_then(|forces| forces::round_force(scene, forces, scale)),
+        }
+    }
+
+    /// The method and what became of it, for what is not drawn.
+    pub fn in_a_line(&self) -> String {
+        let row = self.view.row;
+        format!(
+            "{}, {}: {}",
+            row.method,
+            joints(self.view),
+            self.sentences().join("; ")
+        )
+        .replace(", : ", ": ")
+    }
+
+    /// How far what moves is drawn from where it is.
+    fn amplification(&self) -> Option<String> {
+        let (scene, drawn) = (self.view.scene, &self.drawn);
+        let fastest = drawn.mechanism?.fastest(scene);
+        let factor = drawn.displacement.factor();
+        let largest = short(factor * fastest, 3);
+        Some(match self.view.row.kind() {
+            Kind::Observed => format!(
+                "displacements × {}, the largest drawn as {largest} units of length",
+                significant(factor)
+            ),
+            _ => format!("velocities, the largest drawn as {largest} units of length"),
+        })
+    }
+
+    /// λ, tan β, how far movements are amplified, and why something that was asked for is missing;
+    /// lines of no more than `width` pixels.
+    pub fn caption(&self, width: f64, forces: bool) -> Vec<String> {
+        let mut sentences = self.sentences();
+        if self.contents == Contents::Mechanism {
+            sentences.extend(self.amplification());
+            if forces && self.view.row.outcome.forces.is_none() {
+                sentences.push("it gives no contact forces".to_owned());
+            }
+        }
+        let lines = sentences.iter().enumerate().flat_map(|(index, sentence)| {
+            let size = if index == 0 { FIRST } else { FURTHER };
+            fitting(sentence, size, width)
+        });
+        lines.collect()
+    }
+
+    fn sentences(&self) -> Vec<String> {
         let (row, outcome) = (self.view.row, &self.view.row.outcome);
         let status = outcome.status.name();
         if self.contents == Contents::Forces {
@@ -174,16 +238,27 @@ impl<'a> Panel<'a> {
             }
             lines.push(slope);
         }
-        let is_drawn = self.view.is_macro_block() || self.drawn.mechanism.is_some();
-        let mut missing = match (is_drawn, outcome.reason().as_str()) {
-            (true, _) => String::new(),
-            (false, "") => "no mechanism to draw".to_owned(),
-            (false, reason) => format!("no mechanism to draw: {reason}"),
-        };
-        if forces && outcome.forces.is_none() {
-            missing = format!("it gives no contact forces; {missing}");
+        match (self.shows_something(), outcome.reason().as_str()) {
+            (true, _) => {}
+            (false, "") => lines.push("no mechanism to draw".to_owned()),
+            (false, reason) => lines.push(format!("no mechanism to draw: {reason}")),
         }
-        lines.extend(first_lines(missing.trim_end_matches("; "), width, 4));
         lines
+    }
+}
+
+/// A factor with two digits.
+fn significant(factor: f64) -> String {
+    let decimals = (1.0 - factor.log10().floor()).clamp(0.0, 9.0);
+    short(factor, decimals as usize)
+}
+
+/// The head joints in words; empty for an arch, whose joints are neither bed joints nor perpends.
+fn joints(view: &View) -> String {
+    let head_joints = view.row.head_joints;
+    if view.scene.coursing().is_some() || head_joints == HeadJoints::Open {
+        format!("{} head joints", head_joints.name())
+    } else {
+        String::new()
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::answer::{Mechanism, Motion};
 use crate::method::{Kind, kind};
-use crate::scene::{Scene, Side};
+use crate::scene::Scene;
 
 /// Relative motion, as a fraction of the scene's largest corner velocity, below which two blocks
 /// move alike and a joint neither slides nor opens. It is larger for what was observed in a pushover, whose displacements
@@ -55,49 +55,6 @@ pub fn parts(scene: &Scene, mechanism: &Mechanism, threshold: f64) -> Vec<RigidP
     // Stable, so that parts of equal area keep the order of their first blocks.
     parts.sort_by(|a, b| b.area.total_cmp(&a.area));
     parts
-}
-
-/// A tint for each part, one of so many `tints`: parts with a joint between them get
-/// different ones as long as there are enough. `None` for what stands still and `Some(0)` for the
-/// largest part that moves, which no other part shares.
-pub fn tints(scene: &Scene, parts: &[RigidPart], tints: usize) -> Vec<Option<usize>> {
-    let mut part_of = vec![0; scene.blocks().len()];
-    for (index, part) in parts.iter().enumerate() {
-        for &block in &part.blocks {
-            part_of[block] = index;
-        }
-    }
-    let mut beside: Vec<Vec<usize>> = vec![Vec::new(); parts.len()];
-    for joint in scene.joints() {
-        let Side::Block(from) = joint.from else {
-            continue;
-        };
-        let (a, b) = (part_of[from], part_of[joint.to]);
-        if a != b {
-            beside[a].push(b);
-            beside[b].push(a);
-        }
-    }
-    let mut given: Vec<Option<usize>> = vec![None; parts.len()];
-    let mut next = 0;
-    let largest = parts.iter().position(|part| part.moves);
-    for index in (0..parts.len()).filter(|&index| parts[index].moves) {
-        if Some(index) == largest {
-            given[index] = Some(0);
-            continue;
-        }
-        // Going round the palette uses all of it, where always the first free tint would not.
-        let round = (0..tints - 1).map(|step| 1 + (next + step) % (tints - 1));
-        let free = round.clone().find(|&tint| {
-            beside[index]
-                .iter()
-                .all(|&other| given[other] != Some(tint))
-        });
-        let tint = free.unwrap_or(1 + next % (tints - 1));
-        given[index] = Some(tint);
-        next = tint;
-    }
-    given
 }
 
 /// How a part moves, in words: what turns, turns about a point.

@@ -1,101 +1,103 @@
-//! Plots as drawings: alone, or as panels with a common legend.
-
-use indexmap::IndexMap;
+//! Plots as drawings: alone, or below one another with a common legend.
 
 use super::axes::{Area, scale};
 use super::legend::{self, LegendEntry};
 use super::marks::mark;
+use super::metrics::{Rectangle, spread, text_width};
 use super::names;
 use super::palette::LEADER;
 use super::path::{Path, Pixel};
 use super::plot::{Line, Marks, Plot, PlotPoint};
 use super::svg::{Anchor, Style, Svg, style};
-use crate::method::Look;
+use super::words::fitting;
 
-/// Pixels of a plot that stands alone, and of one of several panels.
-const ALONE: [f64; 2] = [820.0, 440.0];
-const PANEL: [f64; 2] = [660.0, 430.0];
+/// Pixels of a plot: narrow enough to be read on a telephone and beside text in print.
+const SIZE: [f64; 2] = [480.0, 350.0];
 
 /// Pixels between the edges of a plot and its area: left, top, right, bottom.
-const MARGINS: [f64; 4] = [78.0, 34.0, 26.0, 62.0];
+const MARGINS: [f64; 4] = [66.0, 12.0, 18.0, 52.0];
 
-/// Pixels from the left axis to its label.
-const LABEL: f64 = 58.0;
+/// Pixels of a line of a heading.
+const HEADING: f64 = 19.0;
 
-/// Panels in a row.
-const COLUMNS: usize = 2;
+/// Pixels from the left edge to the base line of the left axis' label.
+const LABEL: f64 = 18.0;
 
-/// Pixels around panels and their legend.
-const BORDER: f64 = 16.0;
+/// Pixels around plots and their legend.
+const BORDER: f64 = 14.0;
 
-/// A plot with the names of its lines below, as a whole SVG file. `title` is its name for those who
-/// cannot see it.
-pub fn plot(plot: &Plot, title: &str) -> String {
+/// Font size of names at lines, and pixels from one to the next.
+const NAME: f64 = 12.0;
+const NAME_LINE: f64 = 14.0;
+
+/// Pixels between a line's end and its name.
+const LEADER_WIDTH: f64 = 16.0;
+
+/// Plots below one another between a title and a legend, as a whole SVG file.
+pub fn plots(title: &str, plots: &[Plot], entries: &[LegendEntry]) -> String {
     let mut svg = Svg::default();
-    panel(&mut svg, plot, [0.0, 0.0], ALONE);
-    let entries = plot.lines.iter().filter_map(|line| {
-        let name = line.name.clone()?;
-        Some(LegendEntry::line(stroke(line), name))
-    });
-    let entries: Vec<LegendEntry> = entries.collect();
-    let width = ALONE[0] - MARGINS[0] - MARGINS[2];
-    let height = legend::draw(&mut svg, &entries, [MARGINS[0], ALONE[1]], width);
-    svg.document([ALONE[0], ALONE[1] + height], title)
-}
-
-/// Plots in rows of two below a title and a legend of looks, as a whole SVG file.
-pub fn panels(title: &str, panels: &[Plot], looks: &IndexMap<&str, Look>) -> String {
-    let columns = panels.len().clamp(1, COLUMNS);
-    let rows = panels.len().div_ceil(columns);
-    let width = columns as f64 * PANEL[0];
-    let mut svg = Svg::default();
-    let heading = style().font_size(16.0).bold();
-    svg.text([BORDER, BORDER + 14.0], Anchor::Start, heading, title);
-    let entries = looks.iter();
-    let entries: Vec<LegendEntry> = entries
-        .map(|(name, look)| LegendEntry::point(*look, (*name).to_owned()))
-        .collect();
-    let top = BORDER + 28.0;
-    let top = top + legend::draw(&mut svg, &entries, [BORDER, top], width - 2.0 * BORDER) + BORDER;
-    for (index, one) in panels.iter().enumerate() {
-        let [column, row] = [index % columns, index / columns].map(|place| place as f64);
-        panel(
-            &mut svg,
-            one,
-            [column * PANEL[0], top + row * PANEL[1]],
-            PANEL,
-        );
+    let width = SIZE[0] - 2.0 * BORDER;
+    let mut y = BORDER;
+    for line in fitting(title, 15.0 * 1.06, width) {
+        y += HEADING;
+        let heading = style().font_size(15.0).bold();
+        svg.text([BORDER, y - 5.0], Anchor::Start, heading, &line);
     }
-    svg.document([width, top + rows as f64 * PANEL[1]], title)
+    if !title.is_empty() {
+        y += 4.0;
+    }
+    y += legend::draw(&mut svg, entries, [BORDER, y], width);
+    for plot in plots {
+        y += BORDER;
+        y += panel(&mut svg, plot, [0.0, y]);
+    }
+    svg.document([SIZE[0], y], title)
 }
 
-/// One plot in a box.
-fn panel(svg: &mut Svg, plot: &Plot, [x, y]: Pixel, [width, height]: [f64; 2]) {
+/// One plot below a corner; the pixels that it takes downwards.
+fn panel(svg: &mut Svg, plot: &Plot, [x, y]: Pixel) -> f64 {
     let [left, top, right, bottom] = MARGINS;
-    let (x_ends, x_ticks) = scale(&plot.x.ticks, plot.values(0));
+    let words = headings(svg, plot, [x, y]);
+    let names = plot.lines.iter().filter_map(|line| line.name.as_deref());
+    let widest = names.map(|name| text_width(name, NAME)).fold(0.0, f64::max);
     let (y_ends, y_ticks) = scale(&plot.y.ticks, plot.values(1));
+    let labels = y_ticks.iter().map(|(_, words)| text_width(words, NAME));
+    let label = if plot.y.label.is_empty() { 0.0 } else { LABEL };
+    let left = left.max(labels.fold(0.0, f64::max) + 14.0 + label);
+    let (x_ends, x_ticks) = scale(&plot.x.ticks, plot.values(0));
+    let last = x_ticks
+        .last()
+        .map_or(0.0, |(_, words)| text_width(words, NAME));
+    let right = match widest > 0.0 {
+        true => LEADER_WIDTH + widest + 6.0,
+        false => right.max(last / 2.0 + 6.0),
+    };
     let area = Area {
-        corner: [x + left, y + top],
-        size: [width - left - right, height - top - bottom],
+        corner: [x + left, y + words + top],
+        size: [SIZE[0] - left - right, SIZE[1] - top - bottom],
         x: x_ends,
         y: y_ends,
     };
-    let middle = area.corner[0] + area.size[0] / 2.0;
-    if !plot.title.is_empty() {
-        let heading = style().font_size(14.0).bold();
-        svg.text([middle, y + 20.0], Anchor::Middle, heading, &plot.title);
-    }
     for band in &plot.bands {
         let [low, high] = band.ends.map(|end| area.at([area.x[0], end]));
         let fill = style().fill(band.colour).fill_opacity(0.12);
         svg.rect(high, [area.size[0], low[1] - high[1]], fill);
     }
     area.x_axis(svg, &x_ticks, &plot.x.label);
-    area.y_axis(svg, &y_ticks, &plot.y.label, LABEL);
+    area.y_axis(svg, &y_ticks, &plot.y.label, left - LABEL);
+    for range in &plot.ranges {
+        let lower = range.points.iter().map(|&[x, low, _]| area.at([x, low]));
+        let upper = range.points.iter().rev();
+        let upper = upper.map(|&[x, _, high]| area.at([x, high]));
+        let outline: Vec<Pixel> = lower.chain(upper).collect();
+        let fill = style().class("range").fill(range.colour).fill_opacity(0.22);
+        svg.path(&Path::through(&outline, true), fill, "");
+    }
     for line in &plot.lines {
         let points: Vec<Pixel> = line.points.iter().map(|&point| area.at(point)).collect();
         svg.path(&Path::through(&points, false), stroke(line), "");
     }
+    line_names(svg, plot, &area);
     let named = named(plot, &area);
     for (_, point, middle) in &named {
         let leader = style().stroke(LEADER).stroke_width(0.6);
@@ -104,20 +106,82 @@ fn panel(svg: &mut Svg, plot: &Plot, [x, y]: Pixel, [width, height]: [f64; 2]) {
     for marks in &plot.marks {
         points(svg, marks, &area);
     }
-    let notes = plot.notes.iter();
-    let notes = notes.map(|note| (note.words, area.at(note.at)));
-    for (words, [x, y]) in notes.chain(named.iter().map(|(name, _, middle)| (*name, *middle))) {
-        let style = style().font_size(11.0);
-        svg.text([x, y + 4.0], Anchor::Middle, style, words);
+    for note in &plot.notes {
+        let [x, y] = area.at(note.at);
+        let x = x.max(area.corner[0] + 4.0);
+        let style = style().font_size(NAME).halo();
+        svg.text([x, y + 4.0], Anchor::Start, style, &note.words);
     }
+    for (name, _, [x, y]) in &named {
+        let halo = style().class("name").font_size(names::SIZE).halo();
+        svg.text([*x, *y + 4.0], Anchor::Middle, halo, name);
+    }
+    words + SIZE[1]
+}
+
+/// Title and small print of a plot; the pixels that they take downwards.
+fn headings(svg: &mut Svg, plot: &Plot, [x, y]: Pixel) -> f64 {
+    let width = SIZE[0] - 2.0 * BORDER;
+    let mut taken = 0.0;
+    let parts = [
+        (&plot.title, style().font_size(14.0).bold(), 14.0 * 1.06),
+        (&plot.about, style().font_size(12.0), 12.0),
+    ];
+    for (text, style, size) in parts {
+        for line in fitting(text, size, width) {
+            taken += HEADING - 2.0;
+            svg.text(
+                [x + BORDER, y + taken - 4.0],
+                Anchor::Start,
+                style.clone(),
+                &line,
+            );
+        }
+    }
+    taken
+}
+
+/// How lines of this colour look.
+pub fn solid_line(colour: &str) -> Style {
+    style().hollow().stroke(colour).stroke_width(1.8)
+}
+
+/// How broken lines of this colour look.
+pub fn dashed_line(colour: &str) -> Style {
+    style()
+        .hollow()
+        .stroke(colour)
+        .stroke_width(1.1)
+        .dashes("6 4")
 }
 
 fn stroke(line: &Line) -> Style {
-    let style = style().hollow().stroke(line.colour).stroke_width(1.8);
     if line.dashed {
-        style.dashes("6 4")
+        dashed_line(line.colour)
     } else {
-        style
+        solid_line(line.colour)
+    }
+}
+
+/// Names at the right ends of lines, spread so that none covers another.
+fn line_names(svg: &mut Svg, plot: &Plot, area: &Area) {
+    let ends = plot.lines.iter().filter_map(|line| {
+        let end = area.at(*line.points.last()?);
+        Some((line.name.as_deref()?, line.colour, end))
+    });
+    let ends: Vec<(&str, &str, Pixel)> = ends.collect();
+    let wishes: Vec<f64> = ends.iter().map(|(.., [_, y])| *y).collect();
+    let heights = spread(
+        &wishes,
+        NAME_LINE,
+        [area.corner[1] + 4.0, area.bottom() - 4.0],
+    );
+    let right = area.corner[0] + area.size[0];
+    for ((name, colour, end), y) in ends.into_iter().zip(heights) {
+        let leader = Path::through(&[end, [right + LEADER_WIDTH - 3.0, y]], false);
+        svg.path(&leader, style().stroke(colour).stroke_width(0.8), "");
+        let style = style().class("name").font_size(NAME);
+        svg.text([right + LEADER_WIDTH, y + 4.0], Anchor::Start, style, name);
     }
 }
 
@@ -134,7 +198,14 @@ fn points(svg: &mut Svg, marks: &Marks, area: &Area) {
     let line = style().hollow().stroke(marks.look.colour).stroke_width(1.1);
     svg.path(&bars, line, "");
     for point in &marks.points {
-        mark(svg, area.at(point.at), marks.look);
+        let hinted = !point.tooltip.is_empty();
+        if hinted {
+            svg.open(style().class("point"), &point.tooltip);
+        }
+        mark(svg, area.at(point.at), marks.look, point.filling);
+        if hinted {
+            svg.close();
+        }
     }
 }
 
@@ -143,10 +214,13 @@ fn named<'a>(plot: &'a Plot, area: &Area) -> Vec<(&'a str, Pixel, Pixel)> {
     let [left, top] = area.corner;
     let inside = |[x, y]: Pixel| [x - left, y - top];
     let points = || plot.marks.iter().flat_map(|marks| &marks.points);
-    let covered: Vec<Pixel> = points()
-        .flat_map(|point| covered(point, area))
-        .map(inside)
-        .collect();
+    let notes = plot.notes.iter().map(|note| {
+        let [x, y] = inside(area.at(note.at));
+        [x, y - 7.0, x + text_width(&note.words, NAME), y + 7.0]
+    });
+    let covered = points().map(|point| covered(point, area));
+    let covered = covered.map(|[a, b, c, d]| [a - left, b - top, c - left, d - top]);
+    let covered: Vec<Rectangle> = covered.chain(notes).collect();
     let mut named: Vec<(&str, Pixel)> = points()
         .filter_map(|point| Some((point.name.as_deref()?, area.at(point.at))))
         .collect();
@@ -162,14 +236,11 @@ fn named<'a>(plot: &'a Plot, area: &Area) -> Vec<(&'a str, Pixel, Pixel)> {
         .collect()
 }
 
-/// Pixels that a point and its bar cover, one every ten.
-fn covered(point: &PlotPoint, area: &Area) -> Vec<Pixel> {
+/// Pixels that a point and its bar cover.
+fn covered(point: &PlotPoint, area: &Area) -> Rectangle {
     let [x, y] = point.at;
     let [top, bottom] = [y, y - point.below].map(|y| area.at([x, y]));
-    let count = ((bottom[1] - top[1]) / 10.0).floor().max(0.0) as usize;
-    (0..=count)
-        .map(|mark| [top[0], top[1] + 10.0 * mark as f64])
-        .collect()
+    [top[0] - 5.0, top[1] - 5.0, top[0] + 5.0, bottom[1] + 5.0]
 }
 
 #[cfg(test)]
@@ -184,28 +255,25 @@ mod tests {
             ticks,
         };
         let line = Line {
-            points: vec![[0.0, 1.0], [0.5, 3.0]],
+            points: vec![[0.0, 0.0], [0.5, 3.0]],
             colour: "#123456",
             name: Some("a <line>".to_owned()),
             dashed: true,
         };
         let words = Ticks::Words([0.0, 0.5], vec![(0.0, "none".to_owned())]);
         let own = Plot {
-            title: String::new(),
             x: axis("across", words),
-            y: axis("up", Ticks::With(0.0)),
-            bands: Vec::new(),
+            y: axis("up", Ticks::Fitting),
             lines: vec![line],
-            marks: Vec::new(),
-            notes: Vec::new(),
+            ..Plot::default()
         };
-        let svg = plot(&own, "a \"plot\"");
+        let svg = plots("a \"plot\"", &[own], &[]);
         for part in [
             "aria-label=\"a &quot;plot&quot;\"",
             "a &lt;line&gt;",
             ">none</text>",
             ">3.0</text>",
-            "stroke=\"#123456\" stroke-width=\"1.8\" stroke-dasharray=\"6 4\"",
+            "stroke=\"#123456\" stroke-width=\"1.1\" stroke-dasharray=\"6 4\"",
         ] {
             assert!(svg.contains(part), "{part} in {svg}");
         }

@@ -1,24 +1,45 @@
-//! Ranges below one another over one axis.
+//! Ranges below one another over one axis, near enough to be told apart; above them, where one range
+//! is much wider than the others, all of them over its whole length (the paper's Fig. 6).
 
 use super::axes::{Area, round_ticks};
-use super::path::Path;
+use super::legend::{self, LegendEntry};
+use super::marks::{Filling, mark};
+use super::metrics::text_width;
+use super::palette::{FAINT, INK};
+use super::path::{Path, Pixel};
 use super::svg::{Anchor, Svg, style};
+use super::words::fitting;
+use crate::method::{Look, Mark};
+use crate::number::number;
 
-/// Pixels of a range, of what is left of, above, right of and below all of them, and of the width.
+/// Pixels of the picture, of a range, and of what is left, right of and below all of them.
+const WIDTH: f64 = 480.0;
 const LINE: f64 = 24.0;
-const MARGINS: [f64; 4] = [150.0, 10.0, 16.0, 54.0];
-const WIDTH: f64 = 560.0;
+const LEFT: f64 = 148.0;
+const RIGHT: f64 = 30.0;
+const BELOW: f64 = 50.0;
+const BORDER: f64 = 12.0;
 
-/// Ranges below one another over one axis that begins at 0.
+/// Font size of names and values.
+const FONT: f64 = 12.0;
+
+/// Pixels of the strip that shows everything at once.
+const STRIP: f64 = 62.0;
+
+/// Part of what is to be seen that stays free beside it.
+const FREE: f64 = 0.12;
+
+/// Narrowest part of the axis that is shown, as a part of the values.
+const NARROWEST: f64 = 1e-3;
+
+/// Ranges below one another.
 pub struct Ranges {
     /// The ranges, from top to bottom.
     pub ranges: Vec<RangeMark>,
-    /// Ends of the shaded range behind them.
-    pub shaded: [f64; 2],
-    /// Its colour, which is thinned.
-    pub shade: &'static str,
-    /// Where the axis ends; no range reaches beyond it.
-    pub largest: f64,
+    /// The shaded range behind them: its name, its ends and its colour, which is thinned.
+    pub shaded: Option<(String, [f64; 2], &'static str)>,
+    /// Upright lines over all ranges: their words and values.
+    pub bounds: Vec<(String, f64)>,
     /// What the axis shows.
     pub label: &'static str,
 }
@@ -29,44 +50,208 @@ pub struct RangeMark {
     pub name: String,
     /// Its ends.
     pub ends: [f64; 2],
-    /// Its colour.
-    pub colour: &'static str,
-    /// Whether its middle is marked: in a wide range that would look like an answer.
-    pub marked: bool,
+    /// Its colour and mark.
+    pub look: Look,
+    /// How its mark is filled.
+    pub filling: Filling,
+    /// Values of others about it.
+    pub known: Vec<f64>,
 }
 
+/// How a value of others looks.
+pub const KNOWN: Look = Look {
+    colour: INK,
+    mark: Mark::Cross,
+};
+
 /// The ranges as a whole SVG file. `title` is its name for those who cannot see it.
-pub fn ranges(picture: &Ranges, title: &str) -> String {
-    let [left, top, right, bottom] = MARGINS;
+pub fn ranges(picture: &Ranges, entries: &[LegendEntry], title: &str) -> String {
+    let mut svg = Svg::default();
+    let mut y = BORDER;
+    for line in fitting(title, 14.0 * 1.06, WIDTH - 2.0 * BORDER) {
+        let heading = style().font_size(14.0).bold();
+        svg.text([BORDER, y + 12.0], Anchor::Start, heading, &line);
+        y += 18.0;
+    }
+    y += 2.0;
+    let near = near(picture);
+    if let Some((name, ends, colour)) = &picture.shaded {
+        strip(&mut svg, picture, (name, *ends, colour), near, y);
+        y += STRIP;
+    }
+    let ticks = round_ticks(near);
     let count = picture.ranges.len() as f64;
     let area = Area {
-        corner: [left, top],
-        size: [WIDTH - left - right, LINE * count],
-        x: [0.0, picture.largest],
+        corner: [LEFT, y],
+        size: [WIDTH - LEFT - RIGHT, LINE * count],
+        x: near,
         y: [count, 0.0],
     };
-    let mut svg = Svg::default();
-    let mut ticks = round_ticks(area.x);
-    ticks.retain(|(value, _)| *value <= picture.largest);
-    let [from, to] = picture.shaded.map(|end| area.at([end, 0.0]));
-    let shade = style().fill(picture.shade).fill_opacity(0.14);
-    svg.rect(from, [to[0] - from[0], area.size[1]], shade);
-    area.x_axis(&mut svg, &ticks, picture.label);
+    shade(&mut svg, picture, &area);
+    let inside = ticks
+        .into_iter()
+        .filter(|(value, _)| (near[0]..=near[1]).contains(value));
+    area.x_axis(&mut svg, &inside.collect::<Vec<_>>(), picture.label);
+    for (_, value) in &picture.bounds {
+        upright(&mut svg, &area, *value);
+    }
     for (line, range) in picture.ranges.iter().enumerate() {
         let middle = line as f64 + 0.5;
-        let [[from, y], [to, _]] = range.ends.map(|end| area.at([end, middle]));
+        one(&mut svg, range, &area, middle);
+        let text = style().font_size(FONT);
+        let y = area.at([near[0], middle])[1];
+        svg.text([LEFT - 9.0, y + 4.0], Anchor::End, text, &range.name);
+    }
+    let top = area.bottom() + BELOW;
+    let used = legend::draw(&mut svg, entries, [BORDER, top], WIDTH - 2.0 * BORDER);
+    svg.document([WIDTH, top + used + 6.0], title)
+}
+
+/// What the axis shows: all values but the shaded range, and something beside them.
+fn near(picture: &Ranges) -> [f64; 2] {
+    let ranges = picture.ranges.iter();
+    let values = ranges.flat_map(|range| range.ends.iter().chain(&range.known));
+    let values = values
+        .copied()
+        .chain(picture.bounds.iter().map(|(_, value)| *value));
+    let mut ends = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
+        [low.min(value), high.max(value)]
+    });
+    if ends[0] > ends[1] {
+        ends = picture
+            .shaded
+            .as_ref()
+            .map_or([0.0, 1.0], |(_, ends, _)| *ends);
+    }
+    let [low, high] = ends;
+    let width = (high - low).max(NARROWEST * high.abs()).max(1e-9);
+    let (middle, half) = ((low + high) / 2.0, width * (0.5 + FREE));
+    [middle - half, middle + half]
+}
+
+/// Everything at once: the shaded range with its ends, the other values as thin lines, and which part
+/// of it is shown below.
+fn strip(
+    svg: &mut Svg,
+    picture: &Ranges,
+    (name, ends, colour): (&str, [f64; 2], &str),
+    near: [f64; 2],
+    top: f64,
+) {
+    let high = ends[1].max(near[1]);
+    let low = ends[0].min(near[0]);
+    let reach = 0.06 * (high - low);
+    let area = Area {
+        corner: [LEFT, top],
+        size: [WIDTH - LEFT - RIGHT, 18.0],
+        x: [low - reach, high + reach],
+        y: [0.0, 1.0],
+    };
+    let [from, to] = ends.map(|end| area.at([end, 1.0]));
+    let fill = style().fill(colour).fill_opacity(0.3);
+    svg.rect(from, [to[0] - from[0], area.size[1]], fill);
+    let mut lines = Path::default();
+    for range in &picture.ranges {
+        for end in range.ends {
+            lines.add(&[area.at([end, 0.0]), area.at([end, 1.0])], false);
+        }
+    }
+    svg.path(&lines, style().hollow().stroke(INK).stroke_width(0.7), "");
+    // What is shown below, as a window that opens downwards.
+    let [left, right] = near.map(|end| area.at([end, 0.0])[0]);
+    let bottom = top + STRIP;
+    let window = [
+        [LEFT, bottom],
+        [left, top + 20.0],
+        [right, top + 20.0],
+        [LEFT + area.size[0], bottom],
+    ];
+    let line = style().hollow().stroke(FAINT).stroke_width(0.8);
+    svg.path(&Path::through(&window, false), line.dashes("3 2"), "");
+    let text = style().font_size(FONT).halo();
+    svg.text([LEFT - 9.0, top + 13.0], Anchor::End, text.clone(), name);
+    let [least, most] = ends.map(|end| number(end, 4));
+    let room = text_width(&least, FONT) + text_width(&most, FONT) + 12.0;
+    if to[0] - from[0] > room {
+        for (x, anchor, words) in [(from[0], Anchor::Start, least), (to[0], Anchor::End, most)] {
+            svg.text([x, top + 31.0], anchor, text.clone(), &words);
+        }
+    } else {
+        let words = if least == most {
+            least
+        } else {
+            format!("{least} to {most}")
+        };
+        let half = text_width(&words, FONT) / 2.0;
+        let middle = (from[0] + to[0]) / 2.0;
+        let middle = middle.clamp(LEFT + half, WIDTH - RIGHT - half);
+        svg.text([middle, top + 31.0], Anchor::Middle, text.clone(), &words);
+    }
+}
+
+/// The shaded range as far as the axis shows it.
+fn shade(svg: &mut Svg, picture: &Ranges, area: &Area) {
+    let Some((_, ends, colour)) = &picture.shaded else {
+        return;
+    };
+    let [low, high] = area.x;
+    let seen = [ends[0].clamp(low, high), ends[1].clamp(low, high)];
+    let [from, to] = seen.map(|end| area.at([end, 0.0]));
+    let fill = style().fill(colour).fill_opacity(0.16);
+    svg.rect(from, [to[0] - from[0], area.size[1]], fill);
+}
+
+fn upright(svg: &mut Svg, area: &Area, value: f64) {
+    let [x, _] = area.at([value, 0.0]);
+    let line = Path::through(&[[x, area.corner[1]], [x, area.bottom()]], false);
+    let style = style().hollow().stroke(INK).stroke_width(1.1).dashes("5 3");
+    svg.path(&line, style, "");
+}
+
+fn one(svg: &mut Svg, range: &RangeMark, area: &Area, middle: f64) {
+    let [[from, y], [to, _]]: [Pixel; 2] = range.ends.map(|end| area.at([end, middle]));
+    if to - from > 3.0 {
         let mut path = Path::through(&[[from, y], [to, y]], false);
         for x in [from, to] {
-            path.add(&[[x, y - 4.0], [x, y + 4.0]], false);
+            path.add(&[[x, y - 5.0], [x, y + 5.0]], false);
         }
-        let stroke = style().hollow().stroke(range.colour).stroke_width(2.2);
+        let stroke = style().hollow().stroke(range.look.colour).stroke_width(2.2);
         svg.path(&path, stroke, "");
-        if range.marked {
-            let corner = [(from + to) / 2.0 - 4.0, y - 4.0];
-            svg.rect(corner, [8.0, 8.0], style().fill(range.colour));
-        }
-        let style = style().font_size(12.0);
-        svg.text([left - 9.0, y + 4.0], Anchor::End, style, &range.name);
+    } else {
+        mark(svg, [(from + to) / 2.0, y], range.look, range.filling);
     }
-    svg.document([WIDTH, area.bottom() + bottom], title)
+    for value in &range.known {
+        mark(svg, area.at([*value, middle]), KNOWN, Filling::Open);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_axis_shows_the_values_and_not_zero() {
+        let range = |ends| RangeMark {
+            name: "one".to_owned(),
+            ends,
+            look: KNOWN,
+            filling: Filling::Full,
+            known: vec![0.6398],
+        };
+        let picture = Ranges {
+            ranges: vec![range([0.639, 0.643]), range([0.64, 0.64])],
+            shaded: Some(("wide".to_owned(), [0.48, 0.95], FAINT)),
+            bounds: Vec::new(),
+            label: "λ",
+        };
+        let [low, high] = near(&picture);
+        assert!(
+            (0.638..0.639).contains(&low) && (0.643..0.644).contains(&high),
+            "{low} {high}"
+        );
+        let svg = ranges(&picture, &[], "ranges");
+        for words in [">0.639<", ">0.640<", ">0.4800<", ">0.9500<"] {
+            assert!(svg.contains(words), "{words} in {svg}");
+        }
+    }
 }

@@ -4,13 +4,13 @@ use serde::Serialize;
 
 use super::frame::{Displacement, Frame};
 use super::mechanism::DrawnMechanism;
-use super::palette::{BEFORE, BLOCK_LINE, SUPPORT_LINE};
+use super::palette::{BEFORE, BLOCK_LINE};
 use super::path::Path;
 use super::svg::{Svg, style};
-use super::wall::outline;
+use super::wall::{outline, supports};
 use crate::answer::Mechanism;
 use crate::run::Row;
-use crate::scene::{Point, Scene};
+use crate::scene::{Point, Scene, Vector};
 
 /// Most frames that are kept.
 const FRAMES: usize = 48;
@@ -63,7 +63,7 @@ pub fn replay(scene: &Scene, row: &Row, title: &str) -> Option<Replay> {
     };
     let drawn = DrawnMechanism::new(scene, row.outcome.mechanism.as_ref(), &row.method);
     Some(Replay {
-        svg: at_rest(scene, &frame, &drawn.fills()).document([WIDTH, height], title),
+        svg: at_rest(scene, &frame, &drawn.fills(), (low, high)).document([WIDTH, height], title),
         poses: poses(scene, &frames, &displacement, &frame),
         factor: displacement.factor(),
     })
@@ -121,7 +121,7 @@ fn poses(
 }
 
 /// The wall at rest, one path a block in the tint of its part, over its own outline and the ground.
-fn at_rest(scene: &Scene, frame: &Frame, fills: &[&str]) -> Svg {
+fn at_rest(scene: &Scene, frame: &Frame, fills: &[&str], seen: (Point, Point)) -> Svg {
     let mut svg = Svg::default();
     let mut before = Path::default();
     let outlines: Vec<_> = (0..scene.blocks().len())
@@ -135,13 +135,9 @@ fn at_rest(scene: &Scene, frame: &Frame, fills: &[&str]) -> Svg {
         style().hollow().stroke(BEFORE).stroke_width(0.6),
         "",
     );
-    let (low, high) = scene.bounds();
-    if !scene.supports().is_empty() && scene.coursing().is_some() {
-        let [left, right] = [frame.at(low), frame.at(Point::new(high.x, low.y))];
-        let ends = [[left[0] - 10.0, left[1]], [right[0] + 10.0, right[1]]];
-        let line = style().stroke(SUPPORT_LINE).stroke_width(3.0);
-        svg.path(&Path::through(&ends, false), line, "");
-    }
+    let (low, high) = seen;
+    let reach = Vector::new(BORDER, BORDER) / frame.scale;
+    supports(&mut svg, scene, frame, [low - reach, high + reach]);
     let line = style().class("bodies").stroke(BLOCK_LINE).stroke_width(0.6);
     svg.open(line, "");
     for (outline, fill) in outlines.iter().zip(fills) {

@@ -177,6 +177,12 @@ impl Style {
         self.with("font-weight", "700")
     }
 
+    /// White around the letters of a text, so that it is read over lines.
+    pub fn halo(self) -> Self {
+        let white = self.stroke(WHITE).stroke_width(3.0);
+        white.with("paint-order", "stroke")
+    }
+
     pub fn italic(self) -> Self {
         self.with("font-style", "italic")
     }

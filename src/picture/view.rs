@@ -34,6 +34,8 @@ pub struct Options {
     pub width: f64,
     /// Pixels for a unit of length, so that several drawings share it; else as large as fits.
     pub scale: Option<f64>,
+    /// Least pixels that a picture is high, so that several drawings stand on one line.
+    pub height: f64,
 }
 
 impl Options {
@@ -48,6 +50,7 @@ impl Options {
                 _ => 400.0,
             },
             scale: None,
+            height: 0.0,
         }
     }
 }

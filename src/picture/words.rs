@@ -2,6 +2,8 @@
 
 use textwrap::{Options, WordSplitter, WrapAlgorithm};
 
+use super::metrics::text_width;
+
 /// Text in lines of at most `width` characters, each as full as can be; only a longer word makes a
 /// longer line.
 pub(crate) fn lines(text: &str, width: usize) -> Vec<String> {
@@ -17,13 +19,21 @@ pub(crate) fn lines(text: &str, width: usize) -> Vec<String> {
     lines.into_iter().map(|line| line.into_owned()).collect()
 }
 
-/// The same with at most so many lines, the last of which then ends in `…`.
-pub(super) fn first_lines(text: &str, width: usize, most: usize) -> Vec<String> {
-    let mut lines = lines(text, width);
-    if lines.len() > most {
-        lines.truncate(most);
-        if let Some(last) = lines.last_mut() {
-            last.push('…');
+/// Text in lines of at most so many pixels.
+pub(super) fn fitting(text: &str, font_size: f64, width: f64) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split_whitespace() {
+        match lines.last_mut() {
+            Some(line)
+                if text_width(line, font_size)
+                    + text_width(word, font_size)
+                    + text_width(" ", font_size)
+                    <= width =>
+            {
+                line.push(' ');
+                line.push_str(word);
+            }
+            _ => lines.push(word.to_owned()),
         }
     }
     lines
@@ -40,10 +50,11 @@ mod tests {
             lines(text, 13),
             ["one two-three", "incomprehensibly", "four"]
         );
+        let pixels = text_width("one two-three", 12.0) + 0.1;
         assert_eq!(
-            first_lines(text, 13, 2),
-            ["one two-three", "incomprehensibly…"]
+            fitting(text, 12.0, pixels),
+            ["one two-three", "incomprehensibly", "four"]
         );
-        assert!(first_lines("", 13, 2).is_empty());
+        assert!(fitting("", 12.0, 13.0).is_empty());
     }
 }

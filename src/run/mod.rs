@@ -23,7 +23,7 @@ pub use execute::{run_rows, run_tasks};
 pub use journal::Journal;
 pub use kept::Keeps;
 pub(crate) use kept::{lines, read_line};
-pub use partial::{PARTIAL_MARK, Partial, titled};
+pub use partial::{PARTIAL_MARK, Partial, marked, titled};
 pub use progress::Progress;
 pub use results::{CaseResult, CaseScenes, Plan};
 pub use row::{Row, StrongerSide, scene_name};

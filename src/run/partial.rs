@@ -46,6 +46,14 @@ pub fn titled(title: &str, partial: Option<&Partial>) -> String {
     }
 }
 
+/// A CSV, with a last line that says so where it is partial.
+pub fn marked(csv: String, partial: Option<&Partial>) -> String {
+    match partial {
+        Some(partial) => partial.mark_csv(&csv),
+        None => csv,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -80,20 +80,10 @@ fn rank(answer: &Answer) -> (u8, f64) {
 mod tests {
     use super::*;
     use crate::answer::Bracket;
-    use crate::scene::{HeadJoints, Piece, Push, Wall};
+    use crate::scene::{HeadJoints, Push, Wall};
 
     fn side(push: Push) -> Scene {
-        let wall = Wall {
-            unit_length: 1.0,
-            unit_height: 1.0,
-            thickness: 1.0,
-            unit_weight: 1.0,
-            courses: vec![vec![Piece::Unit]],
-            friction: 0.5.into(),
-            overburden: 0.0,
-            push,
-        };
-        wall.scene(HeadJoints::Open).unwrap()
+        Wall::of_cubes(1, push).scene(HeadJoints::Open).unwrap()
     }
 
     fn at(lambda: f64) -> Outcome {

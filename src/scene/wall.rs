@@ -81,6 +81,21 @@ struct Laid {
 }
 
 impl Wall {
+    /// Cubes of size and weight 1 beside each other, for tests: λ = 1 pushes with their weight.
+    #[cfg(test)]
+    pub(crate) fn of_cubes(count: usize, push: Push) -> Self {
+        Self {
+            unit_length: 1.0,
+            unit_height: 1.0,
+            thickness: 1.0,
+            unit_weight: 1.0,
+            courses: vec![vec![Piece::Unit; count]],
+            friction: 0.5.into(),
+            overburden: 0.0,
+            push,
+        }
+    }
+
     /// Height H.
     pub fn height(&self) -> f64 {
         self.courses.len() as f64 * self.unit_height

@@ -2,7 +2,7 @@
 //! law admit. It bounds every non-associative collapse multiplier from above (Radenkovic 1961).
 
 use super::ending::Ending;
-use super::equilibration::{Evening, evenings, needs_own_units};
+use super::equilibration::{UnitPower, needs_own_units, unit_powers};
 use super::own_weight::{own_weight, without_optimum};
 use super::program::{Margins, Program};
 use super::reduction;
@@ -63,11 +63,11 @@ struct Optimum {
     engine: Engine,
 }
 
-/// The optimum, with units of unequal blocks evened out in the ways there are until one proves it.
+/// The optimum, with the units of unequal blocks that there are until one proves it.
 fn optimum(scene: &Scene, user: &Settings, work: &mut Work) -> Result<Optimum, Ending> {
     let mut best = None;
-    for evening in evenings(scene) {
-        let found = evened(scene, *evening, user, work);
+    for power in unit_powers(scene) {
+        let found = with_units(scene, *power, user, work);
         match &found {
             Ok(optimum) if is_exact(scene, optimum, user) => return found,
             Err(Ending::Unbounded) => return found,
@@ -85,17 +85,17 @@ fn is_exact(scene: &Scene, found: &Optimum, user: &Settings) -> bool {
 
 /// The optimum by the engine that is asked for; by Clarabel where what another one leaves is more than
 /// a proof takes.
-fn evened(
+fn with_units(
     scene: &Scene,
-    evening: Evening,
+    power: UnitPower,
     user: &Settings,
     work: &mut Work,
 ) -> Result<Optimum, Ending> {
-    let found = by_engine(scene, evening, user.programs.engine, user, work);
+    let found = by_engine(scene, power, user.programs.engine, user, work);
     match found {
         Ok(found) if found.engine != Engine::Clarabel && !is_exact(scene, &found, user) => {
             work.fallbacks += 1;
-            by_engine(scene, evening, Engine::Clarabel, user, work)
+            by_engine(scene, power, Engine::Clarabel, user, work)
         }
         found => found,
     }
@@ -106,14 +106,14 @@ fn evened(
 /// without slack anywhere, may still have one.
 fn by_engine(
     scene: &Scene,
-    evening: Evening,
+    power: UnitPower,
     engine: Engine,
     user: &Settings,
     work: &mut Work,
 ) -> Result<Optimum, Ending> {
     let mut solved = |margins| {
         let tolerance = user.programs.lp_tolerance;
-        let program = Program::evened(scene, tolerance, evening)
+        let program = Program::with_units(scene, tolerance, power)
             .with_width(0.5 * VERIFIED_WIDTH)
             .by(engine);
         solved(scene, program, margins, work)

@@ -18,7 +18,7 @@ use crate::scene::{Block, Joint, Scene, Side};
 /// towers over 12 decades 181, 200 and 200; a pillar of 1e-5 of a block's size takes the whole force.
 /// So where one fails, the next is tried.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Evening {
+pub(super) enum UnitPower {
     CubeRoot,
     SquareRoot,
     Whole,
@@ -26,10 +26,9 @@ pub(super) enum Evening {
     Common,
 }
 
-/// Ways to even out the blocks of a scene, in the order in which they are tried; one where nothing is
-/// to be evened out.
-pub(super) fn evenings(scene: &Scene) -> &'static [Evening] {
-    const ALL: [Evening; 3] = [Evening::CubeRoot, Evening::SquareRoot, Evening::Whole];
+/// The powers that are tried on a scene, in that order; one where no block has units of its own.
+pub(super) fn unit_powers(scene: &Scene) -> &'static [UnitPower] {
+    const ALL: [UnitPower; 3] = [UnitPower::CubeRoot, UnitPower::SquareRoot, UnitPower::Whole];
     if needs_own_units(scene) {
         &ALL
     } else {
@@ -37,13 +36,13 @@ pub(super) fn evenings(scene: &Scene) -> &'static [Evening] {
     }
 }
 
-impl Evening {
+impl UnitPower {
     fn unit(self, value: f64) -> f64 {
         power_of_two(match self {
-            Evening::CubeRoot => value.cbrt(),
-            Evening::SquareRoot => value.sqrt(),
-            Evening::Whole => value,
-            Evening::Common => 1.0,
+            UnitPower::CubeRoot => value.cbrt(),
+            UnitPower::SquareRoot => value.sqrt(),
+            UnitPower::Whole => value,
+            UnitPower::Common => 1.0,
         })
     }
 }
@@ -70,17 +69,14 @@ const UNEQUAL: f64 = 1e-3;
 
 impl Equilibration {
     /// Units for a scene that needs them.
-    pub(super) fn of(scene: &Scene, scale: &Scale, evening: Evening) -> Option<Self> {
+    pub(super) fn of(scene: &Scene, scale: &Scale, power: UnitPower) -> Option<Self> {
         let (own, reaches) = (own_loads(scene, scale), reaches(scene, scale));
         let shears = shear_units(scene);
-        if evening != Evening::Common && are_unequal(&own, &reaches) {
+        if power != UnitPower::Common && are_unequal(&own, &reaches) {
             let joints = joint_forces(scene, scale, &own);
             Some(Self {
-                blocks: block_units(scene, &own, &joints, &reaches, evening),
-                joints: joints
-                    .into_iter()
-                    .map(|force| evening.unit(force))
-                    .collect(),
+                blocks: block_units(scene, &own, &joints, &reaches, power),
+                joints: joints.into_iter().map(|force| power.unit(force)).collect(),
                 shears,
             })
         } else if are_sticky(&shears) {
@@ -200,7 +196,7 @@ fn block_units(
     own: &[f64],
     joints: &[f64],
     reaches: &[f64],
-    evening: Evening,
+    power: UnitPower,
 ) -> Vec<[f64; 2]> {
     let mut forces = own.to_vec();
     for (joint, &force) in scene.joints().iter().zip(joints) {
@@ -210,7 +206,7 @@ fn block_units(
     }
     let units = forces.iter().zip(reaches);
     units
-        .map(|(&force, &length)| [evening.unit(force), power_of_two(length)])
+        .map(|(&force, &length)| [power.unit(force), power_of_two(length)])
         .collect()
 }
 

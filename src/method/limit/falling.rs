@@ -2,7 +2,7 @@
 //! program over the whole scene does not see the light blocks.
 
 use super::ending::Ending;
-use super::equilibration::{Evening, needs_own_units};
+use super::equilibration::{UnitPower, needs_own_units};
 use super::program::Program;
 use super::reduction::ScenePart;
 use crate::answer::{BlockResidual, Mechanism, Motion, VERIFIED_RESIDUAL, Work, falling_violation};
@@ -19,15 +19,18 @@ const RESTING: f64 = 1e-6;
 /// nothing. Where blocks have units of their own in a program, those at rest and those that fall can
 /// pull it apart, so that others come after, and one unit for all at last.
 pub(super) fn programs(scene: &Scene) -> impl Iterator<Item = Program> + '_ {
-    let evenings: &[Evening] = if needs_own_units(scene) {
-        &[Evening::CubeRoot, Evening::SquareRoot, Evening::Common]
+    let powers: &[UnitPower] = if needs_own_units(scene) {
+        &[
+            UnitPower::CubeRoot,
+            UnitPower::SquareRoot,
+            UnitPower::Common,
+        ]
     } else {
-        &[Evening::CubeRoot]
+        &[UnitPower::CubeRoot]
     };
-    let attempts =
-        (evenings.iter()).flat_map(|&evening| OPENINGS.map(|opening| (evening, opening)));
-    attempts.map(move |(evening, opening)| {
-        let mut program = Program::with_slack(scene, 0.0, evening);
+    let attempts = (powers.iter()).flat_map(|&power| OPENINGS.map(|opening| (power, opening)));
+    attempts.map(move |(power, opening)| {
+        let mut program = Program::with_slack(scene, 0.0, power);
         program.set_opening(opening);
         program
     })

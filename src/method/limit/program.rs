@@ -14,7 +14,7 @@ use clarabel::algebra::CscMatrix;
 
 use super::columns::{Entries, joint_columns, multiplier_column, right_side, slack_column};
 use super::ending::{Ending, Solution};
-use super::equilibration::{Equilibration, Evening};
+use super::equilibration::{Equilibration, UnitPower};
 use super::scale::Scale;
 use super::solver::{Numbers, Solver, Verdict};
 use crate::answer::{JointForce, Work};
@@ -87,18 +87,12 @@ impl Program {
 
     /// The same to another tolerance than the default.
     pub fn to_tolerance(scene: &Scene, tolerance: f64) -> Self {
-        Self::evened(scene, tolerance, Evening::CubeRoot)
+        Self::with_units(scene, tolerance, UnitPower::CubeRoot)
     }
 
-    /// The same, with units of unequal blocks that are evened out like this.
-    pub(super) fn evened(scene: &Scene, tolerance: f64, evening: Evening) -> Self {
-        Self::assemble_to(
-            scene,
-            Scale::of(scene),
-            Goal::Multiplier,
-            tolerance,
-            evening,
-        )
+    /// The same, with these units of unequal blocks.
+    pub(super) fn with_units(scene: &Scene, tolerance: f64, power: UnitPower) -> Self {
+        Self::assemble_to(scene, Scale::of(scene), Goal::Multiplier, tolerance, power)
     }
 
     /// Assembles the program that only asks for forces at a given λ, in given units.
@@ -110,13 +104,13 @@ impl Program {
     /// force and every distance of a shear from its limit is at least m. Negative slack shows how
     /// far the scene is from standing, and its mechanism moves without more push: this program has
     /// an optimum on either side, where the one of [`Program::at_multiplier`] has none.
-    pub(super) fn with_slack(scene: &Scene, lambda: f64, evening: Evening) -> Self {
+    pub(super) fn with_slack(scene: &Scene, lambda: f64, power: UnitPower) -> Self {
         let scale = Scale::of(scene);
-        Self::assemble_to(scene, scale, Goal::Slack(lambda), LP_TOLERANCE, evening)
+        Self::assemble_to(scene, scale, Goal::Slack(lambda), LP_TOLERANCE, power)
     }
 
     fn assemble(scene: &Scene, scale: Scale, goal: Goal) -> Self {
-        Self::assemble_to(scene, scale, goal, LP_TOLERANCE, Evening::CubeRoot)
+        Self::assemble_to(scene, scale, goal, LP_TOLERANCE, UnitPower::CubeRoot)
     }
 
     fn assemble_to(
@@ -124,7 +118,7 @@ impl Program {
         scale: Scale,
         goal: Goal,
         tolerance: f64,
-        evening: Evening,
+        power: UnitPower,
     ) -> Self {
         let rows_of_blocks = 3 * scene.blocks().len();
         let joints = scene.joints().len();
@@ -143,7 +137,7 @@ impl Program {
                 right[rows - 1] = MAX_SLACK / scene.blocks().len() as f64;
             }
         }
-        let equilibration = Equilibration::of(scene, &scale, evening);
+        let equilibration = Equilibration::of(scene, &scale, power);
         if let Some(units) = &equilibration {
             units.scale(&mut entries, &mut right[..rows_of_blocks], &friction_at);
         }

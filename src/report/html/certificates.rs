@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use super::table::{TableCell, sortable};
+use super::table::{TableCell, plain, sortable};
 use crate::answer::{
     Claim, CollapseResidual, JointForce, Mechanism, Outcome, StaticResidual, VERIFIED_RESIDUAL,
     associative_violation, kinematic_multiplier,
@@ -89,6 +89,50 @@ fn put_forward(scene: &Scene, outcome: &Outcome) -> Vec<(String, f64, NamedResid
         found.push(("forces with mechanism".to_owned(), bracket.lower, residuals));
     }
     found
+}
+
+/// One line for everything that an answer puts forward: its residuals by name. Nothing without any.
+pub fn in_short(result: &CaseResult) -> Markup {
+    let mut lines = Vec::new();
+    for row in &result.rows {
+        let all = put_forward(result.scene(row), &row.outcome);
+        // Of many collapse states the lowest and the highest.
+        let count = all.len();
+        let ends = all.into_iter().enumerate();
+        let ends = ends.filter(|(index, _)| *index == 0 || index + 1 == count);
+        for (_, (what, lambda, residuals)) in ends {
+            let largest = residuals
+                .iter()
+                .map(|(_, value)| *value)
+                .fold(0.0, f64::max);
+            let named = residuals
+                .iter()
+                .map(|(name, value)| format!("{name} {value:.0e}"));
+            lines.push(vec![
+                TableCell::text(&row.method),
+                TableCell::text(row.head_joints.name()),
+                TableCell::text(what),
+                TableCell::number(number(lambda, 6)),
+                TableCell::word(if largest <= VERIFIED_RESIDUAL {
+                    "holds"
+                } else {
+                    "above 1e-8"
+                }),
+                TableCell::text(named.collect::<Vec<_>>().join(", ")),
+            ]);
+        }
+    }
+    let columns = [
+        "Method",
+        "Joints",
+        "What",
+        "λ",
+        "Verdict",
+        "Residuals, scaled",
+    ];
+    html! {
+        @if !lines.is_empty() { (plain("Certificates", &columns, &lines)) }
+    }
 }
 
 /// One line a residual, and the self-checks of the pushover in words. `None` without either.

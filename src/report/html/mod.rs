@@ -4,9 +4,12 @@
 //! ```text
 //! html ── summary, table ── ranges (Fig. 6), sweeps (Fig. 7)
 //!     └── a panel a case: drawings, replay, certificates, record
+//! manual ── a page a case: drawing, ranges, references, answers, residuals
 //! ```
 
 mod certificates;
+mod document;
+mod manual;
 mod page;
 mod panel;
 mod prose;
@@ -16,5 +19,5 @@ mod summary;
 mod sweep;
 mod table;
 
+pub use manual::manual;
 pub use page::{Report, page};
-pub use sweep::{SweepError, SweepTable};

@@ -1,11 +1,13 @@
 //! The page: its sections in order, style and script.
 
-use maud::{DOCTYPE, Markup, PreEscaped, html};
+use maud::{Markup, PreEscaped, html};
 
-use super::sweep::SweepTable;
+use super::document::{Document, document};
 use super::{panel, prose, ranges, summary, sweep, table};
 use crate::method::Settings;
 use crate::run::{CaseResult, Partial};
+use crate::study::chart::{price_picture, prices};
+use crate::study::sweep::SweepTable;
 
 /// What a report is made of.
 pub struct Report<'a> {
@@ -21,46 +23,28 @@ pub struct Report<'a> {
 
 /// The page. It refers to nothing outside itself.
 pub fn page(report: &Report) -> String {
-    let results = report.results;
     let sections = sections(report);
-    let markup = html! {
-        (DOCTYPE)
-        html lang="en" {
-            head {
-                meta charset="utf-8";
-                meta name="viewport" content="width=device-width, initial-scale=1";
-                // Nothing outside this file is needed; nothing is even asked for.
-                meta http-equiv="Content-Security-Policy"
-                    content="default-src 'none'; img-src data:; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
-                link rel="icon" href="data:,";
-                title { @if report.partial.is_some() { "PARTIAL: " } "trilith report: " (names(results)) }
-                style { (PreEscaped(include_str!("style.css"))) }
-            }
-            body {
-                a.skip href="#main" { "Skip to the results" }
-                header {
-                    p.brand { "trilith" }
-                    h1 { "Collapse multipliers of dry-joint masonry" }
-                    p.lead { (names(results)) }
-                    nav aria-label="Sections" {
-                        ul { @for (id, title, _) in &sections { li { a href={"#" (id)} { (title) } } } }
-                    }
+    let partial = report.partial.map_or("", |_| "PARTIAL: ");
+    let names = names(report.results);
+    document(&Document {
+        title: format!("{partial}trilith report: {names}"),
+        class: "report",
+        heading: "Collapse multipliers of dry-joint masonry",
+        lead: names,
+        links: sections
+            .iter()
+            .map(|(id, title, _)| (id.clone(), title.clone()))
+            .collect(),
+        body: html! {
+            @if let Some(partial) = report.partial { p.headline.bad { (partial) } }
+            @for (id, title, body) in &sections {
+                section id=(id) aria-labelledby={(id) "-title"} {
+                    h2 id={(id) "-title"} { (title) }
+                    (body)
                 }
-                main #main {
-                    @if let Some(partial) = report.partial { p.headline.bad { (partial) } }
-                    @for (id, title, body) in &sections {
-                        section id=(id) aria-labelledby={(id) "-title"} {
-                            h2 id={(id) "-title"} { (title) }
-                            (body)
-                        }
-                    }
-                }
-                footer { p { "Written by trilith " (env!("CARGO_PKG_VERSION")) ". One file, no network." } }
-                script { (PreEscaped(include_str!("script.js"))) }
             }
-        }
-    };
-    markup.into_string()
+        },
+    })
 }
 
 /// Sections as (id, heading, body), those without contents left out.
@@ -84,9 +68,14 @@ fn sections(report: &Report) -> Vec<(String, String, Markup)> {
         }
     };
     add("ranges", "Ranges", ranges::ranges(results));
+    add("prices", "Prices", price(results));
     for (index, table) in report.sweeps.iter().enumerate() {
         let body = sweep::section(table);
-        add(&format!("sweep-{}", index + 1), &table.title(), Some(body));
+        add(
+            &format!("sweep-{}", index + 1),
+            &sweep::title(table),
+            Some(body),
+        );
     }
     for result in results {
         let name = &result.case.name;
@@ -104,6 +93,13 @@ fn sections(report: &Report) -> Vec<(String, String, Markup)> {
         Some(prose::made_with(report.settings)),
     );
     sections
+}
+
+/// What each assumption costs over all cases; nothing of one case.
+fn price(results: &[CaseResult]) -> Option<Markup> {
+    let prices = prices(results.iter().flat_map(|result| &result.rows));
+    let svg = price_picture(&prices).filter(|_| results.len() > 1)?;
+    Some(html! { figure { (PreEscaped(svg)) } })
 }
 
 fn names(results: &[CaseResult]) -> String {

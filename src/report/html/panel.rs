@@ -4,7 +4,7 @@ use maud::{Markup, PreEscaped, html};
 
 use super::{certificates, replay};
 use crate::method::{Kind, entry};
-use crate::picture::{Options, View, common_scale, figure};
+use crate::picture::{Options, View, common_size, figure};
 use crate::record::record;
 use crate::run::{CaseResult, Row};
 use crate::scene::HeadJoints;
@@ -15,16 +15,16 @@ pub fn panel(result: &CaseResult) -> Markup {
     let all: Vec<View> = (foremost.iter().chain(&further))
         .map(|row| view(result, row))
         .collect();
-    let scale = common_scale(&all, WIDTH);
+    let size = common_size(&all, WIDTH);
     html! {
         @if result.case.title != result.case.name { p.title { (result.case.title) } }
         @if !result.case.source.is_empty() { p.small { "Source: " (result.case.source) } }
         h3 { "Mechanisms" }
-        (drawings(result, &foremost, scale))
+        (drawings(result, &foremost, size))
         @if !further.is_empty() {
             details {
                 summary { (further.len()) " more: other methods and head joints" }
-                (drawings(result, &further, scale))
+                (drawings(result, &further, size))
             }
         }
         @for row in result.rows.iter().filter(|row| row.outcome.recording.len() > 1) {
@@ -40,6 +40,18 @@ pub fn panel(result: &CaseResult) -> Markup {
             }
         }
     }
+}
+
+/// The drawing of the foremost answer of a case that is not the closed form's.
+pub fn foremost(result: &CaseResult) -> Option<String> {
+    let (rows, further) = drawn(result);
+    let mut rows = rows.into_iter().chain(further).chain(&result.rows);
+    let row = rows.find(|row| row.kind() != Kind::ClosedForm)?;
+    let options = Options {
+        framed: false,
+        ..Options::for_pictures(3)
+    };
+    Some(figure(&result.case.name, &[view(result, row)], &options))
 }
 
 /// Rows to draw: the foremost methods with the head joints that published mechanisms are of, and
@@ -67,6 +79,14 @@ fn drawn(result: &CaseResult) -> (Vec<&Row>, Vec<&Row>) {
     if foremost.is_empty() {
         std::mem::swap(&mut foremost, &mut further);
     }
+    if foremost.is_empty() {
+        // The wall as it stands, with what a method says of it.
+        let mut own = result
+            .rows
+            .iter()
+            .filter(|row| row.kind() != Kind::ClosedForm);
+        foremost.extend(own.next());
+    }
     (foremost, further)
 }
 
@@ -87,13 +107,15 @@ fn view<'a>(result: &'a CaseResult, row: &'a Row) -> View<'a> {
 /// Pixels that a drawing is wide where the page does not make it narrower.
 const WIDTH: f64 = 400.0;
 
-/// Drawings of these rows with so many pixels for a unit of length, so that they can be compared.
-fn drawings(result: &CaseResult, rows: &[&Row], scale: f64) -> Markup {
+/// Drawings of these rows with so many pixels for a unit of length, and so high, so that they can be
+/// compared.
+fn drawings(result: &CaseResult, rows: &[&Row], (scale, height): (f64, f64)) -> Markup {
     let options = Options {
         forces: false,
         framed: false,
         width: WIDTH,
         scale: Some(scale),
+        height,
     };
     let svg = |row: &Row| figure(&result.case.name, &[view(result, row)], &options);
     html! {

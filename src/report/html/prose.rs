@@ -1,9 +1,8 @@
 //! How to read the report, what it cannot vouch for, and what it was made with.
 
-use maud::{Markup, PreEscaped, html};
+use maud::{Markup, html};
 
 use crate::method::{METHODS, Setting, Settings};
-use crate::picture::legend;
 
 /// What the words and marks mean.
 pub fn reading() -> Markup {
@@ -40,8 +39,8 @@ pub fn reading() -> Markup {
         dl.facts { @for entry in METHODS { dt { (entry.name()) } dd { (entry.summary) } } }
         h3 { "Drawings" }
         p { "Blocks are shown displaced along their velocities, much amplified, over their outlines. "
-            "Velocities are first order: distances between blocks mean openings and slips." }
-        figure { (PreEscaped(legend(350.0))) }
+            "Velocities are first order: distances between blocks mean openings and slips. Where more than twenty "
+            "bodies move, colours tell how far each block moves. A legend stands below each drawing." }
         p { "Residuals are the largest violations after scaling total weight, height and live power to 1. "
             "The methods may use the same formulas to decide whether to go on; the verdict is the judge's own "
             "evaluation, from forces and mechanism on the whole scene, and no matrix, scaling or tolerance of a "

@@ -2,70 +2,121 @@
 
 use maud::{Markup, PreEscaped, html};
 
-use crate::answer::Bracket;
-use crate::method::{Kind, method_look};
-use crate::picture::{RangeMark, Ranges, ranges as drawn};
+use crate::answer::Status;
+use crate::case::{Quantity, SourceKind};
+use crate::method::{Kind, Look, Mark, method_look};
+use crate::picture::palette::INK;
+use crate::picture::{
+    Filling, KNOWN, LegendEntry, RangeMark, Ranges, dashed_line, ranges as drawn,
+};
 use crate::run::{CaseResult, Row};
+use crate::scene::HeadJoints;
 
-/// A plot a case that the closed form covers; `None` where it covers none.
+/// A plot a case that has a multiplier; `None` where none has.
 pub fn ranges(results: &[CaseResult]) -> Option<Markup> {
-    let covered: Vec<(&CaseResult, &Row)> = results
+    let figures: Vec<(&CaseResult, String)> = results
         .iter()
-        .filter_map(|result| {
-            let mut rows = result.rows.iter();
-            let closed = rows.find(|row| row.kind() == Kind::ClosedForm)?;
-            closed.outcome.bracket.map(|_| (result, closed))
-        })
+        .filter_map(|result| Some((result, range_figure(result)?)))
         .collect();
-    let rows = covered.iter().flat_map(|(result, _)| &result.rows);
-    let uppers = rows.filter_map(|row| Some(row.outcome.bracket?.upper));
-    let largest = 1.05 * uppers.fold(0.0, f64::max);
-    (!covered.is_empty()).then(|| {
+    (!figures.is_empty()).then(|| {
         html! {
-            p { "The shaded range is the macro-block model's, λ" sub { "low" } " to λ" sub { "upp" }
-                "; every other method is a mark, or a line where it gives a range. The closed form claims "
-                "to contain the true multiplier; its upper value is weak, so that containing says little." }
+            p { "Each plot shows the answers near enough to be told apart; the strip above it has the whole "
+                "range of the macro-block model, λ" sub { "low" } " to λ" sub { "upp" } ", where it applies. "
+                "The closed form claims to contain the true multiplier; its upper value is weak, so that "
+                "containing says little." }
             div.plots {
-                @for (result, closed) in &covered {
-                    figure {
-                        (PreEscaped(one(result, closed, largest)))
-                        figcaption { (result.case.name) ": " (result.case.title) }
-                    }
+                @for (result, figure) in &figures {
+                    figure { (PreEscaped(figure)) figcaption { (result.case.title) } }
                 }
             }
         }
     })
 }
 
-fn one(result: &CaseResult, closed: &Row, largest: f64) -> String {
-    let mut ranges = Vec::new();
-    for row in &result.rows {
-        let Some(bracket) = row.outcome.bracket else {
-            continue;
+/// The ranges of a case as SVG; `None` where no method but the closed form has a multiplier.
+pub fn range_figure(result: &CaseResult) -> Option<String> {
+    let both = result.case.head_joints.len() > 1;
+    let mut rows: Vec<&Row> = result.rows.iter().filter(|row| is_shown(row)).collect();
+    rows.sort_by_key(|row| row.head_joints == HeadJoints::Contact);
+    let ranges: Vec<RangeMark> = rows.iter().map(|row| mark(row, both)).collect();
+    let closed = (result.rows.iter())
+        .find(|row| row.kind() == Kind::ClosedForm && row.outcome.bracket.is_some());
+    let shaded = closed.and_then(|row| {
+        let ends = row.outcome.bracket?;
+        let colour = method_look(&row.method, 0).colour;
+        Some((row.method.clone(), [ends.lower, ends.upper], colour))
+    });
+    let bounds = rows
+        .iter()
+        .filter(|row| row.kind() == Kind::AssociativeBounds && row.status() == Status::Verified);
+    let bounds: Vec<(String, f64)> = bounds
+        .filter_map(|row| Some((row.scene_name(), row.bracket()?.upper)))
+        .collect();
+    let mut entries = Vec::new();
+    let disc = |filling, words: &str| {
+        let look = Look {
+            colour: INK,
+            mark: Mark::Circle,
         };
-        let is_closed_form = row.method == closed.method;
-        // The closed form does not see head joints.
-        if is_closed_form && row.head_joints != closed.head_joints {
-            continue;
-        }
-        ranges.push(RangeMark {
-            name: if is_closed_form {
-                row.method.clone()
-            } else {
-                format!("{}, {}", row.method, row.head_joints.name())
-            },
-            ends: [bracket.lower, bracket.upper],
-            colour: method_look(&row.method, 0).colour,
-            marked: bracket.relative_width(row.multiplier_unit) <= 0.1,
-        });
+        LegendEntry::point(look, filling, words)
+    };
+    if rows.iter().any(|row| row.status() == Status::Verified) {
+        entries.push(disc(Filling::Full, "verified"));
     }
-    let shaded = closed.outcome.bracket.unwrap_or(Bracket::point(0.0));
+    if rows.iter().any(|row| row.status() != Status::Verified) {
+        entries.push(disc(Filling::Open, "not proved"));
+    }
+    if !bounds.is_empty() {
+        let words = "λ with associative friction, a proved upper bound";
+        entries.push(LegendEntry::line(dashed_line(INK), words));
+    }
+    if ranges.iter().any(|range| !range.known.is_empty()) {
+        entries.push(LegendEntry::point(
+            KNOWN,
+            Filling::Open,
+            "published or analytic",
+        ));
+    }
+    if ranges.is_empty() {
+        return None;
+    }
     let picture = Ranges {
         ranges,
-        shaded: [shaded.lower, shaded.upper],
-        shade: method_look(&closed.method, 0).colour,
-        largest,
+        shaded,
+        bounds,
         label: "collapse multiplier λ",
     };
-    drawn(&picture, &format!("Ranges of λ of {}", result.case.name))
+    Some(drawn(&picture, &entries, &result.case.name))
+}
+
+/// Whether a row is a line of the plot: it has a multiplier, and is not the closed form's, which is shaded.
+fn is_shown(row: &Row) -> bool {
+    row.outcome.bracket.is_some() && row.kind() != Kind::ClosedForm
+}
+
+fn mark(row: &Row, both: bool) -> RangeMark {
+    let ends = row
+        .outcome
+        .bracket
+        .map_or([0.0; 2], |ends| [ends.lower, ends.upper]);
+    let known = row.references.iter().filter(|reference| {
+        reference.kind != SourceKind::Independent
+            && matches!(
+                reference.quantity,
+                Quantity::Lambda | Quantity::Lower | Quantity::Upper
+            )
+    });
+    RangeMark {
+        name: match both {
+            true => format!("{}, {}", row.method, row.head_joints.name()),
+            false => row.method.clone(),
+        },
+        ends,
+        look: method_look(&row.method, 0),
+        filling: match row.status() {
+            Status::Verified => Filling::Full,
+            _ => Filling::Open,
+        },
+        known: known.map(|reference| reference.value).collect(),
+    }
 }

@@ -17,6 +17,10 @@ for (const table of document.querySelectorAll("table.sortable")) {
     head.setAttribute("aria-sort", sign > 0 ? "ascending" : "descending");
   }));
 }
+// What is folded is printed.
+const folded = [...document.querySelectorAll("details:not([open])")];
+addEventListener("beforeprint", () => folded.forEach(one => { one.open = true; }));
+addEventListener("afterprint", () => folded.forEach(one => { one.open = false; }));
 // Replays: poses are displacements in steps, linear, as in the drawings.
 for (const figure of document.querySelectorAll("figure.replay")) {
   const { blocks, centres, step, turn, frames } = JSON.parse(figure.querySelector("script").textContent);

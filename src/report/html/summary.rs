@@ -21,16 +21,41 @@ pub fn summary(results: &[CaseResult]) -> Markup {
             .count()
     };
     let bad = verdicts(Verdict::Violated) + statuses(Status::Failed);
-    let headline = match (bad, verdicts(Verdict::NotDecided)) {
-        (0, 0) => "Nothing is violated.",
-        (0, _) => "Nothing is violated; some checks could not be decided.",
-        _ => "Something is violated or failed: see below.",
+    let undecided = statuses(Status::Undecided);
+    let headline = match bad {
+        0 => "Nothing is violated",
+        _ => "Something is violated or failed: see below",
     };
-    let tiles = [
-        (results.len(), "cases", ""),
-        (rows.len(), "results", ""),
-        (statuses(Status::Verified), "of them verified", "good"),
-        (verdicts(Verdict::Holds), "checks hold", "good"),
+    let open_ends = [
+        (undecided, "undecided"),
+        (verdicts(Verdict::NotDecided), "not decided"),
+    ];
+    let open_ends = open_ends.iter().zip(["result", "check"]);
+    let open_ends: Vec<String> = open_ends
+        .filter(|((count, _), _)| *count > 0)
+        .map(|((count, word), of)| match count {
+            1 => format!("1 {of} is {word}"),
+            _ => format!("{count} {of}s are {word}"),
+        })
+        .collect();
+    let headline = match open_ends.as_slice() {
+        [] => format!("{headline}."),
+        all => format!("{headline}; {}.", all.join(", ")),
+    };
+    // Every result is in one tile of the first list, every check in one of the second.
+    let of_status = |status: &Status| {
+        let class = match status {
+            Status::Verified => "good",
+            Status::Undecided => "mixed",
+            Status::Failed => "bad",
+            _ => "",
+        };
+        (statuses(*status), status.name(), class)
+    };
+    let results_by_status = Status::ALL.iter().map(of_status);
+    let results_by_status = results_by_status.filter(|(count, ..)| *count > 0);
+    let checks_by_verdict = [
+        (verdicts(Verdict::Holds), "hold", "good"),
         (verdicts(Verdict::Marked), "marked", "mixed"),
         (
             verdicts(Verdict::Deviates),
@@ -38,7 +63,17 @@ pub fn summary(results: &[CaseResult]) -> Markup {
             "mixed",
         ),
         (verdicts(Verdict::NotDecided), "not decided", "mixed"),
-        (bad, "violated or failed", if bad == 0 { "" } else { "bad" }),
+        (verdicts(Verdict::Violated), "violated", "bad"),
+    ];
+    let tiles = [
+        (
+            format!("{} results of {} cases", rows.len(), results.len()),
+            results_by_status.collect::<Vec<_>>(),
+        ),
+        (
+            format!("{} checks", checks.len()),
+            checks_by_verdict.to_vec(),
+        ),
     ];
     let open: Vec<Vec<TableCell>> = checks
         .iter()
@@ -56,9 +91,12 @@ pub fn summary(results: &[CaseResult]) -> Markup {
         .collect();
     html! {
         p.headline.bad[bad > 0] { (headline) }
-        dl.tiles {
-            @for (count, words, class) in tiles {
-                div class=(class) { dt { (words) } dd { (count) } }
+        @for (heading, tiles) in &tiles {
+            p.tiles-title { (heading) }
+            dl.tiles {
+                @for (count, words, class) in tiles {
+                    div class=(if *count > 0 { class } else { "" }) { dt { (words) } dd { (count) } }
+                }
             }
         }
         @if !open.is_empty() {

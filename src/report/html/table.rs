@@ -58,18 +58,35 @@ impl TableCell {
 
 /// A table with a caption; a click on a column's name sorts by it.
 pub fn sortable(caption: &str, columns: &[&str], rows: &[Vec<TableCell>]) -> Markup {
+    table(caption, columns, rows, true)
+}
+
+/// A table with a caption, for print.
+pub fn plain(caption: &str, columns: &[&str], rows: &[Vec<TableCell>]) -> Markup {
+    table(caption, columns, rows, false)
+}
+
+/// Narrow screens show a row as a list of cells behind the names of their columns; print, which cannot
+/// repeat buttons, takes the names in their stead.
+fn table(caption: &str, columns: &[&str], rows: &[Vec<TableCell>], sorts: bool) -> Markup {
     html! {
         div.scroll tabindex="0" role="region" aria-label=(caption) {
-            table.sortable {
+            table.sortable[sorts] {
                 caption { (caption) }
                 thead { tr {
                     @for column in columns {
-                        th scope="col" aria-sort="none" { button type="button" { (column) } }
+                        @if sorts {
+                            th scope="col" aria-sort="none" data-name=(column) { button type="button" { (column) } }
+                        } @else {
+                            th scope="col" { (column) }
+                        }
                     }
                 } }
                 tbody {
                     @for row in rows {
-                        tr { @for (place, cell) in row.iter().enumerate() { (shown(place, cell)) } }
+                        tr { @for (cell, (place, name)) in row.iter().zip(columns.iter().enumerate()) {
+                            (shown(place, name, cell))
+                        } }
                     }
                 }
             }
@@ -77,14 +94,14 @@ pub fn sortable(caption: &str, columns: &[&str], rows: &[Vec<TableCell>]) -> Mar
     }
 }
 
-fn shown(place: usize, cell: &TableCell) -> Markup {
+fn shown(place: usize, name: &str, cell: &TableCell) -> Markup {
     let inner = html! {
         @if let Some(to) = &cell.link { a href=(to) { (cell.text) } } @else { (cell.text) }
     };
     match (place, cell.class) {
         (0, _) => html! { th scope="row" { (inner) } },
-        (_, "") => html! { td { (inner) } },
-        (_, class) => html! { td class=(class) { (inner) } },
+        (_, "") => html! { td data-name=(name) { (inner) } },
+        (_, class) => html! { td class=(class) data-name=(name) { (inner) } },
     }
 }
 

@@ -217,24 +217,30 @@ mod tests {
             associative: 0.6,
             accuracy: 1e-6,
         };
-        let of = |kind, status, ends| of(kind, known, status, ends, 0.0);
-        let bounds = |ends| of(Kind::AssociativeBounds, Status::Verified, ends);
-        assert_eq!(bounds([0.6, 0.6]), Right);
-        assert_eq!(bounds([0.4, 0.5]), Wrong);
-        let states = |ends| of(Kind::CollapseStates, Status::Verified, ends);
-        assert_eq!(states([0.4, 0.55]), Right);
-        assert_eq!(states([0.39, 0.39]), Right);
-        assert_eq!(states([0.45, 0.5]), Inaccurate);
-        assert_eq!(states([0.4, 0.61]), Wrong);
-        let enclosure = |ends| of(Kind::Enclosure, Status::Bracketed, ends);
-        assert_eq!(enclosure([0.4, 0.6]), Right);
-        assert_eq!(enclosure([0.4, 0.59]), Wrong);
-        assert_eq!(enclosure([0.61, 0.61]), Wrong);
-        let seen = |ends| of(Kind::Observed, Status::Bracketed, ends);
-        assert_eq!(seen([0.4, 0.5]), Right);
-        assert_eq!(seen([0.55, 0.55]), Inaccurate);
-        assert_eq!(seen([0.61, 0.62]), Wrong);
-        assert_eq!(seen([0.38, 0.39]), Wrong);
+        let (bounds, states) = (Kind::AssociativeBounds, Kind::CollapseStates);
+        let (enclosure, seen) = (Kind::Enclosure, Kind::Observed);
+        for (kind, ends, expected) in [
+            (bounds, [0.6, 0.6], Right),
+            (bounds, [0.4, 0.5], Wrong),
+            (states, [0.4, 0.55], Right),
+            (states, [0.39, 0.39], Right),
+            (states, [0.45, 0.5], Inaccurate),
+            (states, [0.4, 0.61], Wrong),
+            (enclosure, [0.4, 0.6], Right),
+            (enclosure, [0.4, 0.59], Wrong),
+            (enclosure, [0.61, 0.61], Wrong),
+            (seen, [0.4, 0.5], Right),
+            (seen, [0.55, 0.55], Inaccurate),
+            (seen, [0.61, 0.62], Wrong),
+            (seen, [0.38, 0.39], Wrong),
+        ] {
+            let status = match kind {
+                Kind::Enclosure | Kind::Observed => Status::Bracketed,
+                _ => Status::Verified,
+            };
+            let found = of(kind, known, status, ends, 0.0);
+            assert_eq!(found, expected, "{kind:?} {ends:?}");
+        }
     }
 
     #[test]

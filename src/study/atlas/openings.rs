@@ -75,68 +75,53 @@ pub struct Pierced {
     pub head_joints: HeadJoints,
 }
 
-/// Openings, height, [λ_A, lowest, highest state known] of a [`Pierced`] wall with head joints in
-/// contact, and [λ_A, its one state] with open ones. Two of height 5 are Ferris & Tin-Loi's wall 4.
-const PIERCED: [(usize, usize, [f64; 3], [f64; 2]); 8] = [
-    (
-        1,
-        1,
+/// Heights of the openings of [`Pierced`] walls that another code was asked about, in courses.
+const HEIGHTS: [usize; 4] = [1, 3, 5, 7];
+
+/// λ_A, lowest and highest state known with head joints in contact, over [`HEIGHTS`], with one opening
+/// and with two. Two of height 5 are Ferris & Tin-Loi's wall 4.
+const CONTACT: [[[f64; 3]; 4]; 2] = [
+    [
         [0.497459344, 0.451827243, 0.497459344],
-        [0.451827243; 2],
-    ),
-    (
-        1,
-        3,
         [0.389828260, 0.334065934, 0.369747899],
-        [0.336658849, 0.334065934],
-    ),
-    (
-        1,
-        5,
         [0.313520413, 0.263736264, 0.276497696],
-        [0.265530256, 0.263736264],
-    ),
-    (
-        1,
-        7,
         [0.255399419, 0.217237308, 0.239543198],
-        [0.218069935, 0.217237308],
-    ),
-    (
-        2,
-        1,
+    ],
+    [
         [0.497459344, 0.451827243, 0.497459344],
-        [0.451827243; 2],
-    ),
-    (
-        2,
-        3,
         [0.408442321, 0.334065934, 0.394694760],
-        [0.350333684, 0.334065934],
-    ),
-    (
-        2,
-        5,
         [0.331948395, 0.263736264, 0.306981045],
-        [0.285403238, 0.263736264],
-    ),
-    (
-        2,
-        7,
         [0.269376750, 0.217237308, 0.247030879],
+    ],
+];
+
+/// λ_A and the one state with open head joints, in the same order.
+const OPEN: [[[f64; 2]; 4]; 2] = [
+    [
+        [0.451827243, 0.451827243],
+        [0.336658849, 0.334065934],
+        [0.265530256, 0.263736264],
+        [0.218069935, 0.217237308],
+    ],
+    [
+        [0.451827243, 0.451827243],
+        [0.350333684, 0.334065934],
+        [0.285403238, 0.263736264],
         [0.232799905, 0.217237308],
-    ),
+    ],
 ];
 
 impl Pierced {
     /// What another code found, where one was asked.
     pub fn known(&self) -> Option<Known> {
-        let is_this =
-            |known: &&(usize, usize, _, _)| (known.0, known.1) == (self.openings, self.height);
-        let &(.., contact, open) = PIERCED.iter().find(is_this)?;
+        let height = HEIGHTS.iter().position(|&height| height == self.height)?;
+        let openings = self.openings.checked_sub(1)?;
         let [associative, lower, upper] = match self.head_joints {
-            HeadJoints::Contact => contact,
-            HeadJoints::Open => [open[0], open[1], open[1]],
+            HeadJoints::Contact => CONTACT.get(openings)?[height],
+            HeadJoints::Open => {
+                let [associative, state] = OPEN.get(openings)?[height];
+                [associative, state, state]
+            }
         };
         Some(Known {
             states: Bracket { lower, upper },

@@ -4,7 +4,7 @@ use super::cell::{Cell, CellVerdict};
 use super::grid::Grid;
 use super::text::{between, methods};
 use crate::picture::palette::{INACCURATE, REFUSED, RIGHT, Tone, WRONG};
-use crate::picture::{self, Cells, Field};
+use crate::picture::{self, Cells, Field, LegendEntry};
 use crate::run::{Partial, titled};
 
 /// The picture of one grid as SVG: the same bytes for the same cells. It says so where it is partial.
@@ -37,8 +37,8 @@ pub fn picture(grid: &Grid, cells: &[Cell], partial: Option<&Partial>) -> String
             partial,
         ),
         legend: CellVerdict::ALL
-            .map(|verdict| (tone(verdict), meaning(verdict)))
-            .to_vec(),
+            .map(|verdict| LegendEntry::shade(tone(verdict).fill, 1.0, meaning(verdict)))
+            .into(),
         x_label: grid.x,
         fields: methods(grid, cells).into_iter().map(field).collect(),
         xs: xs.clone(),

@@ -11,6 +11,8 @@ pub struct Step<'a> {
     pub settings: Settings,
     /// What is not as by default, as `name=value`; `default` where nothing is.
     pub label: String,
+    /// Whether it is quick rather than right.
+    pub loose: bool,
 }
 
 /// The steps for a scene of that many blocks, method by method: the default first, then its ladder;
@@ -18,16 +20,16 @@ pub struct Step<'a> {
 pub fn ladder<'a>(blocks: usize, externals: &[&'a dyn Method]) -> Vec<Step<'a>> {
     let mut steps = Vec::new();
     for entry in METHODS {
-        steps.push(step(entry.method, &[]));
+        steps.push(step(entry.method, &[], false));
         let rungs = entry.ladder.iter();
         let rungs = rungs.filter(|rung| rung.scenes.hold(blocks));
-        steps.extend(rungs.map(|rung| step(entry.method, rung.changes)));
+        steps.extend(rungs.map(|rung| step(entry.method, rung.changes, rung.loose)));
     }
-    steps.extend(externals.iter().map(|&method| step(method, &[])));
+    steps.extend(externals.iter().map(|&method| step(method, &[], false)));
     steps
 }
 
-fn step<'a>(method: &'a dyn Method, changes: Changes) -> Step<'a> {
+fn step<'a>(method: &'a dyn Method, changes: Changes, loose: bool) -> Step<'a> {
     let mut settings = Settings::default();
     for (name, value) in changes {
         let set = settings.set(name, value);
@@ -40,6 +42,7 @@ fn step<'a>(method: &'a dyn Method, changes: Changes) -> Step<'a> {
     Step {
         method,
         settings,
+        loose,
         label: if words.is_empty() {
             "default".to_owned()
         } else {

@@ -1,13 +1,15 @@
 //! Speed against accuracy: every method over its ladder of settings, on one plane.
 //!
 //! ```text
-//! cases × ladder ── sweep runner ──▶ table ──▶ chart.csv, chart.svg (a panel a scene)
+//! cases × ladder ── sweep runner ──▶ table ──▶ chart.csv, chart.svg (a plot a scene)
 //!                                      └────▶ summary.csv (a line a method and setting)
 //! ```
 
 mod front;
+mod highest;
 mod ladder;
 mod picture;
+mod price;
 mod reference;
 mod summary;
 mod table;
@@ -15,6 +17,7 @@ mod table;
 pub use front::front;
 pub use ladder::{Step, ladder};
 pub use picture::picture;
-pub use reference::reference;
+pub use price::{Price, price_picture, prices};
+pub use reference::{ReferenceRange, reference};
 pub use summary::{Summary, csv as summary_csv, summaries, table as summary_table};
 pub use table::{Chart, Measurement, csv, run};

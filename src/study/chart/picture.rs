@@ -1,24 +1,28 @@
-//! The picture: a panel a scene, time and error on log axes.
-//!
-//! Logarithms are plotted on linear axes whose ticks say what they stand for, so that bars and the
-//! band of failures are placed in decades.
+//! The picture: a plot a scene, time and error on logarithmic axes.
 
 use indexmap::{IndexMap, IndexSet};
 
 use super::front::{FLOOR, front};
 use super::table::Measurement;
-use crate::method::{Look, METHODS, method_look};
+use crate::answer::Bracket;
+use crate::method::{Look, METHODS, Mark, method_look};
 use crate::number::short;
-use crate::picture::palette::{FRONT, NO_ANSWER};
-use crate::picture::{Band, Line, Marks, Note, Plot, PlotAxis, PlotPoint, Ticks, panels};
+use crate::picture::palette::{FRONT, INK, NO_ANSWER};
+use crate::picture::{
+    Band, Filling, LegendEntry, Line, Marks, Plot, PlotAxis, PlotPoint, Ticks, dashed_line, plots,
+    solid_line,
+};
 use crate::run::{Partial, titled};
 
-/// The plane of all panels, in decades.
+/// The plane of all plots, in decades of seconds and of per cent.
 #[derive(Clone, Copy)]
 struct Plane {
     seconds: [f64; 2],
     errors: [f64; 2],
 }
+
+/// Per cent in one.
+const PERCENT: f64 = 2.0;
 
 impl Plane {
     fn of(entries: &[Measurement]) -> Self {
@@ -34,47 +38,43 @@ impl Plane {
                 logs().fold(f64::INFINITY, f64::min).floor(),
                 logs().fold(-9.0, f64::max).ceil().max(-8.0),
             ],
-            errors: [FLOOR.log10() - 0.5, largest + 1.0],
+            errors: [FLOOR.log10() + PERCENT - 0.5, largest + PERCENT + 0.9],
         }
     }
 
     /// Lower end of the band of failures.
     fn limit(&self) -> f64 {
-        self.errors[1] - 1.0
+        self.errors[1] - 0.7
     }
 
     /// Where failures are marked.
     fn failures(&self) -> f64 {
-        self.errors[1] - 0.5
+        self.errors[1] - 0.35
     }
 
     fn place(&self, entry: &Measurement) -> [f64; 2] {
-        let y = match entry.error() {
-            Some(error) => error.max(FLOOR).log10(),
-            None => self.failures(),
-        };
+        let y = entry.error().map_or(self.failures(), of_error);
         [entry.row.seconds.max(1e-9).log10(), y]
     }
 
-    /// Time, with a tick a decade.
     fn time(&self) -> PlotAxis {
-        let [from, to] = self.seconds.map(|end| end as i32);
-        let ticks = (from..=to).map(|decade| (f64::from(decade), duration(decade)));
         PlotAxis {
-            label: "CPU time, median".to_owned(),
-            ticks: Ticks::Words(self.seconds, ticks.collect()),
+            label: "CPU time, seconds".to_owned(),
+            ticks: Ticks::Decades(self.seconds, self.seconds[1] as i32),
         }
     }
 
-    /// Error, with a tick a decade up to the band of failures.
     fn error(&self) -> PlotAxis {
-        let [from, to] = [FLOOR.log10().round(), self.limit()].map(|end| end as i32);
-        let ticks = (from..=to).map(|decade| (f64::from(decade), share(decade)));
         PlotAxis {
-            label: "error, relative".to_owned(),
-            ticks: Ticks::Words(self.errors, ticks.collect()),
+            label: "error, %".to_owned(),
+            ticks: Ticks::Decades(self.errors, self.limit().floor() as i32),
         }
     }
+}
+
+/// An error as a height: none is below the floor.
+fn of_error(error: f64) -> f64 {
+    error.max(FLOOR).log10() + PERCENT
 }
 
 /// The chart as SVG: the same bytes for the same table. It says so where it is partial.
@@ -89,24 +89,54 @@ pub fn picture(entries: &[Measurement], partial: Option<&Partial>) -> String {
             .collect();
         panel(&own, &looks, plane)
     };
-    let plots: Vec<Plot> = cases.iter().map(of_case).collect();
-    let title = "Speed against accuracy: CPU time, and error of the farther end of the bracket";
-    panels(&titled(title, partial), &plots, &looks)
+    let panels: Vec<Plot> = cases.iter().map(of_case).collect();
+    plots(
+        &titled("Speed against accuracy", partial),
+        &panels,
+        &legend(&looks),
+    )
+}
+
+/// Every mark, line and shade of the plots.
+fn legend(looks: &IndexMap<&str, Look>) -> Vec<LegendEntry> {
+    let methods = looks.iter();
+    let mut entries: Vec<LegendEntry> = methods
+        .map(|(name, look)| LegendEntry::point(*look, Filling::Full, *name))
+        .collect();
+    let disc = |filling, words: &str| {
+        let look = Look {
+            colour: INK,
+            mark: Mark::Circle,
+        };
+        LegendEntry::point(look, filling, words)
+    };
+    entries.extend([
+        disc(Filling::Full, "not above the lowest state: safe"),
+        disc(Filling::Open, "above it"),
+        disc(Filling::Hollow, "loose setting"),
+        LegendEntry::bar(INK, "from the better to the worse end"),
+        LegendEntry::line(solid_line(FRONT), "front of what vouches for itself"),
+        LegendEntry::line(dashed_line(INK), "floor: the references' digits"),
+        LegendEntry::shade(NO_ANSWER, 0.12, "no answer"),
+    ]);
+    entries
 }
 
 /// Names and looks of the methods, those of the table first and in its order.
 fn looks(entries: &[Measurement]) -> IndexMap<&str, Look> {
-    let ours = METHODS.iter().map(|entry| (entry.name(), entry.look));
-    let mut looks: IndexMap<&str, Look> = ours.collect();
+    let used = |name: &str| entries.iter().any(|entry| entry.row.method == name);
+    let ours = METHODS.iter().filter(|entry| used(entry.name()));
+    let mut looks: IndexMap<&str, Look> = ours.map(|entry| (entry.name(), entry.look)).collect();
+    let own = looks.len();
     for entry in entries {
-        let outside = looks.len() - METHODS.len();
+        let outside = looks.len() - own;
         let look = || method_look(&entry.row.method, outside);
         looks.entry(&entry.row.method).or_insert_with(look);
     }
     looks
 }
 
-/// One scene: points with bars, the front with names, the band of failures.
+/// One scene: points with bars, the front with names, the floor, the band of failures.
 fn panel(own: &[&Measurement], looks: &IndexMap<&str, Look>, plane: Plane) -> Plot {
     let front = front(own);
     let on_front = |entry: &Measurement| front.iter().any(|member| std::ptr::eq(*member, entry));
@@ -115,50 +145,85 @@ fn panel(own: &[&Measurement], looks: &IndexMap<&str, Look>, plane: Plane) -> Pl
         let points = of_method.map(|entry| PlotPoint {
             at: plane.place(entry),
             below: below(entry),
+            filling: filling(entry),
             name: on_front(entry).then(|| entry.name()),
+            tooltip: tooltip(entry),
         });
         Marks {
             look,
             points: points.collect(),
         }
     });
+    let [from, to] = plane.seconds;
+    let floor = of_error(0.0);
+    let line = |points, colour, dashed| Line {
+        points,
+        colour,
+        name: None,
+        dashed,
+    };
     Plot {
         title: title(own),
+        about: about(own),
         x: plane.time(),
         y: plane.error(),
         bands: vec![Band {
             ends: [plane.limit(), plane.errors[1]],
             colour: NO_ANSWER,
         }],
-        lines: vec![Line {
-            points: steps(&front, plane),
-            colour: FRONT,
-            name: None,
-            dashed: false,
-        }],
+        lines: vec![
+            line(vec![[from, floor], [to, floor]], INK, true),
+            line(steps(&front, plane), FRONT, false),
+        ],
         marks: marks.collect(),
-        notes: vec![Note {
-            at: [plane.seconds[0] + 0.45, plane.failures()],
-            words: "no answer",
-        }],
+        ..Plot::default()
     }
 }
 
-/// The scene, and what its errors are measured against.
-fn title(own: &[&Measurement]) -> String {
-    let known = own.first().and_then(|entry| entry.reference.as_ref());
-    let against = known.map_or(String::new(), |known| {
-        let source = format!("{} {}", known.kind.name(), known.method);
-        format!(" against {} ({source})", short(known.value, 6))
-    });
-    let case = own.first().map(|entry| entry.row.scene_name());
-    format!("{}{against}", case.unwrap_or_default())
+fn filling(entry: &Measurement) -> Filling {
+    match (entry.loose, entry.error().is_none() || entry.is_safe()) {
+        (true, _) => Filling::Hollow,
+        (false, true) => Filling::Full,
+        (false, false) => Filling::Open,
+    }
 }
 
-/// From the error down to the nearer end of the bracket, in decades; nothing for what is one number.
+fn tooltip(entry: &Measurement) -> String {
+    let percent = |error: f64| format!("{:.1e} %", 100.0 * error);
+    let error = entry.error().map_or("no answer".to_owned(), percent);
+    let seconds = entry.row.seconds;
+    format!("{}: {error}, {seconds:.1e} s", entry.name())
+}
+
+fn title(own: &[&Measurement]) -> String {
+    let row = own.first().map(|entry| &entry.row);
+    row.map_or(String::new(), |row| {
+        format!("{}, {} head joints", row.case, row.head_joints.name())
+    })
+}
+
+/// What the errors are measured against.
+fn about(own: &[&Measurement]) -> String {
+    let Some(known) = own.first().and_then(|entry| entry.reference.as_ref()) else {
+        return String::new();
+    };
+    let Bracket { lower, upper } = known.range;
+    let kind = known.lowest.kind.name();
+    if upper > lower {
+        let [lower, upper] = [lower, upper].map(|end| short(end, 6));
+        format!("error against the states {lower} to {upper} ({kind})")
+    } else if known.is_associative() {
+        let value = short(lower, 6);
+        format!("error against associative {value} ({kind}): no lowest state is known")
+    } else {
+        format!("error against {} ({kind})", short(lower, 6))
+    }
+}
+
+/// From the error down to that of the better end, in decades; nothing for what is one number.
 fn below(entry: &Measurement) -> f64 {
     match (entry.error(), entry.nearest()) {
-        (Some(error), Some(nearest)) => error.max(FLOOR).log10() - nearest.max(FLOOR).log10(),
+        (Some(error), Some(nearest)) => of_error(error) - of_error(nearest),
         _ => 0.0,
     }
 }
@@ -177,45 +242,4 @@ fn steps(front: &[&Measurement], plane: Plane) -> Vec<[f64; 2]> {
         steps.push([plane.seconds[1], last]);
     }
     steps
-}
-
-/// A power of ten in seconds, in words.
-fn duration(decade: i32) -> String {
-    let digits = |power: i32| 10i64.pow(power.clamp(0, 18) as u32);
-    match decade {
-        ..-6 => format!("{} ns", digits(decade + 9)),
-        -6..-3 => format!("{} µs", digits(decade + 6)),
-        -3..0 => format!("{} ms", digits(decade + 3)),
-        _ => format!("{} s", digits(decade)),
-    }
-}
-
-/// A power of ten as a relative error, in words.
-fn share(decade: i32) -> String {
-    let error = 10f64.powi(decade);
-    if error <= 1.01 * FLOOR {
-        "≤ 1e-6".to_owned()
-    } else if error < 0.99e-3 {
-        format!("1e{decade}")
-    } else {
-        format!("{} %", short(100.0 * error, 1))
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn ticks_say_what_the_decades_are() {
-        let words = [-7, -6, -4, -3, -1, 0, 2].map(duration);
-        assert_eq!(
-            words,
-            ["100 ns", "1 µs", "100 µs", "1 ms", "100 ms", "1 s", "100 s"]
-        );
-        assert_eq!(
-            [-6, -4, -3, -1].map(share),
-            ["≤ 1e-6", "1e-4", "0.1 %", "10 %"]
-        );
-    }
 }

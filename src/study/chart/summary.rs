@@ -81,8 +81,8 @@ pub fn table(summaries: &[Summary]) -> String {
         "\nmean: geometric mean of the CPU time over the scenes, shifted by 1 ms; shares of the \
          scenes whose answer\n(verified, bracketed or estimate) lies within that of the reference, \
          the farther end of a bracket counting;\nno answer lies within nothing. A scene's reference \
-         is the best known collapse multiplier without dilatancy,\nthe lowest verified where head \
-         joints are in contact.\n",
+         is its collapse multiplier without dilatancy,\nthe range of its lowest and highest state \
+         where there are several: the error is max(|a - r|, |b - R|) / r.\n",
     );
     text
 }

@@ -5,9 +5,9 @@ use std::collections::BTreeMap;
 use std::io;
 
 use super::ladder::{Step, ladder};
-use super::reference;
-use crate::answer::{Status, magnitude};
-use crate::case::{Case, Reference};
+use super::reference::{ReferenceRange, reference};
+use crate::answer::{Bracket, Status};
+use crate::case::Case;
 use crate::method::Method;
 use crate::run::{
     self, Journal, Progress, Row, Subject, Task, Value, fingerprint, run_rows, values,
@@ -22,26 +22,44 @@ pub struct Measurement {
     /// Number of runs that the median is of.
     pub runs: usize,
     /// What the scene's answers are measured against.
-    pub reference: Option<Reference>,
+    pub reference: Option<ReferenceRange>,
+    /// Whether its setting is meant to be quick rather than right.
+    pub loose: bool,
 }
 
 impl Measurement {
-    /// Error of an answer: the farther end of the bracket from the reference, relative to it. `None`
-    /// where there is no answer: `undecided`, `failed` and the like.
-    pub fn error(&self) -> Option<f64> {
+    /// The answer's bracket; `None` where there is no answer: `undecided`, `failed` and the like.
+    fn answer(&self) -> Option<Bracket> {
         let answered = matches!(
             self.row.status(),
             Status::Verified | Status::Bracketed | Status::Estimate
         );
-        let bracket = self.row.bracket().filter(|_| answered)?;
-        Some(bracket.error(self.reference.as_ref()?.value, self.row.multiplier_unit))
+        self.row.bracket().filter(|_| answered)
     }
 
-    /// Distance of the nearer end, relative to the reference; 0 where it lies in the bracket.
+    /// Error of an answer, see [`ReferenceRange::error`]; `None` where there is no answer.
+    pub fn error(&self) -> Option<f64> {
+        let unit = self.row.multiplier_unit;
+        Some(self.reference.as_ref()?.error(self.answer()?, unit))
+    }
+
+    /// Distance of the end that is nearer to its own of the reference range.
     pub fn nearest(&self) -> Option<f64> {
-        let (bracket, known) = (self.row.bracket()?, self.reference.as_ref()?.value);
-        let outside = (bracket.lower - known).max(known - bracket.upper).max(0.0);
-        Some(outside / magnitude(known, self.row.multiplier_unit))
+        let unit = self.row.multiplier_unit;
+        let [lower, upper] = self.reference.as_ref()?.distances(self.answer()?, unit);
+        Some(lower.min(upper))
+    }
+
+    /// Whether the answer's lower end is not above the lowest state that is known.
+    pub fn is_safe(&self) -> bool {
+        let unit = self.row.multiplier_unit;
+        let known = self.reference.as_ref().zip(self.answer());
+        known.is_some_and(|(known, answer)| known.is_safe(answer, unit))
+    }
+
+    /// Whether the answer vouches for itself, and its setting is not a loose one.
+    pub fn vouches(&self) -> bool {
+        !self.loose && matches!(self.row.status(), Status::Verified | Status::Bracketed)
     }
 
     /// What is not as by default.
@@ -187,7 +205,8 @@ impl<'a> Planned<'a> {
         seconds.sort_by(f64::total_cmp);
         Measurement {
             runs: seconds.len(),
-            reference: reference(self.case, self.head_joints).cloned(),
+            reference: reference(self.case, self.head_joints),
+            loose: self.step.loose,
             row: Row {
                 seconds: seconds[seconds.len() / 2],
                 ..row
@@ -213,6 +232,7 @@ pub fn csv(entries: &[Measurement]) -> Result<String, csv::Error> {
         "seconds",
         "runs",
         "reference",
+        "reference_upper",
         "reference_kind",
         "reference_method",
         "reference_source",
@@ -227,11 +247,12 @@ fn line(entry: &Measurement) -> Vec<Value> {
         .row
         .bracket()
         .map(|bracket| bracket.relative_width(entry.row.multiplier_unit));
-    let of_reference: [Value; 4] = [
-        known.map(|r| r.value).into(),
-        known.map(|r| r.kind.name().to_owned()).into(),
-        known.map(|r| r.method.clone()).into(),
-        known.map(|r| r.source.clone()).into(),
+    let of_reference: [Value; 5] = [
+        known.map(|r| r.range.lower).into(),
+        known.map(|r| r.range.upper).into(),
+        known.map(|r| r.lowest.kind.name().to_owned()).into(),
+        known.map(|r| r.lowest.method.clone()).into(),
+        known.map(|r| r.lowest.source.clone()).into(),
     ];
     let row = |names| values(&entry.row, names);
     [

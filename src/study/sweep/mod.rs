@@ -1,7 +1,7 @@
 //! Sweeps: an enumeration of points, run on all cores and kept as rows.
 //!
 //! ```text
-//! FILE.sweep.toml ── plan ──▶ points ── run ──▶ rows ──▶ sweep.csv, times.csv
+//! FILE.sweep.toml ── plan ──▶ points ── run ──▶ rows ──▶ sweep.csv, times.csv, sweep.svg
 //!                                        │
 //!                                     journal (resume), shards (more machines)
 //! ```
@@ -10,11 +10,16 @@
 //! determines the answer. Charts and atlas make points in code and run them the same way.
 
 mod compare;
+mod curves;
+mod fields;
 mod file;
+mod known;
 mod library;
 mod name;
 mod neighbours;
+mod picture;
 mod plan;
+mod points;
 mod replace;
 mod shard;
 mod table;
@@ -23,6 +28,8 @@ mod variants;
 
 pub use compare::{SweepCheck, compare};
 pub use library::embedded;
+pub use picture::sweep_picture;
 pub use plan::Sweep;
+pub use points::{SweepError, SweepTable, Variable};
 pub use shard::{MOST_SHARDS, Shard, merge};
 pub use table::{sweep_csv, times_csv};

@@ -12,7 +12,7 @@
 use super::noise::Noise;
 use crate::answer::{JointForce, SearchFailure, Work, dead_power};
 use crate::method::limit::ending::{Ending, Solution};
-use crate::method::limit::equilibration::{Evening, evenings};
+use crate::method::limit::equilibration::{UnitPower, unit_powers};
 use crate::method::limit::program::{FrictionLaw, Program};
 use crate::method::settings::{Engine, LP_TOLERANCE};
 use crate::scene::Scene;
@@ -104,8 +104,8 @@ pub(super) enum Refinement {
 /// How the programs of a search are written and solved.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Numerics {
-    /// How units of unequal blocks are evened out.
-    pub(super) evening: Evening,
+    /// Units of unequal blocks.
+    pub(super) power: UnitPower,
     /// What solves them.
     pub(super) engine: Engine,
     /// How far Clarabel refines.
@@ -116,7 +116,7 @@ impl Numerics {
     /// Those that are tried first, enough for most scenes.
     pub(super) fn first(engine: Engine) -> Numerics {
         Numerics {
-            evening: Evening::CubeRoot,
+            power: UnitPower::CubeRoot,
             engine,
             refinement: Refinement::Rough,
         }
@@ -127,10 +127,10 @@ impl Numerics {
     /// programs of unequal blocks have at once.
     pub(super) fn of(scene: &Scene, engine: Engine) -> Vec<Numerics> {
         let first = Self::first(engine);
-        let evened = evenings(scene)
+        let by_power = unit_powers(scene)
             .iter()
-            .map(|&evening| Numerics { evening, ..first });
-        let mut all: Vec<_> = evened.collect();
+            .map(|&power| Numerics { power, ..first });
+        let mut all: Vec<_> = by_power.collect();
         if all.len() == 1 {
             all.push(Numerics {
                 engine: Engine::Clarabel,
@@ -168,7 +168,7 @@ impl<'a> Search<'a> {
             slope: joint.friction,
             intercept: 0.0,
         });
-        let program = Program::evened(scene, LP_TOLERANCE, numerics.evening);
+        let program = Program::with_units(scene, LP_TOLERANCE, numerics.power);
         let mut program = program.by(numerics.engine);
         if numerics.refinement == Refinement::Rough {
             program.refine_less();

@@ -1,0 +1,112 @@
+//! The legend of drawings: what occurs in them, and nothing else.
+
+use super::axes::round_below;
+use super::legend::LegendEntry;
+use super::mechanism::Occurring;
+use super::palette::{BEFORE, CRACK, FORCE, INK, MACRO_CRACK, SCALE, SLIDING, STILL, SUPPORT};
+use super::svg::style;
+use crate::number::short;
+
+/// What drawings hold, which their legend explains.
+#[derive(Clone, Debug, Default)]
+pub struct Holds {
+    /// Marks of a mechanism.
+    pub mechanism: Occurring,
+    /// Whether there is a mechanism at all.
+    pub moved: bool,
+    /// Supports.
+    pub supports: bool,
+    /// The lines of c and e.
+    pub crack: bool,
+    /// The crack of the macro-block model.
+    pub macro_crack: bool,
+    /// A round force, and the pixels of its arrow.
+    pub force: Option<(f64, f64)>,
+}
+
+impl Holds {
+    /// What either holds.
+    pub fn and(mut self, other: Holds) -> Self {
+        let Occurring {
+            still,
+            tints,
+            scale,
+            slides,
+            opens,
+        } = other.mechanism;
+        let own = &mut self.mechanism;
+        own.still |= still;
+        own.scale |= scale;
+        own.slides |= slides;
+        own.opens |= opens;
+        for tint in tints {
+            if !own.tints.contains(&tint) {
+                own.tints.push(tint);
+            }
+        }
+        Holds {
+            moved: self.moved || other.moved,
+            supports: self.supports || other.supports,
+            crack: self.crack || other.crack,
+            macro_crack: self.macro_crack || other.macro_crack,
+            force: self.force.or(other.force),
+            mechanism: self.mechanism,
+        }
+    }
+}
+
+/// The entries that explain what is there, with the length that is drawn so many pixels long.
+pub fn entries(holds: &Holds, scale: f64) -> Vec<LegendEntry> {
+    let line = |colour: &str, width: f64| style().hollow().stroke(colour).stroke_width(width);
+    let mut entries = Vec::new();
+    let occurs = &holds.mechanism;
+    if holds.supports {
+        entries.push(LegendEntry::shade(SUPPORT, 1.0, "support"));
+    }
+    if occurs.still {
+        entries.push(LegendEntry::tints(vec![STILL], "stands still"));
+    }
+    match occurs.tints.as_slice() {
+        [] => {}
+        [one] => entries.push(LegendEntry::tints(vec![one], "moves as one body")),
+        several => {
+            let words = "a tint moves as one body";
+            entries.push(LegendEntry::tints(several.to_vec(), words));
+        }
+    }
+    if occurs.scale {
+        let ends = ["0".to_owned(), "100 %".to_owned()];
+        let words = "of the largest displacement";
+        entries.push(LegendEntry::scale(&SCALE, ends, words));
+    }
+    if occurs.slides {
+        entries.push(LegendEntry::haloed(line(SLIDING, 2.4), "joint slides"));
+    }
+    if occurs.opens {
+        entries.push(LegendEntry::gap("joint opens"));
+    }
+    if holds.moved {
+        entries.push(LegendEntry::line(line(BEFORE, 1.2), "before"));
+    }
+    if holds.crack {
+        entries.push(LegendEntry::line(line(CRACK, 1.4), "crack of c and e"));
+    }
+    if holds.macro_crack {
+        let dashes = line(MACRO_CRACK, 1.5).dashes("7 4");
+        entries.push(LegendEntry::line(dashes, "macro-block crack"));
+    }
+    if let Some((force, pixels)) = holds.force {
+        let words = format!(
+            "contact force of {}, on the block that it points into",
+            short(force, 9)
+        );
+        entries.push(LegendEntry::arrow(FORCE, pixels, words));
+    }
+    let length = round_below(LENGTH / scale);
+    let words = format!("{} units of length", short(length, 9));
+    entries.push(LegendEntry::length(INK, length * scale, words));
+    entries
+}
+
+/// Pixels that the length of the legend is long, at most.
+const LENGTH: f64 = 60.0;

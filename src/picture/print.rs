@@ -1,0 +1,110 @@
+//! Drawings as PNG and PDF, with the fonts of the machine. The SVG is the drawing; these are prints of it.
+
+use std::sync::Arc;
+
+use resvg::tiny_skia::{Pixmap, Transform};
+use resvg::usvg::{self, Options, Tree, fontdb::Database};
+use svg2pdf::{ConversionOptions, PageOptions};
+
+/// Pixels of a PNG for one of the drawing: it is sharp in print at a drawing's own size.
+const SHARPNESS: f32 = 3.0;
+
+/// Pixels of a drawing to an inch, as in a browser.
+const DPI: f32 = 96.0;
+
+/// Why a drawing cannot be printed.
+#[derive(Debug, thiserror::Error)]
+pub enum PrintError {
+    /// Text would be missing.
+    #[error("no font is installed that drawings can be printed with: {}", FONTS.join(", "))]
+    NoFont,
+    /// The drawing is not understood.
+    #[error("the drawing cannot be read: {0}")]
+    Unreadable(#[from] usvg::Error),
+    /// It has no size, or one beyond every memory.
+    #[error("the drawing cannot be printed in its size")]
+    Size,
+    /// The PNG cannot be made.
+    #[error("the PNG cannot be made: {0}")]
+    Png(String),
+    /// The PDF cannot be made.
+    #[error("the PDF cannot be made: {0}")]
+    Pdf(String),
+}
+
+/// Fonts that have the letters and widths of drawings, the first that there is.
+const FONTS: [&str; 4] = ["Helvetica", "Arial", "Liberation Sans", "DejaVu Sans"];
+
+fn read(svg: &str) -> Result<Tree, PrintError> {
+    let mut fonts = Database::new();
+    fonts.load_system_fonts();
+    let has = |name: &&str| {
+        let mut families = fonts.faces().flat_map(|face| &face.families);
+        families.any(|(family, _)| family == name)
+    };
+    let family = FONTS.into_iter().find(has).ok_or(PrintError::NoFont)?;
+    let options = Options {
+        font_family: family.to_owned(),
+        fontdb: Arc::new(fonts),
+        ..Options::default()
+    };
+    Ok(Tree::from_str(svg, &options)?)
+}
+
+/// A drawing as PNG, three pixels for each of its own.
+///
+/// # Errors
+/// Where no font is installed, or the drawing has no size.
+pub fn png(svg: &str) -> Result<Vec<u8>, PrintError> {
+    let tree = read(svg)?;
+    let size = tree.size().to_int_size();
+    let size = size.scale_by(SHARPNESS).ok_or(PrintError::Size)?;
+    let mut pixmap = Pixmap::new(size.width(), size.height()).ok_or(PrintError::Size)?;
+    let scale = Transform::from_scale(SHARPNESS, SHARPNESS);
+    resvg::render(&tree, scale, &mut pixmap.as_mut());
+    pixmap
+        .encode_png()
+        .map_err(|error| PrintError::Png(error.to_string()))
+}
+
+/// A drawing as PDF, one page of its own size, text as text.
+///
+/// # Errors
+/// Where no font is installed.
+pub fn pdf(svg: &str) -> Result<Vec<u8>, PrintError> {
+    let page = PageOptions { dpi: DPI };
+    let done = svg2pdf::to_pdf(&read(svg)?, ConversionOptions::default(), page);
+    done.map_err(|error| PrintError::Pdf(error.to_string()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::path::Path;
+    use super::super::svg::{Anchor, Svg, style};
+    use super::*;
+
+    /// With text where the machine has a font, else a refusal that names those that would do.
+    #[test]
+    fn a_drawing_is_printed_or_says_which_font_is_missing() {
+        let mut svg = Svg::default();
+        svg.path(
+            &Path::through(&[[2.0, 2.0], [38.0, 18.0]], false),
+            style().stroke("#222"),
+            "",
+        );
+        svg.text([5.0, 15.0], Anchor::Start, style(), "λ = 0.64");
+        let svg = svg.document([40.0, 20.0], "a line");
+        match (png(&svg), pdf(&svg)) {
+            (Ok(png), Ok(pdf)) => {
+                assert_eq!(&png[1..4], b"PNG");
+                assert_eq!(&png[16..24], [0, 0, 0, 120, 0, 0, 0, 60]);
+                assert!(pdf.starts_with(b"%PDF"));
+                assert_eq!(png, super::png(&svg).unwrap(), "the same bytes");
+            }
+            (Err(png), Err(pdf)) => {
+                assert!(png.to_string().contains("Liberation Sans"), "{png} {pdf}");
+            }
+            other => panic!("{other:?}"),
+        }
+    }
+}

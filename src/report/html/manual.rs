@@ -1,0 +1,183 @@
+//! The verification manual: every case on a page of its own, with what it is, what is known of it, what
+//! every method answers, and what the judge computed of that.
+
+use maud::{Markup, PreEscaped, html};
+
+use super::certificates::in_short;
+use super::document::{Document, document};
+use super::panel::foremost;
+use super::prose;
+use super::ranges::range_figure;
+use super::table::{TableCell, plain};
+use crate::case::Case;
+use crate::judge::Verdict;
+use crate::method::Settings;
+use crate::number::{nine_digits, short};
+use crate::run::{CaseResult, Partial, column};
+
+/// The manual of these results as a page.
+pub fn manual(results: &[CaseResult], settings: &Settings, partial: Option<&Partial>) -> String {
+    let links = results.iter().map(|result| {
+        let name = &result.case.name;
+        (format!("case-{name}"), name.clone())
+    });
+    let said = partial.map_or(String::new(), |_| "PARTIAL: ".to_owned());
+    document(&Document {
+        title: format!("{said}trilith verification manual"),
+        class: "manual",
+        heading: "Verification manual",
+        lead: format!(
+            "{} cases: what each is, what is known of it from elsewhere, what every method answers, and \
+             the residuals that the judge recomputed.",
+            results.len()
+        ),
+        links: links.collect(),
+        body: html! {
+            @if let Some(partial) = partial { p.headline.bad { (partial) } }
+            @for result in results { (case(result)) }
+            section.case id="reading" { h2 { "How to read it" } (prose::reading()) }
+            section id="made-with" { h2 { "Made with" } (prose::made_with(settings)) }
+        },
+    })
+}
+
+/// The page of a case.
+fn case(result: &CaseResult) -> Markup {
+    let Case {
+        name,
+        title,
+        source,
+        ..
+    } = &result.case;
+    html! {
+        section.case id={"case-" (name)} {
+            h2 { (name) }
+            @if title != name { p.title { (title) } }
+            @if !source.is_empty() { p.small { "Source: " (source) } }
+            p.small { (in_figures(result)) }
+            div.drawings {
+                @if let Some(svg) = foremost(result) { figure.drawing { (PreEscaped(svg)) } }
+                @if let Some(svg) = range_figure(result) { figure.drawing { (PreEscaped(svg)) } }
+            }
+            @if !result.case.references.is_empty() { (references(result)) }
+            (answers(result))
+            @for conclusion in &result.conclusions {
+                p.answer { b { (conclusion.head_joints.name()) " head joints: " } (conclusion) }
+            }
+            (open_checks(result))
+            (in_short(result))
+        }
+    }
+}
+
+/// How large the case is, one sentence a setting of its head joints.
+fn in_figures(result: &CaseResult) -> String {
+    let mut settings: Vec<String> = Vec::new();
+    for head_joints in &result.case.head_joints {
+        let row = result
+            .rows
+            .iter()
+            .find(|row| row.head_joints == *head_joints);
+        let Some(row) = row else { continue };
+        let friction = match row.friction {
+            Some([least, most]) if least == most => format!(", μ = {}", short(least, 4)),
+            Some([least, most]) => format!(", μ = {} to {}", short(least, 4), short(most, 4)),
+            None => String::new(),
+        };
+        settings.push(format!(
+            "{}: {} blocks, {} joints{friction}",
+            head_joints.name(),
+            row.blocks,
+            row.joints
+        ));
+    }
+    let pushes: Vec<&str> = result.case.pushes.iter().map(|push| push.name()).collect();
+    format!(
+        "Head joints {}. Pushed {}.",
+        settings.join("; "),
+        pushes.join(" and ")
+    )
+}
+
+fn references(result: &CaseResult) -> Markup {
+    let references = result.case.references.iter().map(|r| {
+        let about = match &r.deviation {
+            Some(reason) => format!("{}. Known deviation: {reason}", r.source),
+            None if r.note.is_empty() => r.source.clone(),
+            None => format!("{}. {}", r.source, r.note),
+        };
+        vec![
+            TableCell::text(&r.method),
+            TableCell::text(r.head_joints.map_or("both", |only| only.name())),
+            TableCell::text(r.quantity.name()),
+            TableCell::number(nine_digits(r.value)),
+            TableCell::number(nine_digits(r.tolerance)),
+            TableCell::text(r.kind.name()),
+            TableCell::text(about),
+        ]
+    });
+    let columns = [
+        "About",
+        "Joints",
+        "Quantity",
+        "Value",
+        "Tolerance",
+        "Kind",
+        "Source",
+    ];
+    plain(
+        "Known from elsewhere",
+        &columns,
+        &references.collect::<Vec<_>>(),
+    )
+}
+
+fn answers(result: &CaseResult) -> Markup {
+    let columns = [
+        ("method", "Method"),
+        ("head_joints", "Joints"),
+        ("status", "Status"),
+        ("lambda", "λ"),
+        ("lambda_reference", "Reference"),
+        ("error_percent", "Error %"),
+        ("slope", "tan β"),
+        ("verdict", "Verdict"),
+        ("note", "Note"),
+    ];
+    let rows = result.rows.iter().map(|row| {
+        let cell = |(name, _): &(&str, &str)| {
+            let text = (column(name).value)(row).shown().replace(" - ", " – ");
+            match *name {
+                "status" | "verdict" => TableCell::word(text),
+                "method" | "head_joints" | "note" => TableCell::text(text),
+                _ => TableCell::number(text),
+            }
+        };
+        columns.iter().map(cell).collect::<Vec<_>>()
+    });
+    plain(
+        "Answers",
+        &columns.map(|(_, name)| name),
+        &rows.collect::<Vec<_>>(),
+    )
+}
+
+/// How many checks hold, and those that do not simply.
+fn open_checks(result: &CaseResult) -> Markup {
+    let holds = result
+        .checks
+        .iter()
+        .filter(|check| check.verdict == Verdict::Holds);
+    let open = result
+        .checks
+        .iter()
+        .filter(|check| check.verdict > Verdict::Holds);
+    html! {
+        p { (holds.count()) " of " (result.checks.len()) " checks hold." }
+        ul.checks {
+            @for check in open {
+                li { b { (check.verdict.name()) } ", " (check.head_joints.name()) ": " (check.text) }
+            }
+        }
+    }
+}

@@ -1,0 +1,112 @@
+//! Plots of a sweep: curves of λ, a plot a scene; fields of cells where two values vary much.
+
+use super::curves::{KNOWN, curves};
+use super::fields::fields;
+use super::points::{SweepTable, Variable};
+use crate::picture::palette::INK;
+use crate::picture::{Filling, LegendEntry, dashed_line, plots};
+
+/// Most plots of one sweep that anybody looks at.
+const MOST_PLOTS: usize = 24;
+
+/// Values of a second variable from which on a field of cells shows more than a plot each.
+const MANY: usize = 5;
+
+/// The plots of a sweep as SVG, or why there is none.
+///
+/// # Errors
+/// Why there is no plot: nothing varies, or too much.
+pub fn sweep_picture(table: &SweepTable) -> Result<String, String> {
+    let variables = table.variables();
+    let scenes = table.distinct("case");
+    let Some(x) = abscissa(&variables) else {
+        return Err("no plot: nothing varies".to_owned());
+    };
+    let others: Vec<&Variable> = variables.iter().filter(|other| *other != x).collect();
+    let title = match &table.partial {
+        Some(partial) => format!("{partial}. λ over {}", x.label()),
+        None => format!("λ over {}", x.label()),
+    };
+    if let [y] = others.as_slice()
+        && y.values.len() >= MANY
+    {
+        return Ok(fields(table, &format!("{title} and {}", y.label()), x, y));
+    }
+    let count = others
+        .iter()
+        .map(|other| other.values.len())
+        .product::<usize>()
+        * scenes.len();
+    if count > MOST_PLOTS {
+        let names: Vec<&str> = variables.iter().map(|v| v.name.as_str()).collect();
+        return Err(format!(
+            "no plot: {} vary together, which would take {count} plots; fix one of them",
+            names.join(", ")
+        ));
+    }
+    let mut panels = Vec::new();
+    let mut known = false;
+    for scene in scenes {
+        for chosen in combinations(&others) {
+            let of_panel = |row: &&Vec<String>| {
+                table.cell(row, "case") == scene
+                    && chosen
+                        .iter()
+                        .all(|(name, value)| table.cell(row, name) == *value)
+            };
+            let rows: Vec<&Vec<String>> = table.rows.iter().filter(of_panel).collect();
+            if rows.is_empty() {
+                continue;
+            }
+            let plot = curves(table, scene, &chosen, x, &rows);
+            known |= !plot.marks.is_empty();
+            panels.push(plot);
+        }
+    }
+    let mut entries = vec![LegendEntry::shade(
+        INK,
+        0.22,
+        "between the ends of a method's range",
+    )];
+    if known {
+        entries.push(LegendEntry::point(
+            KNOWN,
+            Filling::Open,
+            "published or by another code",
+        ));
+    }
+    entries.push(LegendEntry::line(dashed_line(INK), "lower end"));
+    Ok(plots(&title, &panels, &entries))
+}
+
+/// The variable with the most numbers: the overburden, where it has as many.
+fn abscissa(variables: &[Variable]) -> Option<&Variable> {
+    let rank = |variable: &&Variable| {
+        let is_number = variable.numbers().is_some();
+        (
+            is_number,
+            variable.values.len(),
+            variable.name == "overburden",
+        )
+    };
+    // Of equal ones the first.
+    variables.iter().rev().max_by_key(rank)
+}
+
+/// Every combination of values of these variables; one without any where there are none.
+fn combinations<'a>(variables: &[&'a Variable]) -> Vec<Vec<(&'a str, &'a str)>> {
+    let mut all = vec![Vec::new()];
+    for variable in variables {
+        let with = |before: Vec<(&'a str, &'a str)>| {
+            let values = variable.values.iter();
+            let longer = values.map(move |value| {
+                let mut longer = before.clone();
+                longer.push((variable.name.as_str(), value.as_str()));
+                longer
+            });
+            longer.collect::<Vec<_>>()
+        };
+        all = all.into_iter().flat_map(with).collect();
+    }
+    all
+}
