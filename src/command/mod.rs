@@ -105,7 +105,7 @@ pub fn main() -> ExitCode {
             case,
             head_joints,
             push,
-        } => external::export(&case, head_joints.map(Into::into), push.map(Into::into)),
+        } => external::export(&case, head_joints, push.map(Into::into)),
         Command::Schema { of } => external::schema(of),
         Command::New { name, kind } => cases::new(&name, kind.into()),
     };

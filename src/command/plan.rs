@@ -1,7 +1,7 @@
 //! Which methods run, and with which settings: the arguments that several commands share.
 
 use clap::{Args, ValueEnum};
-use trilith::case::{self, Case};
+use trilith::case::{self, Case, Geometry};
 use trilith::external::{self, External};
 use trilith::method::{self, Collapse, Kind, Method, kind};
 use trilith::run::Plan;
@@ -27,15 +27,31 @@ pub(super) struct PlanArguments {
 
 #[derive(Clone, Copy, ValueEnum)]
 pub(super) enum HeadJointsArgument {
+    /// Friction.
     Contact,
+    /// Nothing.
     Open,
+    /// One after the other.
+    Both,
 }
 
-impl From<HeadJointsArgument> for HeadJoints {
-    fn from(argument: HeadJointsArgument) -> Self {
-        match argument {
-            HeadJointsArgument::Contact => HeadJoints::Contact,
-            HeadJointsArgument::Open => HeadJoints::Open,
+impl HeadJointsArgument {
+    /// The one setting; `None` for both.
+    pub(super) fn one(self) -> Option<HeadJoints> {
+        match self {
+            HeadJointsArgument::Contact => Some(HeadJoints::Contact),
+            HeadJointsArgument::Open => Some(HeadJoints::Open),
+            HeadJointsArgument::Both => None,
+        }
+    }
+
+    /// Lets cases run with both, where that is said. An arch has no head joints, and runs once.
+    pub(super) fn set(self, cases: &mut [Case]) {
+        let walls = cases
+            .iter_mut()
+            .filter(|case| !matches!(case.geometry, Geometry::Arch(_)));
+        for case in walls.filter(|_| self.one().is_none()) {
+            case.head_joints = vec![HeadJoints::Contact, HeadJoints::Open];
         }
     }
 }
@@ -55,6 +71,10 @@ impl PlanArguments {
         } else {
             collect(&named)?
         };
+        warn(&cases);
+        if let Some(head_joints) = self.head_joints {
+            head_joints.set(&mut cases);
+        }
         let settings = self.settings.read()?;
         if settings.pushover.collapse == Collapse::FirstSlip {
             // References of the pushover are of the collapse, which is not what it was asked for.
@@ -66,7 +86,7 @@ impl PlanArguments {
         let plan = Plan {
             methods,
             settings,
-            head_joints: self.head_joints.map(Into::into),
+            head_joints: self.head_joints.and_then(HeadJointsArgument::one),
         };
         Ok((cases, plan))
     }
@@ -102,6 +122,13 @@ pub(super) fn programs(arguments: &[String]) -> Result<Vec<&'static External>, S
         }
     }
     Ok(all)
+}
+
+/// Tells on standard error what may be a slip in the files of cases.
+pub(super) fn warn(cases: &[Case]) {
+    for warning in cases.iter().flat_map(|case| &case.warnings) {
+        eprintln!("{warning}\n");
+    }
 }
 
 pub(super) fn collect(arguments: &[String]) -> Result<Vec<Case>, Stop> {

@@ -3,7 +3,7 @@
 
 use super::*;
 use crate::answer::{Bracket, Claim, Outcome, Status};
-use crate::scene::{HeadJoints, Piece, Push, Scene, Wall};
+use crate::scene::{HeadJoints, OfBlocks, Piece, Push, Scene, Wall};
 
 fn scene(head_joints: HeadJoints) -> Scene {
     let wall = Wall {
@@ -15,6 +15,7 @@ fn scene(head_joints: HeadJoints) -> Scene {
         friction: 0.5.into(),
         overburden: 0.0,
         push: Push::Right,
+        of_blocks: OfBlocks::default(),
     };
     wall.scene(head_joints).unwrap()
 }

@@ -80,7 +80,7 @@ fn rank(answer: &Answer) -> (u8, f64) {
 mod tests {
     use super::*;
     use crate::answer::Bracket;
-    use crate::scene::{HeadJoints, Piece, Push, Wall};
+    use crate::scene::{HeadJoints, OfBlocks, Piece, Push, Wall};
 
     fn side(push: Push) -> Scene {
         let wall = Wall {
@@ -92,6 +92,7 @@ mod tests {
             friction: 0.5.into(),
             overburden: 0.0,
             push,
+            of_blocks: OfBlocks::default(),
         };
         wall.scene(HeadJoints::Open).unwrap()
     }

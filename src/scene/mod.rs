@@ -1,19 +1,22 @@
-//! What every method gets: convex blocks with forces, joints, friction, and nothing else.
+//! What every method gets: blocks with forces, joints, friction, and nothing else.
 
 mod arch;
 mod assembly;
 mod block;
 mod bond;
+mod close_pairs;
 mod connected;
 mod derived;
 mod friction;
 mod joints;
 mod labels;
 mod model;
+mod of_blocks;
 mod parts;
 mod polygon;
 mod push;
 mod regular;
+mod simple;
 mod soundness;
 mod wall;
 
@@ -28,6 +31,7 @@ pub use joints::{Joint, JointClass, Side};
 pub use labels::Labels;
 pub use model::Scene;
 pub(crate) use model::multiplier_unit;
+pub use of_blocks::OfBlocks;
 pub use parts::{SceneError, SceneParts};
 pub use polygon::{Point, Polygon, PolygonError, Vector};
 pub use push::{HeadJoints, Push};

@@ -96,7 +96,7 @@ fn distribute(rests: &[Rest], weight: f64, x: f64) -> Option<Vec<(Rest, f64)>> {
 mod tests {
     use super::*;
     use crate::answer::StaticResidual;
-    use crate::scene::{HeadJoints, Piece, Push, Wall};
+    use crate::scene::{HeadJoints, OfBlocks, Piece, Push, Wall};
 
     fn wall(courses: Vec<Vec<Piece>>) -> Scene {
         let wall = Wall {
@@ -108,6 +108,7 @@ mod tests {
             friction: 0.65.into(),
             overburden: 0.5,
             push: Push::Right,
+            of_blocks: OfBlocks::default(),
         };
         wall.scene(HeadJoints::Contact)
             .expect("the wall can be laid")
