@@ -5,6 +5,8 @@
 //! ```
 
 mod complaint;
+mod convert;
+mod drawing;
 mod find;
 mod geometry;
 mod model;
@@ -18,6 +20,8 @@ mod template;
 
 pub use complaint::Complaint;
 pub(crate) use complaint::Document;
+pub use convert::BlocksFiles;
+pub use drawing::{DrawingOptions, Imported};
 pub(crate) use find::{UnreadCase, locate};
 pub use find::{collect, embedded, find, library, paper};
 pub use geometry::Geometry;

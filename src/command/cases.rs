@@ -17,7 +17,7 @@ use super::stop::{Stop, print};
 pub(super) enum KindArgument {
     /// A coursed wall.
     Wall,
-    /// Blocks of any convex shape.
+    /// Blocks of any shape.
     Blocks,
     /// A circular voussoir arch.
     Arch,
@@ -169,7 +169,7 @@ fn friction(friction: Friction) -> String {
 }
 
 /// A file as a shell takes it for a command's argument, and the command for a file.
-fn quoted(file: &str) -> String {
+pub(super) fn quoted(file: &str) -> String {
     let file = match file.strip_prefix('-') {
         Some(_) => format!("./{file}"),
         None => file.to_owned(),

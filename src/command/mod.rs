@@ -4,8 +4,11 @@ mod atlas;
 mod cases;
 mod chart;
 mod check;
+mod convert;
 mod draw;
+mod drawing;
 mod external;
+mod import;
 mod interrupt;
 mod output;
 mod plan;
@@ -72,6 +75,10 @@ enum Command {
         #[arg(long)]
         push: Option<external::PushArgument>,
     },
+    /// Read a drawing (DXF): every closed outline becomes a block of a case, with a CSV beside it.
+    Import(import::ImportArguments),
+    /// Write a case of any form as explicit blocks: a case file with a CSV beside it.
+    Convert(convert::ConvertArguments),
     /// Print the JSON schema of what external methods read or write.
     Schema {
         /// Which of the two.
@@ -106,6 +113,8 @@ pub fn main() -> ExitCode {
             head_joints,
             push,
         } => external::export(&case, head_joints, push.map(Into::into)),
+        Command::Import(arguments) => import::import(&arguments),
+        Command::Convert(arguments) => convert::convert(&arguments),
         Command::Schema { of } => external::schema(of),
         Command::New { name, kind } => cases::new(&name, kind.into()),
     };

@@ -7,6 +7,7 @@ use trilith::method::{self, Collapse, Kind, Method, kind};
 use trilith::run::Plan;
 use trilith::scene::HeadJoints;
 
+use super::drawing::{DrawingArguments, is_drawing};
 use super::settings::SettingArguments;
 use super::stop::Stop;
 
@@ -23,6 +24,8 @@ pub(super) struct PlanArguments {
     /// Also run programs of your own: a .toml file that names them, or NAME=COMMAND.
     #[arg(long, value_name = "FILE.toml|NAME=COMMAND")]
     external: Vec<String>,
+    #[command(flatten)]
+    drawing: DrawingArguments,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -66,12 +69,24 @@ impl PlanArguments {
     ) -> Result<(Vec<Case>, Plan<'static>), Stop> {
         let (methods, misplaced) = methods(&self.method, &externals(&self.external)?)?;
         let named = [cases, &misplaced].concat();
-        let mut cases = if named.is_empty() {
+        let (drawings, named): (Vec<String>, Vec<String>) =
+            named.into_iter().partition(|name| is_drawing(name));
+        let mut cases = if !drawings.is_empty() && named.is_empty() {
+            Vec::new()
+        } else if named.is_empty() {
             default()
         } else {
             collect(&named)?
         };
         warn(&cases);
+        if drawings.is_empty() && self.drawing.is_given() {
+            let text = "error: --friction, --support and the like are for drawings, and none is \
+                        named\nhelp: name a `.dxf`, or write them into the case";
+            return Err(Stop::bad_input(text));
+        }
+        for drawing in &drawings {
+            cases.push(self.drawing.case(drawing)?);
+        }
         if let Some(head_joints) = self.head_joints {
             head_joints.set(&mut cases);
         }
@@ -149,7 +164,8 @@ fn methods(
     let known = |name: &str| all.iter().any(|method| method.name() == name);
     let (names, others): (Vec<String>, Vec<String>) =
         names.iter().cloned().partition(|name| known(name));
-    if let Some(other) = others.iter().find(|other| case::find(other).is_err()) {
+    let is_case = |other: &&String| is_drawing(other) || case::find(other).is_ok();
+    if let Some(other) = others.iter().find(|other| !is_case(other)) {
         let list: Vec<&str> = all.iter().map(|method| method.name()).collect();
         let list = list.join(", ");
         let text = format!("error: there is no method named `{other}`\nhelp: methods are {list}");

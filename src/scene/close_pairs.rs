@@ -10,7 +10,7 @@ const LEAF: usize = 8;
 ///
 /// The work is that of a search in a tree for each body: it grows with the number of bodies and of
 /// pairs, whichever way the bodies are spread.
-pub(super) fn close_pairs(
+pub(crate) fn close_pairs(
     tolerance: f64,
     shapes: &[&Polygon],
     supports: &[Polygon],
@@ -55,7 +55,7 @@ pub(super) fn close_pairs(
 }
 
 /// Diagonal of the bounding box.
-pub(super) fn extent(shape: &Polygon) -> f64 {
+pub(crate) fn extent(shape: &Polygon) -> f64 {
     let (low, high) = shape.bounds();
     (high - low).norm()
 }

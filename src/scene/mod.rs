@@ -24,6 +24,7 @@ pub use arch::Arch;
 pub use assembly::{Assembly, Force, Forces, NamedBlock, Support};
 pub use block::{Block, Load, Wrench};
 pub(crate) use bond::{BONDS, Bond, LowestCourse};
+pub(crate) use close_pairs::{close_pairs, extent};
 pub(crate) use connected::connected;
 pub use friction::Friction;
 pub(crate) use joints::TOUCHING;

@@ -194,6 +194,9 @@ fn add(
         }
     };
     let gives = weight.is_some() || centre.is_some();
+    let twice = |known: &Body| {
+        (weight.is_some() && known.weight.is_some()) || (centre.is_some() && known.centre.is_some())
+    };
     let again = |title: String| document.complain(written.span(), title, "here again");
     match (&body.corners, bodies.named(name)) {
         (Some(corners), None) => bodies.push(Body {
@@ -208,9 +211,9 @@ fn add(
             return Err(again(format!("two bodies are named `{name}`"))
                 .help(format!("rename one; the other is at {rows}")));
         }
-        (None, Some(known)) if (known.weight.is_none() && known.centre.is_none()) && gives => {
-            known.weight = weight;
-            known.centre = centre;
+        (None, Some(known)) if gives && !twice(known) => {
+            known.weight = weight.or(known.weight.take());
+            known.centre = centre.or(known.centre);
         }
         (None, Some(_)) => {
             return Err(again(format!("`{name}` is there already")).help(

@@ -91,3 +91,22 @@ pub(super) fn not_modelled(key: &str) -> Option<&'static NotModelled> {
     let is = |entry: &&NotModelled| entry.key == key || entry.other_words.contains(&key.as_str());
     NOT_MODELLED.iter().find(is)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_readme_lists_them_and_no_word_stands_for_two() {
+        let readme = include_str!("../../../README.md");
+        let mut words = std::collections::HashSet::new();
+        for entry in NOT_MODELLED {
+            let key = format!("`{}`", entry.key);
+            assert!(readme.contains(&key), "{key}");
+            assert!(words.insert(entry.key), "{key}");
+            for word in entry.other_words {
+                assert!(words.insert(word), "{word}");
+            }
+        }
+    }
+}
