@@ -6,8 +6,8 @@ use clap::Args;
 use trilith::run::{Keeps, Partial, Row};
 use trilith::study::chart::{self, Chart};
 
+use super::head_joints::HeadJointsArgument;
 use super::output;
-use super::plan::HeadJointsArgument;
 use super::plan::{collect, externals};
 use super::stop::{Stop, print};
 use super::study::run_study;

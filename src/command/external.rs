@@ -5,7 +5,8 @@ use trilith::case;
 use trilith::external;
 use trilith::scene::Push;
 
-use super::plan::{HeadJointsArgument, warn};
+use super::head_joints::HeadJointsArgument;
+use super::plan::warn;
 use super::stop::{Stop, print};
 
 #[derive(Clone, Copy, ValueEnum)]

@@ -11,7 +11,7 @@ use trilith::scene::HeadJoints;
 use super::cases::quoted;
 use super::convert::in_files;
 use super::drawing::{DrawingArguments, is_drawing};
-use super::plan::HeadJointsArgument;
+use super::head_joints::HeadJointsArgument;
 use super::stop::{Stop, print};
 
 #[derive(Args)]

@@ -1,13 +1,13 @@
 //! Which methods run, and with which settings: the arguments that several commands share.
 
-use clap::{Args, ValueEnum};
-use trilith::case::{self, Case, Geometry};
+use clap::Args;
+use trilith::case::{self, Case};
 use trilith::external::{self, External};
 use trilith::method::{self, Collapse, Kind, Method, kind};
 use trilith::run::Plan;
-use trilith::scene::HeadJoints;
 
 use super::drawing::{DrawingArguments, is_drawing};
+use super::head_joints::HeadJointsArgument;
 use super::settings::SettingArguments;
 use super::stop::Stop;
 
@@ -26,37 +26,6 @@ pub(super) struct PlanArguments {
     external: Vec<String>,
     #[command(flatten)]
     drawing: DrawingArguments,
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-pub(super) enum HeadJointsArgument {
-    /// Friction.
-    Contact,
-    /// Nothing.
-    Open,
-    /// One after the other.
-    Both,
-}
-
-impl HeadJointsArgument {
-    /// The one setting; `None` for both.
-    pub(super) fn one(self) -> Option<HeadJoints> {
-        match self {
-            HeadJointsArgument::Contact => Some(HeadJoints::Contact),
-            HeadJointsArgument::Open => Some(HeadJoints::Open),
-            HeadJointsArgument::Both => None,
-        }
-    }
-
-    /// Lets cases run with both, where that is said. An arch has no head joints, and runs once.
-    pub(super) fn set(self, cases: &mut [Case]) {
-        let walls = cases
-            .iter_mut()
-            .filter(|case| !matches!(case.geometry, Geometry::Arch(_)));
-        for case in walls.filter(|_| self.one().is_none()) {
-            case.head_joints = vec![HeadJoints::Contact, HeadJoints::Open];
-        }
-    }
 }
 
 impl PlanArguments {

@@ -2,7 +2,7 @@
 
 use super::marks::mark;
 use super::palette::{
-    BEFORE, CRACK, FORCE, LARGEST, MACRO_CRACK, OPENING, PARTS, SLIDING, SQUARE_LINE, STILL,
+    BEFORE, CRACK, FORCE, LARGEST, MACRO_CRACK, OPENING, PARTS, SLIDING, SQUARE_LINE, STILL, THRUST,
 };
 use super::path::{Path, Pixel};
 use super::svg::{Anchor, Style, Svg, style};
@@ -80,6 +80,11 @@ pub fn entries(holds: Holds) -> Vec<LegendEntry> {
         holds.forces,
         Sample::Line(line(FORCE, 1.6)),
         "contact force, by length",
+    );
+    add(
+        holds.forces,
+        Sample::Line(line(THRUST, 1.2)),
+        "thrust, or resultants",
     );
     entries
 }

@@ -13,6 +13,7 @@
 mod axes;
 mod cells;
 mod crack;
+mod dxf;
 mod figure;
 mod forces;
 mod frame;
@@ -41,6 +42,7 @@ pub(crate) use ranges::{RangeMark, Ranges, ranges};
 pub(crate) use replay::{Replay, replay};
 pub(crate) use words::lines;
 
+pub use dxf::dxf;
 pub use figure::figure;
 pub use parts::{RigidPart, parts, threshold};
 pub use view::{Options, View};

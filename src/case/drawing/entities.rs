@@ -32,6 +32,8 @@ pub(super) struct File {
     pub metres: Option<f64>,
     pub blocks: HashMap<String, BlockOfEntities>,
     pub entities: Vec<Entity>,
+    /// Whether this program wrote it, which puts what is no wall on layers of their own.
+    pub is_ours: bool,
 }
 
 /// Lengths in metres of the units that `$INSUNITS` counts.
@@ -107,6 +109,9 @@ pub(super) fn file(document: &Document) -> Result<File, Complaint> {
         metres: None,
         blocks: HashMap::new(),
         entities: Vec::new(),
+        is_ours: groups
+            .first()
+            .is_some_and(|group| group.code == 999 && at(group) == "trilith"),
     };
     let mut seen = false;
     let mut i = 0;

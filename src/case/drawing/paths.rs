@@ -41,6 +41,9 @@ const LEFT_ASIDE: [&str; 16] = [
     "WIPEOUT",
 ];
 
+/// Layers of an exported drawing that are no walls.
+const OWN_LAYERS: [&str; 4] = ["names", "mechanism", "thrust", "resultants"];
+
 /// Deepest INSERT in INSERT.
 const DEEPEST: usize = 16;
 
@@ -129,7 +132,8 @@ impl Paths<'_> {
                 ("0", Some(layer)) => layer,
                 (layer, _) => layer,
             };
-            if self.without.iter().any(|other| same(other, layer)) {
+            let is_ours = self.file.is_ours && OWN_LAYERS.contains(&layer);
+            if is_ours || self.without.iter().any(|other| same(other, layer)) {
                 continue;
             }
             self.entity(entity, layer, inside)?;
