@@ -5,7 +5,7 @@ use trilith::answer::{Bracket, JointForce, Outcome, Status};
 use trilith::judge::judge;
 use trilith::method::limit::{Associative, Interval};
 use trilith::method::{Method, Settings};
-use trilith::scene::{HeadJoints, Piece, Push, Scene, Wall};
+use trilith::scene::{HeadJoints, OfBlocks, Piece, Push, Scene, Wall};
 
 const FRICTION: f64 = 0.3;
 
@@ -23,6 +23,7 @@ fn block(friction: f64) -> Scene {
         friction: friction.into(),
         overburden: 0.0,
         push: Push::Right,
+        of_blocks: OfBlocks::default(),
     };
     wall.scene(HeadJoints::Open).expect("it can be laid")
 }

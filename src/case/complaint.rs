@@ -46,7 +46,7 @@ impl Complaint {
     }
 
     /// The same as a warning: the input is taken all the same.
-    pub(crate) fn as_warning(mut self) -> Self {
+    pub(crate) fn into_warning(mut self) -> Self {
         self.warns = true;
         self
     }

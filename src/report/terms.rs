@@ -1,6 +1,7 @@
 //! Answers in the terms of those who judge a wall: how far it could be tilted, its base shear, what
 //! moves first, and the mechanism in words.
 
+use std::cmp::Reverse;
 use std::fmt;
 
 use crate::answer::Mechanism;
@@ -106,7 +107,7 @@ impl<'a> Moved<'a> {
         let mut order: Vec<(usize, f64)> = blocks.map(|block| (block, speed(block))).collect();
         order.retain(|(_, speed)| *speed > STILL * self.fastest);
         // What is equal but for rounding keeps the order of the blocks.
-        order.sort_by(|a, b| self.rank(b.1).cmp(&self.rank(a.1)));
+        order.sort_by_key(|one| Reverse(self.rank(one.1)));
         let order = order.into_iter().take(NAMED);
         order
             .map(|(block, _)| self.scene.block_name(block))
@@ -121,7 +122,7 @@ impl<'a> Moved<'a> {
         };
         let mut order: Vec<(usize, f64)> = rates.map(rate).enumerate().collect();
         order.retain(|(_, rate)| *rate > STILL * self.fastest);
-        order.sort_by(|a, b| self.rank(b.1).cmp(&self.rank(a.1)));
+        order.sort_by_key(|one| Reverse(self.rank(one.1)));
         let order = order.into_iter().take(NAMED);
         order
             .map(|(joint, _)| self.joint_name(&self.scene.joints()[joint]))

@@ -2,7 +2,7 @@
 
 use super::entities::file;
 use super::groups::document;
-use super::heal::{gaps, heal};
+use super::heal::{Gap, gaps, heal};
 use super::options::DrawingOptions;
 use super::outlines::outlines;
 use super::paths::{Path, Paths, same};
@@ -384,9 +384,9 @@ fn sound(
         );
         return Err(complain(document, &other.path, &title).help(beyond(options)));
     }
-    let wide = gaps(&shapes, TOUCHING, WIDEST_GAP).into_iter();
-    let between = |gap: &super::heal::Gap| gap.bodies.iter().any(|&body| !fixed[body]);
-    if let Some(gap) = wide.filter(between).next() {
+    let mut wide = gaps(&shapes, TOUCHING, WIDEST_GAP).into_iter();
+    let between = |gap: &Gap| gap.bodies.iter().any(|&body| !fixed[body]);
+    if let Some(gap) = wide.find(between) {
         let [one, other] = gap.bodies.map(|body| &drawn[body]);
         let title = format!(
             "a gap of {:.3e} ({:.2} % of the smaller one) at ({:.4}, {:.4}) between {} and {}",

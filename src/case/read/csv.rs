@@ -111,7 +111,7 @@ fn left_aside(document: &Document, table: &Table) -> Vec<Complaint> {
     let title = format!("columns that are not read: {names}");
     let warning = document.complain(first.place.clone(), title, "left aside");
     let help = "the columns that count are `block`, `x`, `y` and `weight`";
-    vec![warning.help(help).as_warning()]
+    vec![warning.help(help).into_warning()]
 }
 
 /// A row.

@@ -35,7 +35,7 @@ pub(super) fn doubts(document: &Document, file: &CaseFile) -> Vec<Complaint> {
                 number.to_radians().tan()
             );
             let warning = document.complain(value.span(), title, "taken as tan φ");
-            found.push(warning.help(help).as_warning());
+            found.push(warning.help(help).into_warning());
         }
     }
     if let Some(arch) = &file.arch {
@@ -45,7 +45,7 @@ pub(super) fn doubts(document: &Document, file: &CaseFile) -> Vec<Complaint> {
             let title = format!("an embrace of {number} degrees: is this in radians?");
             let help = format!("write degrees: `{:.3}`", number.to_degrees());
             let warning = document.complain(embrace.span(), title, "taken as degrees");
-            found.push(warning.help(help).as_warning());
+            found.push(warning.help(help).into_warning());
         }
     }
     found
