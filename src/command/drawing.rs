@@ -98,6 +98,13 @@ impl DrawingArguments {
         };
         if let Some(friction) = self.friction {
             within("friction", Some(friction), 0.0, 0.0, 1e12)?;
+            if (10.5..90.0).contains(&friction) {
+                let tangent = friction.to_radians().tan();
+                eprintln!(
+                    "warning: --friction {friction}: is this an angle? It is taken as tan φ; write \
+                     {tangent:.3} for {friction} degrees"
+                );
+            }
         }
         Ok(DrawingOptions {
             support: self.support.clone(),

@@ -107,24 +107,18 @@ pub(super) fn gaps(shapes: &[Polygon], touching: f64, within: f64) -> Vec<Gap> {
         let bodies = [edges[a].body, edges[b].body];
         let size = bodies.map(|body| extent(&shapes[body]));
         let part = width / size[0].min(size[1]);
-        let known = found.iter_mut().find(|gap| gap.bodies == bodies);
-        match known {
-            // Bodies that touch along another edge of the same side have a joint.
-            Some(known) if part < known.part => {
-                *known = Gap {
-                    bodies,
-                    at,
-                    width,
-                    part,
-                }
-            }
+        let gap = Gap {
+            bodies,
+            at,
+            width,
+            part,
+        };
+        // The edges of two bodies are told of one after the other. Where some of them touch, the bodies
+        // have a joint.
+        match found.last_mut().filter(|known| known.bodies == bodies) {
+            Some(known) if part < known.part => *known = gap,
             Some(_) => {}
-            None => found.push(Gap {
-                bodies,
-                at,
-                width,
-                part,
-            }),
+            None => found.push(gap),
         }
     });
     found.retain(|gap| gap.part > touching);

@@ -9,7 +9,6 @@ use super::paths::{Path, Paths, same};
 use crate::case::complaint::{Complaint, Document};
 use crate::case::geometry::Geometry;
 use crate::case::model::Case;
-use crate::case::name::case_name;
 use crate::case::printable::printable;
 use crate::scene::{
     Assembly, Forces, NamedBlock, Polygon, PolygonError, Side, Support, TOUCHING, Unsound, extent,
@@ -50,7 +49,7 @@ impl Case {
         bytes: &[u8],
         options: &DrawingOptions,
     ) -> Result<Imported, Complaint> {
-        let name = case_name(path)?;
+        let name = plain_name(path);
         let document = document(path, bytes)?;
         let mut remarks = Vec::new();
         let mut drawn = drawn(&document, options, &mut remarks)?;
@@ -84,6 +83,21 @@ impl Case {
             },
             remarks,
         })
+    }
+}
+
+/// The file's name as a case's: drawings are called with spaces and all.
+fn plain_name(path: &str) -> String {
+    let stem = std::path::Path::new(path).file_stem().unwrap_or_default();
+    let plain = |c: char| match c {
+        c if c.is_alphanumeric() || "-_.".contains(c) => c,
+        _ => '-',
+    };
+    let name: String = stem.to_string_lossy().chars().map(plain).collect();
+    if name.is_empty() {
+        "drawing".to_owned()
+    } else {
+        name
     }
 }
 
