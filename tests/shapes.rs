@@ -96,6 +96,29 @@ fn an_l_and_a_filling_stone_meet_along_both_edges() {
     assert!((lengths - 7.0).abs() < 1e-12, "{lengths}");
 }
 
+/// A small stone on the step of a tall L lies lower than the L's centroid: what it weighs comes down on
+/// the L all the same, and it stands.
+#[test]
+fn a_low_stone_on_a_tall_l_stands() {
+    let text = "friction = 0.65\n[[support]]\nname = \"ground\"\n\
+                corners = [[-9, -1], [9, -1], [9, 0], [-9, 0]]\n[[block]]\nname = \"L\"\n\
+                corners = [[0, 0], [2, 0], [2, 1], [1, 1], [1, 6], [0, 6]]\n[[block]]\nname = \"stone\"\n\
+                corners = [[1, 1], [2, 1], [2, 1.5], [1, 1.5]]\nweight = 3.0\n";
+    let case = read(text, "");
+    // As one body about (2, 0): (2 · 0.5 + 5 · 3.5 ... ) by moments of its three rectangles.
+    let (weights, x, y) = ([2.0, 5.0, 3.0], [1.0, 0.5, 1.5], [0.5, 3.5, 1.25]);
+    let arm = |at: [f64; 3], toe: f64| -> f64 {
+        weights
+            .iter()
+            .zip(at)
+            .map(|(w, at)| w * (toe - at).abs())
+            .sum()
+    };
+    let expected = arm(x, 2.0) / arm(y, 0.0);
+    let found = lambda(&case);
+    assert!((found - expected).abs() < 1e-9, "{found} {expected}");
+}
+
 /// A semicircle of voussoirs; with `chords`, their curved sides as so many. The outlines of one chord
 /// carry the weights and centres of the others.
 fn arch(chords: usize) -> [Case; 2] {

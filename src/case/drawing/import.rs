@@ -171,8 +171,15 @@ fn whole_if_near(number: f64) -> f64 {
 /// An outline as a shape. A circle's last point may repeat its first.
 fn shape(document: &Document, path: &Path) -> Result<Polygon, Complaint> {
     let mut points = path.points.clone();
-    points.dedup();
-    while points.len() > 1 && points.first() == points.last() {
+    let (low, high) = points
+        .iter()
+        .fold((points[0], points[0]), |(low, high), p| {
+            (low.inf(p), high.sup(p))
+        });
+    // Points that a program wrote twice, but for rounding.
+    let near = 1e-7 * (high - low).norm();
+    points.dedup_by(|a, b| (*a - *b).norm() <= near);
+    while points.len() > 1 && (points[0] - points[points.len() - 1]).norm() <= near {
         points.pop();
     }
     Polygon::new(points.clone()).map_err(|error| {

@@ -40,12 +40,18 @@ pub(super) fn forces(scene: &Scene) -> Option<Vec<JointForce>> {
         })
         .collect();
     let mut forces = vec![JointForce::default(); scene.joints().len()];
+    let mut done = vec![false; scene.blocks().len()];
     for block in order {
+        done[block] = true;
         let centre = scene.blocks()[block].shape.centroid().x;
         let (weight, moment) = carried[block];
         for (rest, n) in distribute(&rests[block], weight, centre + moment / weight)? {
             forces[rest.joint].normal[rest.end] = n;
             if let Some(below) = block_below(&scene.joints()[rest.joint]) {
+                // One that bends inwards may carry a block whose centroid is lower than its own.
+                if done[below] {
+                    return None;
+                }
                 let arm = rest.x - scene.blocks()[below].shape.centroid().x;
                 carried[below].0 += n;
                 carried[below].1 += n * arm;
