@@ -69,6 +69,12 @@ courses = 4
 units = 3
 "#;
 
+const WALL: &str = r#"friction = 0.65
+unit = { length = 4.0, height = 1.75, weight = 1.0 }
+courses = ["h1h", "11"]
+repeat = 2
+"#;
+
 /// Which part of a case a mistake is in.
 #[derive(Clone, Copy)]
 enum In {
@@ -77,11 +83,12 @@ enum In {
     Csv,
     Arch,
     Bond,
+    Wall,
 }
-use In::{Arch, Beside, Bond, Csv, Inline};
+use In::{Arch, Beside, Bond, Csv, Inline, Wall};
 
 /// Name of the scene, where the mistake is, and what it writes instead of what.
-const MALFORMED: [(&str, In, &str, &str); 62] = [
+const MALFORMED: &[(&str, In, &str, &str)] = &[
     (
         "overlapping blocks",
         Inline,
@@ -131,28 +138,22 @@ const MALFORMED: [(&str, In, &str, &str); 62] = [
         "[[0, 1.0001], [2, 1.0001]",
     ),
     (
-        "a block that is not convex",
-        Inline,
-        "[2, 2], [0, 2]]",
-        "[2, 2], [1, 1.5], [0, 2]]",
-    ),
-    (
-        "a block of a CSV that is not convex",
+        "an outline of a CSV that crosses itself",
         Csv,
-        "B,2,2\n",
-        "B,2,2\nB,1,1.5\n",
+        "B,2,2\nB,0,2",
+        "B,0,3\nB,2,2",
     ),
     (
-        "a clockwise block that is not convex",
+        "a clockwise outline that touches itself",
         Csv,
         "B,0,1\nB,2,1\nB,2,2\nB,0,2",
-        "B,0,2\nB,1,1.5\nB,2,2\nB,2,1\nB,0,1",
+        "B,0,2\nB,1,1\nB,2,2\nB,2,1\nB,0,1",
     ),
     (
-        "a corner on a straight edge",
+        "an outline that comes straight back",
         Inline,
-        "[[0, 1], [2, 1]",
-        "[[0, 1], [1, 1], [2, 1]",
+        "[2, 2], [0, 2]]",
+        "[2, 2], [3, 2], [0, 2]]",
     ),
     (
         "an outline that crosses itself",
@@ -283,8 +284,40 @@ const MALFORMED: [(&str, In, &str, &str); 62] = [
     ("an empty CSV", Csv, CSV, "\n# nothing\n"),
     ("a CSV of a header", Csv, CSV, "block,x,y\n"),
     ("a CSV without header", Csv, "block,x,y\n", ""),
-    ("a CSV of other columns", Csv, "block,x,y", "block,y,x"),
-    ("a CSV with semicolons", Csv, CSV, "block;x;y\nA;0;0\n"),
+    ("a CSV of other columns", Csv, "block,x,y", "name,x,y"),
+    (
+        "a CSV with semicolons and columns of another kind",
+        Csv,
+        CSV,
+        "stone;x;z\nA;0;0\n",
+    ),
+    ("a CSV with bars", Csv, CSV, "block|x|y\nA|0|0\n"),
+    ("a CSV of two columns x", Csv, "block,x,y", "block,x,y,X"),
+    (
+        "a comma and a point in one number",
+        Csv,
+        CSV,
+        "block;x;y\nA;1.000,5;0\n",
+    ),
+    (
+        "decimal points beside decimal commas",
+        Csv,
+        CSV,
+        "block;x;y\nA;0,5;0\nA;1.234;0\n",
+    ),
+    (
+        "two weights of one block",
+        Csv,
+        CSV,
+        "Block;X;Y;Weight\nA;0;0;2\nA;1;0;3\n",
+    ),
+    (
+        "a weight below zero",
+        Csv,
+        CSV,
+        "block\tx\ty\tweight\nA\t0\t0\t-2\n",
+    ),
+    ("a long row", Csv, CSV, "block;x;y\nA;0;0;1\n"),
     ("a row of two columns", Csv, "B,2,2", "B,2"),
     ("a row with decimal commas", Csv, "B,0,1\n", "B,0,0,1,0\n"),
     ("a cell that is no number", Csv, "B,2,2", "B,two,2"),
@@ -343,6 +376,102 @@ const MALFORMED: [(&str, In, &str, &str); 62] = [
         "voussoirs = 1",
     ),
     (
+        "a letter that is not in the legend",
+        Wall,
+        "\"h1h\"",
+        "\"hLh\"",
+    ),
+    (
+        "a letter that has its meaning already",
+        Wall,
+        "repeat = 2",
+        "pieces = { h = { units = 2 } }",
+    ),
+    (
+        "a word for a letter",
+        Wall,
+        "repeat = 2",
+        "pieces = { lintel = { units = 2 } }",
+    ),
+    (
+        "a piece without a length",
+        Wall,
+        "repeat = 2",
+        "pieces = { L = { weight = 2 } }",
+    ),
+    (
+        "a piece of two lengths",
+        Wall,
+        "repeat = 2",
+        "pieces = { L = { units = 2, length = 8 } }",
+    ),
+    (
+        "the weight of a gap",
+        Wall,
+        "repeat = 2",
+        "pieces = { D = { units = 2, gap = true, weight = 1 } }",
+    ),
+    (
+        "pieces that are no table",
+        Wall,
+        "repeat = 2",
+        "pieces = [\"L\"]",
+    ),
+    (
+        "a legend beside a bond",
+        Bond,
+        "units = 3",
+        "units = 3\npieces = { L = { units = 2 } }",
+    ),
+    (
+        "a piece of no course",
+        Wall,
+        "repeat = 2",
+        "repeat = 2\n[[block]]\ncourse = 5\npiece = 1\nweight = 2",
+    ),
+    (
+        "a block of a course without a piece",
+        Wall,
+        "repeat = 2",
+        "repeat = 2\n[[block]]\ncourse = 1\nweight = 2",
+    ),
+    (
+        "a gap with a name",
+        Wall,
+        "\"11\"]\nrepeat = 2",
+        "\"1g1\"]\n[[block]]\ncourse = 2\npiece = 2\nname = \"door\"",
+    ),
+    (
+        "one name for two blocks of courses",
+        Wall,
+        "repeat = 2",
+        "[[block]]\ncourse = 1\npiece = 1\nname = \"course 2 piece 1\"",
+    ),
+    (
+        "one block of a course twice",
+        Wall,
+        "repeat = 2",
+        "[[block]]\ncourse = 1\npiece = 1\nweight = 2\n[[block]]\ncourse = 1\npiece = 1\nweight = 3",
+    ),
+    (
+        "corners of a block in a course",
+        Wall,
+        "repeat = 2",
+        "[[block]]\ncourse = 1\npiece = 1\ncorners = [[0, 0]]",
+    ),
+    (
+        "a course of an explicit block",
+        Inline,
+        "name = \"B\"",
+        "name = \"B\"\ncourse = 2",
+    ),
+    (
+        "a load on no block of a wall",
+        Wall,
+        "repeat = 2",
+        "[[load]]\nblock = \"course 9 piece 1\"\nat = [0, 0]\nlive = [1, 0]",
+    ),
+    (
         "a Flemish bond that does not close",
         Bond,
         "\"running\"",
@@ -354,6 +483,69 @@ const MALFORMED: [(&str, In, &str, &str); 62] = [
         "units = 3",
         "units = 3\noverlap = 0.7",
     ),
+    (
+        "a count beyond all whole numbers",
+        Wall,
+        "repeat = 2",
+        "repeat = 18446744073709551615",
+    ),
+    (
+        "a count beyond those of a processor",
+        Wall,
+        "repeat = 2",
+        "repeat = 340282366920938463463374607431768211455",
+    ),
+    (
+        "a wall of too many blocks",
+        Wall,
+        "repeat = 2",
+        "repeat = 20001",
+    ),
+    (
+        "a bond of too many blocks",
+        Bond,
+        "courses = 4",
+        "courses = 28572",
+    ),
+    (
+        "a live load where its kind is asked for",
+        Arch,
+        "[arch]",
+        "live = [0, 1]\n[arch]",
+    ),
+    ("a push that is no word", Wall, "repeat = 2", "push = 1"),
+    ("cohesion", Wall, "repeat = 2", "cohesion = 0.1"),
+    (
+        "cohesion beside friction",
+        Wall,
+        "friction = 0.65",
+        "friction = { bed = 0.65, cohesion = 0.1 }",
+    ),
+    (
+        "tensile strength",
+        Wall,
+        "weight = 1.0 }",
+        "weight = 1.0, tensile_strength = 0.2 }",
+    ),
+    (
+        "a tie",
+        Inline,
+        "[[load]]",
+        "[[tie]]\nblock = \"A\"\n[[load]]",
+    ),
+    (
+        "a settlement",
+        Inline,
+        "name = \"ground\"",
+        "name = \"ground\"\nsettlement = 0.01",
+    ),
+    (
+        "compressive strength",
+        Beside,
+        "[blocks]",
+        "[blocks]\ncompressive_strength = 5",
+    ),
+    ("Young's modulus", Arch, "[arch]", "[arch]\nyoung = 1e9"),
 ];
 
 /// Path, text of the case, and text of the CSV beside it, with one mistake.
@@ -364,6 +556,7 @@ fn malformed((name, place, from, to): (&str, In, &str, &str)) -> (String, String
         Csv => (BESIDE, CSV),
         Arch => (ARCH, ARCH),
         Bond => (BOND, BOND),
+        Wall => (WALL, WALL),
     };
     assert!(
         part.contains(from),
@@ -387,7 +580,7 @@ fn read(toml: &str, csv: &str) -> Result<Case, String> {
 
 #[test]
 fn the_good_cases_are_good() {
-    for toml in [INLINE, BESIDE, ARCH, BOND] {
+    for toml in [INLINE, BESIDE, ARCH, BOND, WALL] {
         read(toml, CSV).unwrap_or_else(|complaint| panic!("{complaint}"));
     }
 }
@@ -396,7 +589,7 @@ fn the_good_cases_are_good() {
 fn every_malformed_scene_has_its_own_message() {
     let mut catalogue = String::new();
     let mut titles = HashSet::new();
-    for scene in MALFORMED {
+    for &scene in MALFORMED {
         let (toml, csv) = malformed(scene);
         let shown = match read(&toml, &csv) {
             Ok(_) => panic!("{} is read without a complaint", scene.0),

@@ -10,7 +10,7 @@ use seeded::seeded;
 use trilith::answer::{Outcome, StaticResidual, Status, kinematic_multiplier};
 use trilith::method::limit::{Associative, Sequential};
 use trilith::method::{Method, Settings};
-use trilith::scene::{Course, HeadJoints, Piece, Push, Wall};
+use trilith::scene::{Course, HeadJoints, OfBlocks, Piece, Push, Wall};
 
 /// A running-bond wall of 2-5 courses, 2-5 units wide, some full units of upper courses left out.
 fn walls() -> impl Strategy<Value = Wall> {
@@ -35,6 +35,7 @@ fn walls() -> impl Strategy<Value = Wall> {
                 friction: friction.into(),
                 overburden,
                 push: Push::Right,
+                of_blocks: OfBlocks::default(),
             },
         )
 }
@@ -196,6 +197,7 @@ fn overburden_lowers_the_multiplier() {
             friction: 0.65.into(),
             overburden,
             push: Push::Right,
+            of_blocks: OfBlocks::default(),
         };
         assert!((proved(&wall, HeadJoints::Contact) - contact).abs() < tolerance);
         assert!((proved(&wall, HeadJoints::Open) - open).abs() < tolerance);

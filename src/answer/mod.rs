@@ -17,6 +17,7 @@ mod residual;
 mod self_check;
 mod state;
 mod status;
+mod thrust;
 mod work;
 
 pub use block_residual::BlockResidual;
@@ -41,4 +42,5 @@ pub(crate) use residual::{VERIFIED_RESIDUAL, associative_violation, live_unit};
 pub use self_check::{Checked, Repetition, SelfCheck, Variation};
 pub use state::{CollapseState, JointForce};
 pub use status::Status;
+pub use thrust::{CourseResultant, Thrust, thrust};
 pub use work::Work;

@@ -13,6 +13,8 @@ pub struct Complaint {
     /// The offending text, and the label below it.
     marked: Option<Box<(Place, String)>>,
     help: Option<String>,
+    /// Whether the input is taken all the same.
+    warns: bool,
 }
 
 /// A part of a file's text, within one line.
@@ -39,7 +41,14 @@ impl Complaint {
             title: title.into(),
             marked: None,
             help: None,
+            warns: false,
         }
+    }
+
+    /// The same as a warning: the input is taken all the same.
+    pub(crate) fn into_warning(mut self) -> Self {
+        self.warns = true;
+        self
     }
 
     /// Adds what to write instead.
@@ -69,7 +78,12 @@ impl Complaint {
 impl fmt::Display for Complaint {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let printable = |text: &str| normalize_untrusted_str(&shorten(text, LONGEST));
-        let mut report = Group::with_title(Level::ERROR.primary_title(printable(&self.title)));
+        let level = if self.warns {
+            Level::WARNING
+        } else {
+            Level::ERROR
+        };
+        let mut report = Group::with_title(level.primary_title(printable(&self.title)));
         if let Some((place, label)) = self.marked.as_deref() {
             let mark = AnnotationKind::Primary
                 .span(place.span.clone())
@@ -139,6 +153,7 @@ impl Place {
             title: title.into(),
             marked: Some(Box::new((self.clone(), label.into()))),
             help: None,
+            warns: false,
         }
     }
 

@@ -42,6 +42,24 @@ impl Geometry {
         }
     }
 
+    /// Blocks, supports, friction and forces, whichever form they were written in.
+    ///
+    /// # Panics
+    /// As [`scene`](Self::scene).
+    pub fn assembly(&self) -> Assembly {
+        match self {
+            Geometry::Wall(wall) => {
+                let assembly = wall.assembly();
+                assembly.expect("the wall was laid when the case was read")
+            }
+            Geometry::Blocks(assembly) => assembly.clone(),
+            Geometry::Arch(arch) => {
+                let assembly = arch.assembly();
+                assembly.expect("the arch was built when the case was read")
+            }
+        }
+    }
+
     /// What the blocks are called, in the order of the scene's blocks: by the case, or by their
     /// place.
     pub fn block_names(&self) -> Vec<String> {

@@ -5,10 +5,13 @@
 //! ```
 
 mod complaint;
+mod convert;
+mod drawing;
 mod find;
 mod geometry;
 mod model;
 mod name;
+mod printable;
 mod program;
 mod read;
 mod reference;
@@ -17,10 +20,13 @@ mod template;
 
 pub use complaint::Complaint;
 pub(crate) use complaint::Document;
+pub use convert::BlocksFiles;
+pub use drawing::{DrawingOptions, Imported};
 pub(crate) use find::{UnreadCase, locate};
 pub use find::{collect, embedded, find, library, paper};
 pub use geometry::Geometry;
 pub use model::Case;
+pub(crate) use printable::printable;
 pub(crate) use program::program_name;
 pub use read::ReadFile;
 pub(crate) use read::explain;

@@ -1,5 +1,6 @@
 //! A case once it is read.
 
+use super::complaint::Complaint;
 use super::geometry::Geometry;
 use super::reference::Reference;
 use crate::scene::{HeadJoints, Labels, Push, Scene};
@@ -21,6 +22,8 @@ pub struct Case {
     pub head_joints: Vec<HeadJoints>,
     /// Values to compare with.
     pub references: Vec<Reference>,
+    /// What may be a slip in its file, and was taken as it is written.
+    pub warnings: Vec<Complaint>,
 }
 
 impl Case {

@@ -10,13 +10,14 @@ use trilith::method::{METHODS, PushoverSettings, pushover};
 use trilith::scene::{Forces, Friction, Push};
 use trilith::study::sweep::{self, Sweep};
 
+use super::plan::warn;
 use super::stop::{Stop, print};
 
 #[derive(Clone, Copy, ValueEnum)]
 pub(super) enum KindArgument {
     /// A coursed wall.
     Wall,
-    /// Blocks of any convex shape.
+    /// Blocks of any shape.
     Blocks,
     /// A circular voussoir arch.
     Arch,
@@ -53,6 +54,7 @@ pub(super) fn list() -> Result<u8, Stop> {
 
 pub(super) fn show(argument: &str, pushover: bool) -> Result<u8, Stop> {
     let cases = case::find(argument).map_err(|complaint| Stop::bad_input(complaint.to_string()))?;
+    warn(&cases);
     for case in &cases {
         print(&description(case))?;
         for &head_joints in case.head_joints.iter().filter(|_| pushover) {
@@ -166,7 +168,23 @@ fn friction(friction: Friction) -> String {
     }
 }
 
+/// A file as a shell takes it for a command's argument, and the command for a file.
+pub(super) fn quoted(file: &str) -> String {
+    let file = match file.strip_prefix('-') {
+        Some(_) => format!("./{file}"),
+        None => file.to_owned(),
+    };
+    shlex::try_quote(&file).map_or(file.clone(), |quoted| quoted.into_owned())
+}
+
 pub(super) fn new(name: &str, template: Template) -> Result<u8, Stop> {
+    let named = Path::new(name.strip_suffix(".toml").unwrap_or(name)).file_name();
+    if named.is_none() || name.ends_with(['/', '\\']) {
+        return Err(Stop::bad_input(format!(
+            "error: `{name}` is no name for a case\nhelp: write `trilith new mywall`, or a path that ends in \
+             `.toml`"
+        )));
+    }
     let file = if name.ends_with(".toml") {
         name.to_owned()
     } else {
@@ -189,6 +207,9 @@ pub(super) fn new(name: &str, template: Template) -> Result<u8, Stop> {
     Case::read(&file, text.as_bytes()).map_err(|e| Stop::bad_input(e.to_string()))?;
     write_whole(path, &text)
         .map_err(|e| Stop::bad_input(format!("error: cannot write {file}: {e}")))?;
-    print(&format!("wrote {file}; next: trilith run {file}\n"))?;
+    print(&format!(
+        "wrote {file}; next: trilith run {}\n",
+        quoted(&file)
+    ))?;
     Ok(0)
 }

@@ -6,8 +6,8 @@ use clap::Args;
 use trilith::run::{Keeps, Partial, Row, marked};
 use trilith::study::chart::{self, Chart};
 
+use super::head_joints::HeadJointsArgument;
 use super::output;
-use super::plan::HeadJointsArgument;
 use super::plan::{collect, externals};
 use super::stop::{Stop, print};
 use super::study::run_study;
@@ -34,11 +34,14 @@ pub(super) struct ChartArguments {
 const WALLS: [&str; 5] = ["paper-1", "paper-2", "paper-3", "openings-3", "openings-4"];
 
 pub(super) fn chart(arguments: &ChartArguments) -> Result<u8, Stop> {
-    let cases = match arguments.cases.as_slice() {
+    let mut cases = match arguments.cases.as_slice() {
         [] => collect(&WALLS.map(str::to_owned))?,
         named => collect(named)?,
     };
-    let head_joints = arguments.head_joints.map(Into::into);
+    if let Some(head_joints) = arguments.head_joints {
+        head_joints.set(&mut cases);
+    }
+    let head_joints = arguments.head_joints.and_then(HeadJointsArgument::one);
     for case in &cases {
         let measured = |&head| chart::reference(case, head).is_some();
         if !case.head_joints.iter().any(measured) {

@@ -3,8 +3,10 @@
 use clap::ValueEnum;
 use trilith::case;
 use trilith::external;
-use trilith::scene::{HeadJoints, Push};
+use trilith::scene::Push;
 
+use super::head_joints::HeadJointsArgument;
+use super::plan::warn;
 use super::stop::{Stop, print};
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -32,7 +34,7 @@ impl From<PushArgument> for Push {
 
 pub(super) fn export(
     argument: &str,
-    head_joints: Option<HeadJoints>,
+    head_joints: Option<HeadJointsArgument>,
     push: Option<Push>,
 ) -> Result<u8, Stop> {
     let cases = case::find(argument).map_err(|complaint| Stop::bad_input(complaint.to_string()))?;
@@ -44,7 +46,16 @@ pub(super) fn export(
         );
         return Err(Stop::bad_input(text));
     };
-    let head_joints = head_joints.unwrap_or(case.head_joints[0]);
+    warn(&cases);
+    let head_joints = match head_joints.map(HeadJointsArgument::one) {
+        None => case.head_joints[0],
+        Some(Some(one)) => one,
+        Some(None) => {
+            let text = "error: a scene has one setting of its head joints\nhelp: write \
+                        `--head-joints contact` or `--head-joints open`";
+            return Err(Stop::bad_input(text));
+        }
+    };
     if let ([first, _], None) = (case.pushes.as_slice(), push) {
         let way = first.name();
         eprintln!(

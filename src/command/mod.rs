@@ -4,8 +4,13 @@ mod atlas;
 mod cases;
 mod chart;
 mod check;
+mod convert;
 mod draw;
+mod drawing;
+mod export;
 mod external;
+mod head_joints;
+mod import;
 mod interrupt;
 mod output;
 mod plan;
@@ -67,11 +72,26 @@ enum Command {
         case: String,
         /// Head joints instead of the first that the case runs with.
         #[arg(long)]
-        head_joints: Option<plan::HeadJointsArgument>,
+        head_joints: Option<head_joints::HeadJointsArgument>,
         /// Direction of the push instead of the first that the case is pushed in.
         #[arg(long)]
         push: Option<external::PushArgument>,
+        /// Write a drawing instead: blocks, mechanism and thrust on layers of a DXF.
+        #[arg(long, value_name = "FILE.dxf")]
+        dxf: Option<std::path::PathBuf>,
+        /// The method whose mechanism and thrust are drawn.
+        #[arg(
+            long,
+            value_name = "NAME",
+            requires = "dxf",
+            default_value = "associative"
+        )]
+        method: String,
     },
+    /// Read a drawing (DXF): every closed outline becomes a block of a case, with a CSV beside it.
+    Import(import::ImportArguments),
+    /// Write a case of any form as explicit blocks: a case file with a CSV beside it.
+    Convert(convert::ConvertArguments),
     /// Print the JSON schema of what external methods read or write.
     Schema {
         /// Which of the two.
@@ -105,7 +125,18 @@ pub fn main() -> ExitCode {
             case,
             head_joints,
             push,
-        } => external::export(&case, head_joints.map(Into::into), push.map(Into::into)),
+            dxf: None,
+            ..
+        } => external::export(&case, head_joints, push.map(Into::into)),
+        Command::Export {
+            case,
+            head_joints,
+            push,
+            dxf: Some(path),
+            method,
+        } => export::export(&case, head_joints, push.map(Into::into), &path, &method),
+        Command::Import(arguments) => import::import(&arguments),
+        Command::Convert(arguments) => convert::convert(&arguments),
         Command::Schema { of } => external::schema(of),
         Command::New { name, kind } => cases::new(&name, kind.into()),
     };

@@ -1,12 +1,13 @@
 //! Which methods run, and with which settings: the arguments that several commands share.
 
-use clap::{Args, ValueEnum};
+use clap::Args;
 use trilith::case::{self, Case};
 use trilith::external::{self, External};
 use trilith::method::{self, Collapse, Kind, Method, kind};
 use trilith::run::Plan;
-use trilith::scene::HeadJoints;
 
+use super::drawing::{DrawingArguments, is_drawing};
+use super::head_joints::HeadJointsArgument;
 use super::settings::SettingArguments;
 use super::stop::Stop;
 
@@ -23,21 +24,8 @@ pub(super) struct PlanArguments {
     /// Also run programs of your own: a .toml file that names them, or NAME=COMMAND.
     #[arg(long, value_name = "FILE.toml|NAME=COMMAND")]
     external: Vec<String>,
-}
-
-#[derive(Clone, Copy, ValueEnum)]
-pub(super) enum HeadJointsArgument {
-    Contact,
-    Open,
-}
-
-impl From<HeadJointsArgument> for HeadJoints {
-    fn from(argument: HeadJointsArgument) -> Self {
-        match argument {
-            HeadJointsArgument::Contact => HeadJoints::Contact,
-            HeadJointsArgument::Open => HeadJoints::Open,
-        }
-    }
+    #[command(flatten)]
+    drawing: DrawingArguments,
 }
 
 impl PlanArguments {
@@ -50,11 +38,27 @@ impl PlanArguments {
     ) -> Result<(Vec<Case>, Plan<'static>), Stop> {
         let (methods, misplaced) = methods(&self.method, &externals(&self.external)?)?;
         let named = [cases, &misplaced].concat();
-        let mut cases = if named.is_empty() {
+        let (drawings, named): (Vec<String>, Vec<String>) =
+            named.into_iter().partition(|name| is_drawing(name));
+        let mut cases = if !drawings.is_empty() && named.is_empty() {
+            Vec::new()
+        } else if named.is_empty() {
             default()
         } else {
             collect(&named)?
         };
+        warn(&cases);
+        if drawings.is_empty() && self.drawing.is_given() {
+            let text = "error: --friction, --support and the like are for drawings, and none is \
+                        named\nhelp: name a `.dxf`, or write them into the case";
+            return Err(Stop::bad_input(text));
+        }
+        for drawing in &drawings {
+            cases.push(self.drawing.case(drawing)?);
+        }
+        if let Some(head_joints) = self.head_joints {
+            head_joints.set(&mut cases);
+        }
         let settings = self.settings.read()?;
         if settings.pushover.collapse == Collapse::FirstSlip {
             // References of the pushover are of the collapse, which is not what it was asked for.
@@ -66,7 +70,7 @@ impl PlanArguments {
         let plan = Plan {
             methods,
             settings,
-            head_joints: self.head_joints.map(Into::into),
+            head_joints: self.head_joints.and_then(HeadJointsArgument::one),
         };
         Ok((cases, plan))
     }
@@ -104,6 +108,13 @@ pub(super) fn programs(arguments: &[String]) -> Result<Vec<&'static External>, S
     Ok(all)
 }
 
+/// Tells on standard error what may be a slip in the files of cases.
+pub(super) fn warn(cases: &[Case]) {
+    for warning in cases.iter().flat_map(|case| &case.warnings) {
+        eprintln!("{warning}\n");
+    }
+}
+
 pub(super) fn collect(arguments: &[String]) -> Result<Vec<Case>, Stop> {
     case::collect(arguments).map_err(|complaints| {
         let texts: Vec<String> = complaints.iter().map(ToString::to_string).collect();
@@ -122,7 +133,8 @@ fn methods(
     let known = |name: &str| all.iter().any(|method| method.name() == name);
     let (names, others): (Vec<String>, Vec<String>) =
         names.iter().cloned().partition(|name| known(name));
-    if let Some(other) = others.iter().find(|other| case::find(other).is_err()) {
+    let is_case = |other: &&String| is_drawing(other) || case::find(other).is_ok();
+    if let Some(other) = others.iter().find(|other| !is_case(other)) {
         let list: Vec<&str> = all.iter().map(|method| method.name()).collect();
         let list = list.join(", ");
         let text = format!("error: there is no method named `{other}`\nhelp: methods are {list}");

@@ -23,7 +23,7 @@ pub struct SceneFile {
     pub push: String,
     /// Blocks that may move.
     pub blocks: Vec<BlockFile>,
-    /// Convex shapes that never move.
+    /// Shapes that never move.
     pub supports: Vec<ShapeFile>,
     /// Every joint that can carry a force.
     pub joints: Vec<JointFile>,
@@ -36,7 +36,7 @@ pub struct BlockFile {
     /// What the case calls it, or where it lies in a coursed wall ("course 3 piece 2": courses from
     /// the bottom, pieces from the left with gaps); empty where there is no name.
     pub name: String,
-    /// Corners [x, y] of the convex outline, counter-clockwise.
+    /// Corners [x, y] of the outline, counter-clockwise; it may bend inwards.
     pub corners: Vec<[f64; 2]>,
     /// Centroid [x, y] of the outline, which wrenches and velocities are about.
     pub centroid: [f64; 2],
@@ -63,7 +63,7 @@ pub struct LoadFile {
     pub live: [f64; 2],
 }
 
-/// A convex shape.
+/// A shape.
 #[derive(Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ShapeFile {

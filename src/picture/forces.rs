@@ -2,11 +2,11 @@
 
 use super::frame::Frame;
 use super::legend::arrow_paths;
-use super::palette::FORCE;
+use super::palette::{FORCE, THRUST};
 use super::path::Path;
 use super::svg::{Svg, style};
 use super::wall::line_width;
-use crate::answer::JointForce;
+use crate::answer::{JointForce, thrust};
 use crate::scene::{Joint, Point, Scene, Vector};
 
 /// Part of the scene's height that the line of the largest contact force is long.
@@ -70,4 +70,29 @@ pub fn forces(svg: &mut Svg, frame: &Frame, scene: &Scene, forces: &[JointForce]
         &format!("contact forces, the largest {largest}"),
     );
     svg.path(&heads, style().class("heads").fill(FORCE), "");
+}
+
+/// Lines of thrust, and where there are none, the resultants on level bed joints.
+pub fn lines_of_thrust(svg: &mut Svg, frame: &Frame, scene: &Scene, forces: &[JointForce]) {
+    let thrust = thrust(scene, forces);
+    let mut path = Path::default();
+    for line in &thrust.lines {
+        let line: Vec<_> = line.iter().map(|&point| frame.at(point)).collect();
+        path.add(&line, false);
+    }
+    let largest = thrust.courses.iter().map(|of| of.force.norm());
+    let largest = largest.fold(0.0, f64::max);
+    if thrust.lines.is_empty() && largest > 0.0 {
+        for of in &thrust.courses {
+            let Some(x) = of.x else { continue };
+            let (at, half) = (
+                Point::new(x, of.level),
+                of.force * (0.5 * LONGEST * scene.height() / largest),
+            );
+            path.add(&[frame.at(at - half), frame.at(at + half)], false);
+        }
+    }
+    let line = style().class("thrust").hollow().stroke(THRUST);
+    let words = "line of thrust, or resultants on the courses";
+    svg.path(&path, line.stroke_width(1.2).round_ends(), words);
 }

@@ -93,7 +93,8 @@ impl<'a> Displacement<'a> {
     }
 }
 
-/// The part of a convex polygon that lies in a box; empty where none does.
+/// The part of a polygon that lies in a box; empty where none does. Parts of one that bends inwards are
+/// joined along the box.
 pub fn clipped(polygon: &Polygon, low: Point, high: Point) -> Vec<Point> {
     let mut corners = polygon.corners().to_vec();
     // Half-planes n·p ≤ d.

@@ -3,7 +3,9 @@
 use super::axes::round_below;
 use super::legend::LegendEntry;
 use super::mechanism::Occurring;
-use super::palette::{BEFORE, CRACK, FORCE, INK, MACRO_CRACK, SCALE, SLIDING, STILL, SUPPORT};
+use super::palette::{
+    BEFORE, CRACK, FORCE, INK, MACRO_CRACK, SCALE, SLIDING, STILL, SUPPORT, THRUST,
+};
 use super::svg::style;
 use crate::number::short;
 
@@ -101,6 +103,8 @@ pub fn entries(holds: &Holds, scale: f64) -> Vec<LegendEntry> {
             short(force, 9)
         );
         entries.push(LegendEntry::arrow(FORCE, pixels, words));
+        let words = "line of thrust, or resultants on the courses";
+        entries.push(LegendEntry::line(line(THRUST, 1.2), words));
     }
     let length = round_below(LENGTH / scale);
     let words = format!("{} units of length", short(length, 9));

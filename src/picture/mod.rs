@@ -14,6 +14,7 @@
 mod axes;
 mod cells;
 mod crack;
+mod dxf;
 mod figure;
 mod forces;
 mod frame;
@@ -49,6 +50,7 @@ pub(crate) use ranges::{KNOWN, RangeMark, Ranges, ranges};
 pub(crate) use replay::{Replay, replay};
 pub(crate) use words::lines;
 
+pub use dxf::dxf;
 pub use figure::figure;
 pub use parts::{RigidPart, parts, threshold};
 #[cfg(feature = "print")]

@@ -36,6 +36,8 @@ pub const CRACK: &str = "#7a3e9d";
 pub const MACRO_CRACK: &str = "#000";
 /// Contact forces.
 pub const FORCE: &str = "#b3006b";
+/// Lines of thrust.
+pub const THRUST: &str = "#7a3e9d";
 /// Outline of a legend's squares.
 pub const SQUARE_LINE: &str = "#777";
 

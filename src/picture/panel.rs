@@ -108,6 +108,7 @@ impl<'a> Panel<'a> {
             Contents::Forces => {
                 if let Some(forces) = &outcome.forces {
                     forces::forces(svg, &frame, scene, forces);
+                    forces::lines_of_thrust(svg, &frame, scene, forces);
                 }
             }
             Contents::Mechanism => {

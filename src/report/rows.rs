@@ -2,7 +2,8 @@
 
 use serde_json::json;
 
-use crate::answer::Mechanism;
+use super::terms::terms;
+use crate::answer::{Mechanism, Thrust, thrust};
 use crate::external::{SceneFile, answers};
 use crate::judge::{Conclusion, Verdict};
 use crate::record::{self, LEGEND};
@@ -23,7 +24,12 @@ pub fn case_table(result: &CaseResult) -> String {
     let open = result.checks.iter().filter(|c| c.verdict > Verdict::Holds);
     lines.extend(open.map(record::check_line));
     lines.push("answer".to_owned());
-    lines.extend(result.conclusions.iter().map(record::conclusion_line));
+    for conclusion in &result.conclusions {
+        lines.push(record::conclusion_line(conclusion));
+        let terms = terms(result, conclusion).map(|terms| terms.to_string());
+        let said = terms.filter(|terms| !terms.is_empty());
+        lines.extend(said.map(|terms| format!("  {:<8} {terms}", "")));
+    }
     format!("{}{}\n\n", record::title(result), lines.join("\n"))
 }
 
@@ -58,6 +64,10 @@ pub fn csv(results: &[CaseResult]) -> Result<String, csv::Error> {
 /// case's length unit and its rotation in radians, counter-clockwise. `conclusion` has what all rows
 /// about the scene come to, the same in each of them: `difference` is how far λ_A is above the lowest
 /// state, relative to that, and `explained` whether nothing but that is to be explained.
+/// `tilt_degrees` is arctan λ where the live load is every weight sideways, `base_shear` λ times the
+/// live load; `first_blocks` and `first_joints` move fastest in the `mechanism`. `thrust` has the lines of
+/// thrust of a row's forces, and the resultant on each level of bed joints: the force on what is above,
+/// and where it acts.
 /// Where results are partial, a last object says so in `partial`, and its columns are `null`.
 ///
 /// # Errors
@@ -126,12 +136,44 @@ fn object(result: &CaseResult, row: &Row) -> JsonObject {
     }
     let mut conclusions = result.conclusions.iter();
     let of_row = conclusions.find(|conclusion| conclusion.head_joints == row.head_joints);
-    object.insert("conclusion".to_owned(), of_row.map(conclusion).into());
+    object.insert(
+        "conclusion".to_owned(),
+        of_row.map(|of| conclusion(result, of)).into(),
+    );
+    if let Some(forces) = &row.outcome.forces {
+        object.insert(
+            "thrust".to_owned(),
+            way_of(&thrust(result.scene(row), forces)),
+        );
+    }
     object
 }
 
+/// Lines of thrust as lists of points, and resultants on level bed joints.
+fn way_of(thrust: &Thrust) -> serde_json::Value {
+    let digits = |number: f64| Value::Number(number).json();
+    let pair = |x: f64, y: f64| json!([digits(x), digits(y)]);
+    let lines = thrust.lines.iter().map(|line| {
+        let points = line.iter().map(|point| pair(point.x, point.y));
+        points.collect::<Vec<_>>()
+    });
+    let courses = thrust.courses.iter().map(|of| {
+        json!({
+            "level": digits(of.level),
+            "force": pair(of.force.x, of.force.y),
+            "x": of.x.map(digits),
+        })
+    });
+    json!({
+        "lines": lines.collect::<Vec<_>>(),
+        "courses": courses.collect::<Vec<_>>(),
+    })
+}
+
 /// The conclusion as data, and its line.
-fn conclusion(of: &Conclusion) -> serde_json::Value {
+fn conclusion(result: &CaseResult, of: &Conclusion) -> serde_json::Value {
+    let terms = terms(result, of);
+    let terms = terms.as_ref();
     let digits = |number: Option<f64>| Value::from(number).json();
     let difference = of.difference.as_ref();
     let doubts = of.doubts.iter().map(ToString::to_string);
@@ -148,6 +190,11 @@ fn conclusion(of: &Conclusion) -> serde_json::Value {
         "explained": of.is_explained(),
         "doubts": doubts.collect::<Vec<_>>(),
         "line": of.to_string(),
+        "tilt_degrees": digits(terms.and_then(|terms| terms.tilt)),
+        "base_shear": digits(terms.and_then(|terms| terms.base_shear)),
+        "mechanism": terms.and_then(|terms| terms.mechanism.clone()),
+        "first_blocks": terms.map(|terms| terms.first_blocks.clone()),
+        "first_joints": terms.map(|terms| terms.first_joints.clone()),
     })
 }
 

@@ -1,4 +1,4 @@
-//! Named blocks of any convex shape on named supports: explicit scenes, and what generators make.
+//! Named blocks of any shape on named supports: explicit scenes, and what generators make.
 
 use super::block::{Block, Load};
 use super::friction::Friction;

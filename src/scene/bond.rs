@@ -240,7 +240,7 @@ mod tests {
             Unit | Piece::Gap => 1.0,
             Half => 0.5,
             Quarter => 0.25,
-            Part(part) => *part,
+            Part(part) | Piece::Opening(part) => *part,
         };
         // All courses of a stack are alike.
         let staggered = BONDS.iter().filter(|bond| bond.lowest.is_some());

@@ -1,5 +1,6 @@
 //! Joints: where an edge of one block lies on an edge of another, found from the geometry.
 
+use super::close_pairs::{close_pairs, extent};
 use super::polygon::{Point, Polygon, Vector};
 
 /// What a joint rests against.
@@ -134,56 +135,6 @@ fn block(side: Side) -> Option<usize> {
         Side::Block(block) => Some(block),
         Side::Support(_) => None,
     }
-}
-
-/// Pairs whose bounding boxes meet within `tolerance`: (body, block) with the body first in the
-/// order supports, blocks. Sorted.
-///
-/// A sweep along the axis that the bodies spread over more, so the work grows with the number of
-/// bodies that stand at one place of it and not with the square of all.
-pub(super) fn close_pairs(
-    tolerance: f64,
-    shapes: &[&Polygon],
-    supports: &[Polygon],
-) -> Vec<(usize, usize)> {
-    let bodies: Vec<&Polygon> = supports.iter().chain(shapes.iter().copied()).collect();
-    let grown = |shape: &&Polygon| {
-        let margin = Vector::repeat(tolerance * extent(shape));
-        let (low, high) = shape.bounds();
-        (low - margin, high + margin)
-    };
-    let boxes: Vec<(Point, Point)> = bodies.iter().map(grown).collect();
-    let spread = |axis: usize| {
-        let ends = boxes.iter().map(|(low, _)| low[axis]);
-        ends.clone().fold(f64::NEG_INFINITY, f64::max) - ends.fold(f64::INFINITY, f64::min)
-    };
-    let axis = usize::from(spread(1) > spread(0));
-    let mut order: Vec<usize> = (0..bodies.len()).collect();
-    order.sort_by(|&a, &b| boxes[a].0[axis].total_cmp(&boxes[b].0[axis]));
-    let meet = |a: usize, b: usize| {
-        let ((a_low, a_high), (b_low, b_high)) = (boxes[a], boxes[b]);
-        (0..2).all(|k| a_low[k] <= b_high[k] && b_low[k] <= a_high[k])
-    };
-    let mut pairs = Vec::new();
-    let mut open: Vec<usize> = Vec::new();
-    for &body in &order {
-        open.retain(|&other| boxes[other].1[axis] >= boxes[body].0[axis]);
-        for &other in open.iter().filter(|&&other| meet(body, other)) {
-            let (one, other) = (body.min(other), body.max(other));
-            if let Some(block) = other.checked_sub(supports.len()) {
-                pairs.push((one, block));
-            }
-        }
-        open.push(body);
-    }
-    pairs.sort_unstable();
-    pairs
-}
-
-/// Diagonal of the bounding box.
-pub(super) fn extent(shape: &Polygon) -> f64 {
-    let (low, high) = shape.bounds();
-    (high - low).norm()
 }
 
 /// Segments where an edge of `from` lies against an edge of `to`, with the normal into `to`.

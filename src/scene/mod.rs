@@ -1,19 +1,22 @@
-//! What every method gets: convex blocks with forces, joints, friction, and nothing else.
+//! What every method gets: blocks with forces, joints, friction, and nothing else.
 
 mod arch;
 mod assembly;
 mod block;
 mod bond;
+mod close_pairs;
 mod connected;
 mod derived;
 mod friction;
 mod joints;
 mod labels;
 mod model;
+mod of_blocks;
 mod parts;
 mod polygon;
 mod push;
 mod regular;
+mod simple;
 mod soundness;
 mod wall;
 
@@ -21,6 +24,7 @@ pub use arch::Arch;
 pub use assembly::{Assembly, Force, Forces, NamedBlock, Support};
 pub use block::{Block, Load, Wrench};
 pub(crate) use bond::{BONDS, Bond, LowestCourse};
+pub(crate) use close_pairs::{close_pairs, extent};
 pub(crate) use connected::connected;
 pub use friction::Friction;
 pub(crate) use joints::TOUCHING;
@@ -28,6 +32,7 @@ pub use joints::{Joint, JointClass, Side};
 pub use labels::Labels;
 pub use model::Scene;
 pub(crate) use model::multiplier_unit;
+pub use of_blocks::OfBlocks;
 pub use parts::{SceneError, SceneParts};
 pub use polygon::{Point, Polygon, PolygonError, Vector};
 pub use push::{HeadJoints, Push};

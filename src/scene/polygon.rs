@@ -1,6 +1,8 @@
-//! Convex polygons: the shape of every block and support.
+//! Simple polygons: the shape of every block and support.
 
 use nalgebra::{Point2, Vector2};
+
+use super::simple::{STRAIGHT, convex_pieces, crossing, sine};
 
 /// A point of the wall's plane, in the case's own length unit; x to the right, y up.
 pub type Point = Point2<f64>;
@@ -17,9 +19,9 @@ pub enum PolygonError {
     /// A coordinate is NaN or infinite.
     #[error("corner {0} is not a finite point")]
     NotFinite(usize),
-    /// A corner bends inwards or is straight, or the outline crosses itself.
-    #[error("the outline is not strictly convex at corner {0}")]
-    NotConvex(usize),
+    /// The outline crosses or touches itself, or comes straight back, in the edge behind a corner.
+    #[error("the outline crosses itself behind corner {0}")]
+    NotSimple(usize),
     /// The area vanishes against the square of the longest edge.
     #[error("the polygon is a sliver: area {area:e} for a longest edge of {edge:e}")]
     Sliver {
@@ -30,7 +32,8 @@ pub enum PolygonError {
     },
 }
 
-/// A strictly convex polygon with its corners in counter-clockwise order.
+/// A polygon that does not cross itself, convex or not, with its corners in counter-clockwise order
+/// and none of them on a straight edge.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Polygon {
     corners: Vec<Point>,
@@ -39,7 +42,7 @@ pub struct Polygon {
 }
 
 impl Polygon {
-    /// Takes the corners in either order round the outline.
+    /// Takes the corners in either order round the outline. Corners on a straight edge are left out.
     ///
     /// # Errors
     /// [`PolygonError`] names the first corner that makes the shape unusable (0-based).
@@ -62,20 +65,12 @@ impl Polygon {
         if area <= 1e-9 * edge * edge {
             return Err(PolygonError::Sliver { area, edge });
         }
-        let mut turn = 0.0;
-        for i in 0..count {
-            let before = corners[i] - corners[(i + count - 1) % count];
-            let after = corners[(i + 1) % count] - corners[i];
-            let bend = before.perp(&after);
-            if bend <= 1e-9 * before.norm() * after.norm() {
-                return Err(PolygonError::NotConvex(i));
-            }
-            turn += bend.atan2(before.dot(&after));
+        if let Some(corner) = back(&corners).or_else(|| crossing_of(&corners)) {
+            return Err(PolygonError::NotSimple(corner));
         }
-        // A pentagram turns left everywhere, but twice round.
-        if turn > 3.0 * std::f64::consts::PI {
-            return Err(PolygonError::NotConvex(0));
-        }
+        let corners = without_straight(corners);
+        // Area and centroid of what is left: the same but for rounding.
+        let area = signed_area(&corners);
         let centroid = centroid(&corners, area);
         Ok(Self {
             corners,
@@ -95,6 +90,22 @@ impl Polygon {
             Point::new(x1, y1),
             Point::new(x0, y1),
         ])
+    }
+
+    /// Whether no corner bends inwards.
+    pub fn is_convex(&self) -> bool {
+        let count = self.corners.len();
+        (0..count).all(|i| bend(&self.corners, i) > 0.0)
+    }
+
+    /// Convex pieces that fill it, as places in [`corners`](Self::corners), counter-clockwise; one
+    /// piece where it is convex.
+    pub fn convex_pieces(&self) -> Vec<Vec<usize>> {
+        if self.is_convex() {
+            vec![(0..self.corners.len()).collect()]
+        } else {
+            convex_pieces(&self.corners)
+        }
     }
 
     /// Corners, counter-clockwise.
@@ -128,6 +139,54 @@ impl Polygon {
         }
         (low, high)
     }
+}
+
+/// Sine of the angle at a corner, positive to the left.
+fn bend(corners: &[Point], i: usize) -> f64 {
+    let count = corners.len();
+    let before = corners[i] - corners[(i + count - 1) % count];
+    sine(before, corners[(i + 1) % count] - corners[i])
+}
+
+/// The first corner at which an outline comes straight back.
+fn back(corners: &[Point]) -> Option<usize> {
+    let count = corners.len();
+    (0..count).find(|&i| {
+        let before = corners[i] - corners[(i + count - 1) % count];
+        let after = corners[(i + 1) % count] - corners[i];
+        // Not a number where a corner is written twice.
+        let goes_on = bend(corners, i).abs() > STRAIGHT || before.dot(&after) > 0.0;
+        !goes_on
+    })
+}
+
+/// As [`crossing`]. An outline that turns to the left everywhere, and once round, needs no search.
+fn crossing_of(corners: &[Point]) -> Option<usize> {
+    let count = corners.len();
+    let mut turn = 0.0;
+    let convex = (0..count).all(|i| {
+        let bend = bend(corners, i);
+        let before = corners[i] - corners[(i + count - 1) % count];
+        let after = corners[(i + 1) % count] - corners[i];
+        turn += before.perp(&after).atan2(before.dot(&after));
+        bend > STRAIGHT
+    });
+    // A pentagram turns left everywhere, but twice round.
+    if convex && turn < 3.0 * std::f64::consts::PI {
+        None
+    } else {
+        crossing(corners)
+    }
+}
+
+/// The corners without those on a straight edge.
+fn without_straight(corners: Vec<Point>) -> Vec<Point> {
+    let bends = |i: usize| bend(&corners, i).abs() > STRAIGHT;
+    if (0..corners.len()).all(bends) {
+        return corners;
+    }
+    let kept = (0..corners.len()).filter(|&i| bends(i));
+    kept.map(|i| corners[i]).collect()
 }
 
 fn signed_area(corners: &[Point]) -> f64 {
@@ -183,6 +242,29 @@ mod tests {
     }
 
     #[test]
+    fn outlines_may_bend_inwards_and_corners_on_straight_edges_are_left_out() {
+        let at =
+            |v: &[(f64, f64)]| Polygon::new(v.iter().map(|&(x, y)| Point::new(x, y)).collect());
+        let l = at(&[
+            (0., 0.),
+            (1., 0.),
+            (2., 0.),
+            (2., 1.),
+            (1., 1.),
+            (1., 3.),
+            (0., 3.),
+        ]);
+        let l = l.unwrap();
+        assert_eq!((l.corners().len(), l.is_convex()), (6, false));
+        assert!((l.area() - 4.0).abs() < 1e-12);
+        // Of two rectangles, 2 × 1 at (1, 0.5) and 1 × 2 at (0.5, 2).
+        assert!((l.centroid() - Point::new(0.75, 1.25)).norm() < 1e-12);
+        assert_eq!(l.convex_pieces().len(), 2);
+        let square = at(&[(0., 0.), (1., 0.), (1., 0.5), (1., 1.), (0., 1.)]).unwrap();
+        assert_eq!(square, Polygon::rectangle(0., 1., 0., 1.).unwrap());
+    }
+
+    #[test]
     fn unusable_outlines_are_named() {
         let at =
             |v: &[(f64, f64)]| Polygon::new(v.iter().map(|&(x, y)| Point::new(x, y)).collect());
@@ -195,9 +277,13 @@ mod tests {
             Err(PolygonError::NotFinite(1))
         );
         assert_eq!(
-            at(&[(0., 0.), (2., 0.), (2., 2.), (1., 0.5), (0., 2.)]),
-            Err(PolygonError::NotConvex(3))
+            at(&[(0., 0.), (2., 2.), (2., 0.), (0., 3.)]),
+            Err(PolygonError::NotSimple(0))
         );
+        // A pentagram turns the same way everywhere.
+        let tip = |k: f64| (2.0 * std::f64::consts::TAU / 5.0 * k).sin_cos();
+        let star: Vec<_> = (0..5).map(|k| tip(f64::from(k))).collect();
+        assert!(matches!(at(&star), Err(PolygonError::NotSimple(_))));
         assert!(matches!(
             at(&[(0., 0.), (1., 0.), (2., 0.)]),
             Err(PolygonError::Sliver { .. })

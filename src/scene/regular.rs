@@ -51,6 +51,9 @@ pub enum Irregularity {
     /// Bed joints and base joint of different friction, of which Eq. (1) knows one.
     #[error("bed joints and base differ in friction")]
     Friction,
+    /// Blocks with weights of their own, or loads beside weights and overburden.
+    #[error("single blocks have weights or loads of their own")]
+    OwnLoads,
     /// Courses of different widths.
     #[error("course {0} is not as wide as the first")]
     Width(usize),

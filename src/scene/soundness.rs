@@ -1,9 +1,10 @@
 //! What makes an assembly one: no block inside another, no joint missed by a hair, none in the air.
 
 use super::assembly::Assembly;
+use super::close_pairs::{close_pairs, extent};
 use super::connected::connected;
-use super::joints::{Side, close_pairs, extent, find_joints, shared_edges};
-use super::polygon::Polygon;
+use super::joints::{Side, find_joints, shared_edges};
+use super::polygon::{Point, Polygon};
 
 /// Edges nearer than this fraction of the smaller block's extent that are no joint: nobody builds
 /// such a gap, so the coordinates were rounded.
@@ -109,13 +110,31 @@ impl Assembly {
     }
 }
 
-/// How deep two convex polygons lie in each other; negative where they are apart. The depth is along
-/// the normal of the edge that parts them best, which for convex shapes is one of theirs.
+/// How deep two polygons lie in each other: the deepest of their convex pieces; negative where all
+/// are apart.
 fn overlap(a: &Polygon, b: &Polygon) -> f64 {
-    let beyond = |edges: &Polygon, other: &Polygon| {
-        let distances = edges.edges().map(|(from, to)| {
+    let pieces = |shape: &Polygon| -> Vec<Vec<Point>> {
+        let at = |corner: usize| shape.corners()[corner];
+        let pieces = shape.convex_pieces().into_iter();
+        pieces
+            .map(|piece| piece.into_iter().map(at).collect())
+            .collect()
+    };
+    let (a, b) = (pieces(a), pieces(b));
+    let pairs = a
+        .iter()
+        .flat_map(|a| b.iter().map(move |b| convex_overlap(a, b)));
+    pairs.fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// How deep two convex outlines lie in each other; negative where they are apart. The depth is along
+/// the normal of the edge that parts them best, which for convex shapes is one of theirs.
+fn convex_overlap(a: &[Point], b: &[Point]) -> f64 {
+    let beyond = |edges: &[Point], other: &[Point]| {
+        let next = edges.iter().cycle().skip(1);
+        let distances = edges.iter().zip(next).map(|(from, to)| {
             let along = (to - from).normalize();
-            let heights = other.corners().iter().map(|corner| {
+            let heights = other.iter().map(|corner| {
                 let arm = corner - from;
                 // Outward is to the right of an edge.
                 -along.perp(&arm)

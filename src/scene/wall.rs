@@ -1,8 +1,11 @@
 //! Coursed walls: laying courses into blocks, the overburden, the closed-form description.
 
+use super::assembly::{Assembly, Force, Forces, NamedBlock, Support};
 use super::block::{Block, Load};
 use super::friction::Friction;
+use super::joints::TOUCHING;
 use super::model::Scene;
+use super::of_blocks::OfBlocks;
 use super::parts::{SceneError, SceneParts};
 use super::polygon::{Point, Polygon, PolygonError, Vector};
 use super::push::{HeadJoints, Push};
@@ -21,9 +24,16 @@ pub enum Piece {
     Part(f64),
     /// Nothing, one unit wide.
     Gap,
+    /// Nothing, as wide as this part of a unit's length.
+    Opening(f64),
 }
 
 impl Piece {
+    /// Whether there is nothing.
+    pub(crate) fn is_gap(&self) -> bool {
+        matches!(self, Piece::Gap | Piece::Opening(_))
+    }
+
     /// Whether its length is a multiple of half a unit.
     fn is_of_halves(&self) -> bool {
         matches!(self, Piece::Unit | Piece::Half | Piece::Gap)
@@ -52,6 +62,8 @@ pub struct Wall {
     pub overburden: f64,
     /// Direction of the live load.
     pub push: Push,
+    /// What single blocks have of their own.
+    pub of_blocks: OfBlocks,
 }
 
 /// Why a wall cannot be laid. Courses and pieces count from 1.
@@ -93,6 +105,7 @@ impl Wall {
             friction: 0.5.into(),
             overburden: 0.0,
             push,
+            of_blocks: OfBlocks::default(),
         }
     }
 
@@ -102,18 +115,64 @@ impl Wall {
     }
 
     /// Where every block lies, in the order of the scene's blocks. Courses count from the bottom,
-    /// pieces from the left with gaps.
+    /// pieces from the left with gaps. A block with a name of its own has that.
     pub fn block_names(&self) -> Vec<String> {
-        let places = self
-            .courses
-            .iter()
-            .enumerate()
-            .flat_map(|(course, pieces)| {
-                let blocks = pieces.iter().enumerate();
-                let blocks = blocks.filter(|(_, piece)| **piece != Piece::Gap);
-                blocks.map(move |(piece, _)| format!("course {} piece {}", course + 1, piece + 1))
+        let places = self.block_places().enumerate();
+        let name = |(block, (course, piece))| match self.of_blocks.names.get(&block) {
+            Some(name) => name.clone(),
+            None => format!("course {course} piece {piece}"),
+        };
+        places.map(name).collect()
+    }
+
+    /// Course and piece of every block, both from 1, in the order of the scene's blocks.
+    pub fn block_places(&self) -> impl Iterator<Item = (usize, usize)> + '_ {
+        let courses = self.courses.iter().enumerate();
+        courses.flat_map(|(course, pieces)| {
+            let blocks = pieces.iter().enumerate();
+            let blocks = blocks.filter(|(_, piece)| !piece.is_gap());
+            blocks.map(move |(piece, _)| (course + 1, piece + 1))
+        })
+    }
+
+    /// The same wall as named blocks, their weights and the overburden as forces on them. What only a
+    /// coursed wall has (the closed form, what its crack is measured with) is lost.
+    ///
+    /// # Errors
+    /// [`WallError`] where the courses do not make a wall.
+    pub fn assembly(&self) -> Result<Assembly, WallError> {
+        let (mut blocks, mut extra) = (Vec::new(), Vec::new());
+        let names = self.block_names().into_iter();
+        for (index, (laid, name)) in self.lay()?.into_iter().zip(names).enumerate() {
+            blocks.push(NamedBlock {
+                name,
+                weight: self.weight(index, &laid.shape),
+                centre: laid.shape.centroid(),
+                shape: laid.shape.clone(),
             });
-        places.collect()
+            extra.extend(self.carried(&laid).map(|(point, weight)| Force {
+                block: index,
+                point,
+                dead: Vector::new(0.0, -weight),
+                live: Vector::new(self.live_of_weight(weight), 0.0),
+            }));
+        }
+        let own = &self.of_blocks.forces;
+        extra.extend(&own.extra);
+        Ok(Assembly {
+            blocks,
+            supports: vec![Support {
+                name: "ground".to_owned(),
+                shape: self.ground()?,
+            }],
+            friction: self.friction,
+            forces: Forces {
+                weight_is_live: own.weight_is_live,
+                extra,
+            },
+            tolerance: TOUCHING,
+            radial: false,
+        })
     }
 
     fn width(&self, piece: Piece) -> f64 {
@@ -121,7 +180,7 @@ impl Wall {
             Piece::Unit | Piece::Gap => self.unit_length,
             Piece::Half => self.unit_length / 2.0,
             Piece::Quarter => self.unit_length / 4.0,
-            Piece::Part(part) => self.unit_length * part,
+            Piece::Part(part) | Piece::Opening(part) => self.unit_length * part,
         }
     }
 
@@ -135,7 +194,16 @@ impl Wall {
     /// [`WallError`] where the courses do not make a wall.
     pub fn scene(&self, head_joints: HeadJoints) -> Result<Scene, WallError> {
         let laid = self.lay()?;
-        let blocks = laid.into_iter().map(|block| self.load(block)).collect();
+        let laid = laid.into_iter().enumerate();
+        let blocks = laid.map(|(index, block)| self.load(index, block));
+        let mut blocks: Vec<Block> = blocks.collect();
+        for force in &self.of_blocks.forces.extra {
+            blocks[force.block].loads.push(Load {
+                point: force.point,
+                dead: force.dead,
+                live: Vector::new(self.push.sign() * force.live.x, force.live.y),
+            });
+        }
         let scene = Scene::new(SceneParts {
             push: self.push,
             wall: Some(WallFacts {
@@ -165,9 +233,9 @@ impl Wall {
                     Piece::Unit | Piece::Gap => quarters += 4,
                     Piece::Half => quarters += 2,
                     Piece::Quarter => quarters += 1,
-                    Piece::Part(part) => parts += part,
+                    Piece::Part(part) | Piece::Opening(part) => parts += part,
                 }
-                if kind == Piece::Gap {
+                if kind.is_gap() {
                     continue;
                 }
                 let x1 = at(quarters, parts);
@@ -190,23 +258,53 @@ impl Wall {
         Polygon::rectangle(-reach, right, -self.unit_height, 0.0)
     }
 
-    /// Weight with its live part at the centroid; the overburden p·b·width, dead downwards and
-    /// live sideways (as λPH in Eq. 4), at the middle of a top-course block's top face.
-    fn load(&self, block: Laid) -> Block {
-        let shape = block.shape;
-        let pressure = self.unit_weight / (self.unit_length * self.unit_height);
-        let carried = |weight: f64, point: Point| Load {
+    /// Weight with its live part at the centroid, then the overburden.
+    fn load(&self, index: usize, block: Laid) -> Block {
+        let sign = self.push.sign();
+        let load = |(point, weight): (Point, f64)| Load {
             point,
             dead: Vector::new(0.0, -weight),
-            live: Vector::new(self.push.sign() * weight, 0.0),
+            live: Vector::new(sign * self.live_of_weight(weight) + 0.0, 0.0),
         };
-        let mut loads = vec![carried(pressure * shape.area(), shape.centroid())];
-        if self.overburden > 0.0 && block.course + 1 == self.courses.len() {
-            let (low, high) = shape.bounds();
-            let weight = self.overburden * self.height() * pressure * (high.x - low.x);
-            loads.push(carried(weight, Point::new((low.x + high.x) / 2.0, high.y)));
+        let own = (block.shape.centroid(), self.weight(index, &block.shape));
+        let mut loads = vec![load(own)];
+        loads.extend(self.carried(&block).map(load));
+        Block {
+            shape: block.shape,
+            loads,
         }
-        Block { shape, loads }
+    }
+
+    /// Weight of a block: its own, or that of the units times its area.
+    fn weight(&self, index: usize, shape: &Polygon) -> f64 {
+        let own = self.of_blocks.weights.get(&index);
+        own.copied()
+            .unwrap_or_else(|| self.pressure() * shape.area())
+    }
+
+    /// Weight of the units over the area of the elevation.
+    fn pressure(&self) -> f64 {
+        self.unit_weight / (self.unit_length * self.unit_height)
+    }
+
+    /// The overburden on a block of the top course: p·b·width, dead downwards and live sideways (as
+    /// λPH in Eq. 4), at the middle of its top face.
+    fn carried(&self, block: &Laid) -> Option<(Point, f64)> {
+        let is_top = block.course + 1 == self.courses.len();
+        (self.overburden > 0.0 && is_top).then(|| {
+            let (low, high) = block.shape.bounds();
+            let weight = self.overburden * self.height() * self.pressure() * (high.x - low.x);
+            (Point::new((low.x + high.x) / 2.0, high.y), weight)
+        })
+    }
+
+    /// The live force of a weight for a push to the right.
+    fn live_of_weight(&self, weight: f64) -> f64 {
+        if self.of_blocks.forces.weight_is_live {
+            weight
+        } else {
+            0.0
+        }
     }
 
     /// `None` without stagger. In every bond the stagger line advances half a unit a course on
@@ -244,6 +342,9 @@ impl Wall {
             if !in_bond {
                 return Err(Irregularity::NotRunningBond(i + 1));
             }
+        }
+        if !self.of_blocks.is_plain() {
+            return Err(Irregularity::OwnLoads);
         }
         if self.friction.bed != self.friction.base {
             return Err(Irregularity::Friction);

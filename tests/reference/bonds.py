@@ -4,10 +4,17 @@ import re
 PIECES = {"1": 1.0, "g": 1.0, "h": 0.5, "q": 0.25}
 
 
-def of_string(course):
-    """(kind, width in units) of each piece of a string such as `h1*3g1`."""
-    return [(kind, PIECES[kind]) for kind, count in re.findall(r"([1hgq])(?:\*(\d+))?", course)
-            for _ in range(int(count or 1))]
+def of_string(course, legend={}):
+    """(kind, width in units) of each piece of a string such as `h1*3g1`; a kind is "g" for every gap."""
+    known = {letter: (letter, part) for letter, part in PIECES.items()} | legend
+    return [known[letter] for letter, count in re.findall(r"(\w)(?:\*(\d+))?", course) for _ in range(int(count or 1))]
+
+
+def legend(file):
+    """The pieces with letters of their own."""
+    length = file["unit"]["length"]
+    return {letter: ("g" if piece.get("gap") else letter, piece.get("units", piece.get("length", 0.0) / length))
+            for letter, piece in file.get("pieces", {}).items()}
 
 
 def of_bond(file):
@@ -34,6 +41,7 @@ def of_bond(file):
 def rows(file):
     """Every course of a case file, from the bottom."""
     if isinstance(file["courses"], list):
-        return [of_string(course) for course in file["courses"]] * file.get("repeat", 1)
+        own = legend(file)
+        return [of_string(course, own) for course in file["courses"]] * file.get("repeat", 1)
     pair = of_bond(file)
     return [pair[row % 2] for row in range(file["courses"])]

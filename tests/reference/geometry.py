@@ -47,6 +47,13 @@ def violations(scene, touch=None):
     yield from joint_violations(scene, blocks, supports, touch or TOUCH)
 
 
+def is_convex(corners):
+    """Whether an outline that runs counter-clockwise bends to the left everywhere."""
+    edge = np.roll(corners, -1, axis=0) - corners
+    after = np.roll(edge, -1, axis=0)
+    return (edge[:, 0] * after[:, 1] - edge[:, 1] * after[:, 0] > 0).all()
+
+
 def joint_violations(scene, blocks, supports, touch):
     listed = {}
     for index, joint in enumerate(scene["joints"]):
@@ -66,7 +73,8 @@ def joint_violations(scene, blocks, supports, touch):
             yield f"joint {index}: its tangent is not the normal turned clockwise"
         # Both bodies reach the joint, and lie on their own sides of it.
         heights = [(body - ends[0]) @ normal for body in (source, to)]
-        if not (-2 * near <= heights[0].max() <= 2 * near and -2 * near <= heights[1].min() <= 2 * near):
+        convex = is_convex(source) and is_convex(to)
+        if convex and not (-2 * near <= heights[0].max() <= 2 * near and -2 * near <= heights[1].min() <= 2 * near):
             yield f"joint {index}: its normal does not point from one body into the other"
         for name, body in (("first", source), ("second", to)):
             far = max(distance(end, body) for end in ends)
@@ -206,6 +214,7 @@ def courses(file):
     """Blocks of a coursed wall: corners and loads (point, dead, live for a push to the right)."""
     length, height, weight = (file["unit"][key] for key in ("length", "height", "weight"))
     rows = bonds.rows(file)
+    own = {letter: piece["weight"] for letter, piece in file.get("pieces", {}).items() if "weight" in piece}
     blocks = []
     for row, course in enumerate(rows):
         x = 0.0
@@ -213,7 +222,7 @@ def courses(file):
             wide = part * length
             if kind != "g":
                 low, high = row * height, (row + 1) * height
-                block = weighed([(x, low), (x + wide, low), (x + wide, high), (x, high)], weight * part)
+                block = weighed([(x, low), (x + wide, low), (x + wide, high), (x, high)], own.get(kind, weight * part))
                 if row + 1 == len(rows):
                     # p / (gamma H) times gamma H times the width.
                     on_top = file.get("overburden", 0.0) * len(rows) * weight * part

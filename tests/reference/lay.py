@@ -5,7 +5,7 @@ import geometry
 from geometry import area_and_centroid, contacts, extent
 
 KEYS = {"title", "source", "references", "unit", "courses", "repeat", "bond", "units", "overlap", "first", "friction",
-        "overburden", "head_joints", "push", "live", "load", "blocks", "block", "support", "arch"}
+        "overburden", "pieces", "head_joints", "push", "live", "load", "blocks", "block", "support", "arch"}
 
 
 def settings(file):

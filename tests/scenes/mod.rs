@@ -4,8 +4,8 @@
 #![allow(dead_code, reason = "every test binary uses its own part")]
 
 use trilith::scene::{
-    Arch, Block, Course, Forces, HeadJoints, Load, Piece, Point, Polygon, Push, Scene, SceneParts,
-    Vector, Wall, WallFacts,
+    Arch, Block, Course, Forces, HeadJoints, Load, OfBlocks, Piece, Point, Polygon, Push, Scene,
+    SceneParts, Vector, Wall, WallFacts,
 };
 
 /// A scene of blocks and supports with one coefficient of friction, pushed to the right.
@@ -103,6 +103,7 @@ pub fn wall(courses: &[&str], friction: f64) -> Wall {
         friction: friction.into(),
         overburden: 0.0,
         push: Push::Right,
+        of_blocks: OfBlocks::default(),
     }
 }
 

@@ -4,7 +4,7 @@ use toml::Spanned;
 
 use super::checks::{positive, whole, within};
 use super::file::CaseFile;
-use super::forces::forces;
+use super::forces::{Loadable, forces};
 use super::friction::friction;
 use super::values::{FrictionTable, FrictionValue, Number};
 use crate::case::complaint::{Complaint, Document};
@@ -69,7 +69,7 @@ pub(super) fn arch(document: &Document, file: &CaseFile) -> Result<Arch, Complai
             )
             .help("check radius, thickness, embrace and number of voussoirs")
     })?;
-    arch.forces = forces(document, file, &assembly)?;
+    arch.forces = forces(document, file, &Loadable::of(&assembly))?;
     Ok(arch)
 }
 

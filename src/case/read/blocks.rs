@@ -5,7 +5,7 @@ use toml::Spanned;
 use super::bodies::{ReadFile, bodies};
 use super::checks::{positive, within};
 use super::file::CaseFile;
-use super::forces::forces;
+use super::forces::{Loadable, forces};
 use super::friction::friction;
 use super::outline::Outline;
 use super::values::Number;
@@ -26,9 +26,11 @@ pub(super) fn assembly(
     document: &Document,
     file: &CaseFile,
     read_file: ReadFile,
+    warnings: &mut Vec<Complaint>,
 ) -> Result<Assembly, Complaint> {
     let table = file.blocks.as_ref().map(Spanned::get_ref);
-    let bodies = bodies(document, file, read_file)?;
+    let (bodies, found) = bodies(document, file, read_file)?;
+    warnings.extend(found);
     let value = |key, default: f64, value: Option<&Spanned<Number>>| match value {
         None => Ok(default),
         Some(value) => positive(document, key, value),
@@ -49,7 +51,7 @@ pub(super) fn assembly(
         friction: friction(document, file)?,
         forces: Forces::default(),
         tolerance,
-        radial: false,
+        radial: table.and_then(|table| table.radial).unwrap_or(false),
     };
     let (mut of_block, mut of_support) = (Vec::new(), Vec::new());
     for body in &bodies {
@@ -61,7 +63,7 @@ pub(super) fn assembly(
             assembly.blocks.push(NamedBlock {
                 name,
                 weight: given.unwrap_or(specific * thickness * shape.area()),
-                centre: shape.centroid(),
+                centre: body.centre.unwrap_or(shape.centroid()),
                 shape,
             });
         } else {
@@ -71,7 +73,7 @@ pub(super) fn assembly(
     }
     in_range(&assembly, &of_block, &of_support)?;
     sound(&assembly, &of_block, &of_support)?;
-    assembly.forces = forces(document, file, &assembly)?;
+    assembly.forces = forces(document, file, &Loadable::of(&assembly))?;
     Ok(assembly)
 }
 

@@ -2,7 +2,7 @@
 
 use toml::Spanned;
 
-use super::checks::{MOST_BLOCKS, choose, too_many_courses, whole, within};
+use super::checks::{MOST_BLOCKS, blocks_of, choose, too_many_courses, whole, within};
 use super::course_string::MOST_PIECES;
 use super::file::CaseFile;
 use super::values::WholeNumber;
@@ -47,16 +47,25 @@ pub(super) fn courses_in_bond(
     let cut_first = cut_first(document, file, bond)?;
     let wide = whole(document, "units", units, MOST_PIECES / 2 - 1)?;
     let high = whole(document, "courses", count, MOST_BLOCKS)?;
-    if (2 * wide + 1).saturating_mul(high) > MOST_BLOCKS {
+    let lay = |courses: usize| {
+        bond.lay(courses, wide, cut_first, overlap)
+            .map_err(|error| {
+                let complaint =
+                    document.complain(units.span(), error.to_string(), "does not close");
+                complaint.help(format!(
+                    "the nearest width that does is `units = {}`",
+                    error.nearest
+                ))
+            })
+    };
+    // Courses take turns, so two of them tell how many blocks all have.
+    let pair = lay(2)?;
+    let [lower, upper] = [0, 1].map(|course| blocks_of(&pair[course..=course]));
+    let blocks = lower.saturating_mul(high.div_ceil(2)) + upper.saturating_mul(high / 2);
+    if blocks > MOST_BLOCKS {
         return Err(too_many_courses(document, count.span()));
     }
-    bond.lay(high, wide, cut_first, overlap).map_err(|error| {
-        let complaint = document.complain(units.span(), error.to_string(), "does not close");
-        complaint.help(format!(
-            "the nearest width that does is `units = {}`",
-            error.nearest
-        ))
-    })
+    lay(high)
 }
 
 /// The overlap that a file asks for.

@@ -2,6 +2,7 @@
 
 use super::bodies::ReadFile;
 use super::checks::{HEAD_JOINTS, choose};
+use super::doubts::doubts;
 use super::file::{CaseFile, parse};
 use super::form::geometry;
 use super::references::reference;
@@ -9,6 +10,7 @@ use crate::case::complaint::{Complaint, Document};
 use crate::case::geometry::Geometry;
 use crate::case::model::Case;
 use crate::case::name::case_name;
+use crate::case::printable::printable;
 use crate::scene::{HeadJoints, Push};
 
 impl Case {
@@ -40,19 +42,21 @@ fn case(
     file: &CaseFile,
     read_file: ReadFile,
 ) -> Result<Case, Complaint> {
-    let geometry = geometry(document, file, read_file)?;
+    let mut warnings = doubts(document, file);
+    let geometry = geometry(document, file, read_file, &mut warnings)?;
     let head_joints = head_joints(document, file, &geometry)?;
     let references = file.references.iter();
     Ok(Case {
         name: name.to_owned(),
-        title: file.title.clone().unwrap_or_else(|| name.to_owned()),
-        source: file.source.clone().unwrap_or_default(),
+        title: printable(file.title.as_deref().unwrap_or(name)),
+        source: printable(file.source.as_deref().unwrap_or_default()),
         references: references
             .map(|table| reference(document, table, &head_joints))
             .collect::<Result<_, _>>()?,
         geometry,
         pushes: pushes(document, file)?,
         head_joints,
+        warnings,
     })
 }
 

@@ -7,11 +7,11 @@ use toml::Spanned;
 use super::values::{Number, Pair, WholeNumber};
 use crate::case::complaint::{Complaint, Document, shorten};
 use crate::case::suggestion::{listed, nearest};
-use crate::scene::{HeadJoints, Point};
+use crate::scene::{Course, HeadJoints, Point};
 
 /// Smallest and largest size of any number: far outside of masonry in any unit, and squares of it
 /// are still far from the ends of `f64`.
-const SMALLEST: f64 = 1e-12;
+pub(super) const SMALLEST: f64 = 1e-12;
 pub(super) const LARGEST: f64 = 1e12;
 
 /// Most blocks of one case.
@@ -165,4 +165,10 @@ pub(super) fn too_many_courses(document: &Document, span: Range<usize>) -> Compl
             "too many courses",
         )
         .help("write fewer or shorter courses")
+}
+
+/// Blocks of these courses.
+pub(super) fn blocks_of(courses: &[Course]) -> usize {
+    let pieces = courses.iter().flatten();
+    pieces.filter(|piece| !piece.is_gap()).count()
 }

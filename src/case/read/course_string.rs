@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use crate::scene::{Course, Piece};
+use super::pieces::{Legend, Meaning};
 
 /// Most pieces in one course.
 pub(super) const MOST_PIECES: usize = 10_000;
@@ -19,11 +19,20 @@ pub(super) struct CourseError {
 }
 
 /// The pieces, for help lines.
-const PIECES: &str =
-    "write `1` for a unit, `h` for half a unit, `q` for a quarter and `g` for a gap one unit wide";
+fn pieces(legend: &Legend) -> String {
+    let own: Vec<String> = legend.own().map(|letter| format!("`{letter}`")).collect();
+    let own = match own.as_slice() {
+        [] => "; other lengths have a letter in `pieces`".to_owned(),
+        own => format!(", or {}", own.join(", ")),
+    };
+    format!(
+        "write `1` for a unit, `h` for half a unit, `q` for a quarter and `g` for a gap one unit \
+         wide{own}"
+    )
+}
 
-/// Reads a course string.
-pub(super) fn read_course(text: &str) -> Result<Course, CourseError> {
+/// Reads a course string: its pieces from left to right.
+pub(super) fn read_course(text: &str, legend: &Legend) -> Result<Vec<Meaning>, CourseError> {
     let mut course = Vec::new();
     let mut at = 0;
     while let Some(letter) = text[at..].chars().next() {
@@ -32,7 +41,8 @@ pub(super) fn read_course(text: &str) -> Result<Course, CourseError> {
         if letter == ' ' {
             continue;
         }
-        let piece = piece(letter).ok_or_else(|| unknown(letter, start))?;
+        let meaning = legend.meaning(letter);
+        let piece = meaning.ok_or_else(|| unknown(letter, start, legend))?;
         let mut count = 1;
         if text[at..].starts_with('*') {
             (count, at) = read_count(text, at)?;
@@ -50,29 +60,22 @@ pub(super) fn read_course(text: &str) -> Result<Course, CourseError> {
         return Err(CourseError {
             place: 0..text.len(),
             title: "a course without pieces".into(),
-            help: PIECES.into(),
+            help: pieces(legend),
         });
     }
     Ok(course)
 }
 
-fn piece(letter: char) -> Option<Piece> {
-    match letter {
-        '1' => Some(Piece::Unit),
-        'h' => Some(Piece::Half),
-        'q' => Some(Piece::Quarter),
-        'g' => Some(Piece::Gap),
-        _ => None,
-    }
-}
-
-fn unknown(letter: char, start: usize) -> CourseError {
+fn unknown(letter: char, start: usize, legend: &Legend) -> CourseError {
     let help = match letter {
         '*' => "write the piece, then `*`, then the count, without spaces: `1*24`".into(),
-        '0' | '2'..='9' => format!("{PIECES}; a count stands behind a `*`, as in `1*24`"),
+        '0' | '2'..='9' => format!(
+            "{}; a count stands behind a `*`, as in `1*24`",
+            pieces(legend)
+        ),
         '\t' | '\n' | '\r' => "part pieces with spaces, or with nothing".into(),
         'H' | 'Q' | 'G' => format!("write a small letter: `{}`", letter.to_ascii_lowercase()),
-        _ => PIECES.into(),
+        _ => pieces(legend),
     };
     CourseError {
         place: start..start + letter.len_utf8(),
@@ -118,17 +121,18 @@ fn read_count(text: &str, star: usize) -> Result<(usize, usize), CourseError> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use Piece::{Gap, Half, Unit};
+    use crate::scene::Piece::{Gap, Half, Unit};
 
     #[test]
     fn pieces_counts_and_spaces() {
-        let course = read_course("h 1*3g  1*1h").unwrap();
+        let course = read_course("h 1*3g  1*1h", &Legend::default()).unwrap();
+        let course: Vec<_> = course.iter().map(|meaning| meaning.piece).collect();
         assert_eq!(course, [Half, Unit, Unit, Unit, Gap, Unit, Half]);
     }
 
     #[test]
     fn mistakes_are_placed_in_the_string() {
-        let place = |text: &str| read_course(text).unwrap_err().place;
+        let place = |text: &str| read_course(text, &Legend::default()).unwrap_err().place;
         assert_eq!(place("h1x1h"), 2..3);
         assert_eq!(place("h1*0h"), 3..4);
         assert_eq!(place("1*"), 1..2);

@@ -1,13 +1,15 @@
 //! The courses of a file, from course strings or from a bond, and where each one was written.
 
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 use toml::Spanned;
 
 use super::bond::courses_in_bond;
-use super::checks::{MOST_BLOCKS, too_many_courses, whole};
+use super::checks::{MOST_BLOCKS, blocks_of, too_many_courses, whole};
 use super::course_string::read_course;
 use super::file::CaseFile;
+use super::pieces::{Legend, Meaning};
 use super::values::{CoursesValue, WholeNumber};
 use crate::case::complaint::{Complaint, Document};
 use crate::scene::Course;
@@ -16,6 +18,8 @@ use crate::scene::Course;
 pub(super) struct PlacedCourses {
     /// Every course.
     pub courses: Vec<Course>,
+    /// Weights that pieces of the legend give their blocks, by the place of the block.
+    pub weights: BTreeMap<usize, f64>,
     /// Span of every course string. Empty for a bond.
     strings: Vec<Range<usize>>,
 }
@@ -44,24 +48,36 @@ pub(super) fn courses(
     document: &Document,
     file: &CaseFile,
     courses: &Spanned<CoursesValue>,
+    legend: &Legend,
 ) -> Result<PlacedCourses, Complaint> {
     let span = courses.span();
     match courses.get_ref() {
         CoursesValue::One(text) => {
-            from_strings(document, file, span.clone(), &[(span, text.as_str())])
+            let list = [(span.clone(), text.as_str())];
+            from_strings(document, file, span, &list, legend)
         }
         CoursesValue::List(list) => {
             let list: Vec<_> = list
                 .iter()
                 .map(|s| (s.span(), s.get_ref().as_str()))
                 .collect();
-            from_strings(document, file, span, &list)
+            from_strings(document, file, span, &list, legend)
         }
         CoursesValue::Count(count) => {
+            if let Some(pieces) = &file.pieces {
+                return Err(document
+                    .complain(
+                        pieces.span(),
+                        "`pieces` beside a bond",
+                        "for course strings only",
+                    )
+                    .help("remove `pieces`, or write the courses as strings"));
+            }
             let count = Spanned::new(span, WholeNumber(*count));
             let courses = courses_in_bond(document, file, &count)?;
             Ok(PlacedCourses {
                 courses,
+                weights: BTreeMap::new(),
                 strings: Vec::new(),
             })
         }
@@ -74,6 +90,7 @@ fn from_strings(
     file: &CaseFile,
     span: Range<usize>,
     strings: &[(Range<usize>, &str)],
+    legend: &Legend,
 ) -> Result<PlacedCourses, Complaint> {
     no_bond(document, file)?;
     if strings.is_empty() {
@@ -89,7 +106,7 @@ fn from_strings(
             Some(start) if !place.is_empty() => start + place.start..start + place.end,
             _ => span.clone(),
         };
-        let read = read_course(text).map_err(|error| {
+        let read = read_course(text, legend).map_err(|error| {
             document
                 .complain(inside(&error.place), error.title, "here")
                 .help(error.help)
@@ -100,16 +117,31 @@ fn from_strings(
         None => 1,
         Some(repeat) => whole(document, "repeat", repeat, MOST_BLOCKS)?,
     };
-    let pieces: usize = list.iter().map(Vec::len).sum();
-    if pieces.saturating_mul(repeat) > MOST_BLOCKS {
+    let course = |meanings: &Vec<Meaning>| meanings.iter().map(|m| m.piece).collect();
+    let courses: Vec<Course> = list.iter().map(course).collect();
+    let pieces: usize = courses.iter().map(Vec::len).sum();
+    let blocks = blocks_of(&courses);
+    let beyond = |count: usize, most: usize| count.saturating_mul(repeat) > most;
+    if beyond(blocks, MOST_BLOCKS) || beyond(pieces, MOST_PIECES_OF_ALL) {
         let span = file.repeat.as_ref().map_or(span, Spanned::span);
         return Err(too_many_courses(document, span));
     }
+    let meanings = list.iter().flatten();
+    let of_blocks = meanings.filter(|meaning| !meaning.piece.is_gap());
+    let once: Vec<Option<f64>> = of_blocks.map(|meaning| meaning.weight).collect();
+    let weighted = |block: usize| Some((block, once[block % once.len()]?));
     Ok(PlacedCourses {
-        courses: (0..repeat).flat_map(|_| list.iter().cloned()).collect(),
+        weights: match once.iter().any(Option::is_some) {
+            true => (0..blocks * repeat).filter_map(weighted).collect(),
+            false => BTreeMap::new(),
+        },
+        courses: (0..repeat).flat_map(|_| courses.iter().cloned()).collect(),
         strings: strings.iter().map(|(span, _)| span.clone()).collect(),
     })
 }
+
+/// Most pieces of a wall, gaps counted in: what keeps a file of gaps from filling the memory.
+const MOST_PIECES_OF_ALL: usize = 10 * MOST_BLOCKS;
 
 /// Refuses the keys of a bond beside course strings.
 fn no_bond(document: &Document, file: &CaseFile) -> Result<(), Complaint> {

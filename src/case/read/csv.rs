@@ -1,141 +1,196 @@
-//! Corners from a CSV: a header `block,x,y`, then one corner a row.
-//!
-//! Read here and not by a CSV crate: names and numbers need no quoting, and a complaint needs the
-//! place of every cell, also behind blank lines and remarks.
+//! Corners from a CSV: a header with the columns `block`, `x`, `y` and, where wanted, `weight`, then
+//! one corner a row.
 
-use std::ops::Range;
+use std::collections::HashMap;
 
-use super::checks::LARGEST;
+use super::checks::{LARGEST, SMALLEST};
 use super::outline::Outline;
+use super::table::{Cell, Decimals, Row, Separator, Table, table};
 use crate::case::complaint::{Complaint, Document, Place, shorten};
+use crate::case::suggestion::listed;
 use crate::scene::Point;
 
-const HEADER: [&str; 3] = ["block", "x", "y"];
+const COLUMNS: [&str; 4] = ["block", "x", "y", "weight"];
 
-const ROWS: &str = "write a header `block,x,y`, then one corner a row, such as `A,0,1.75`";
+/// The columns that must be there.
+const NEEDED: usize = 3;
 
-/// A cell's text and its place.
-type CsvCell<'a> = (&'a str, Range<usize>);
+const ROWS: &str = "write a header `block,x,y`, then one corner a row, such as `A,0,1.75`; a fourth \
+                    column `weight` may follow";
 
-/// The outlines of a CSV, in the order of their first rows. Rows of a block stand together; blank
-/// lines and lines that begin with `#` are left out.
-pub(super) fn outlines(document: &Document) -> Result<Vec<Outline>, Complaint> {
-    let mut rows = rows(document);
-    let Some((line, header)) = rows.next() else {
-        let complaint = document.complain(0..0, "a CSV without rows", "nothing in here");
-        return Err(complaint.help(ROWS));
-    };
-    let names: Vec<&str> = header.iter().map(|(text, _)| *text).collect();
-    if names != HEADER {
-        return Err(document
-            .complain(
-                line,
-                "the header of the CSV is not `block,x,y`",
-                "the first row",
-            )
-            .help(ROWS));
-    }
-    let mut outlines: Vec<Outline> = Vec::new();
-    for (line, cells) in rows {
-        let (name, corner) = corner(document, line.clone(), &cells)?;
+/// An outline, and the weight that its rows give it.
+pub(super) struct CsvBlock {
+    pub outline: Outline,
+    pub weight: Option<(f64, Place)>,
+}
+
+/// The outlines of a CSV, in the order of their first rows, and warnings about it. Rows of a block
+/// stand together; blank lines and lines that begin with `#` are left out.
+pub(super) fn outlines(document: &Document) -> Result<(Vec<CsvBlock>, Vec<Complaint>), Complaint> {
+    let table = table(document, &COLUMNS, NEEDED, ROWS)?;
+    let mut blocks: Vec<CsvBlock> = Vec::new();
+    let mut places: HashMap<String, usize> = HashMap::new();
+    let mut decimals = Decimals::default();
+    for row in &table.rows {
+        let corner = corner(document, &table, row, &mut decimals)?;
+        let line = row.line.clone();
         let place = Place::new(document, line.clone());
-        match outlines.iter().position(|outline| outline.name == name) {
-            Some(known) if known + 1 == outlines.len() => {
-                outlines[known].corners.push(corner);
-                outlines[known].places.push(place);
-            }
+        let known = places.get(corner.name).copied();
+        let block = match known {
+            Some(known) if known + 1 == blocks.len() => &mut blocks[known],
             Some(_) => {
                 return Err(document
                     .complain(
                         line,
-                        format!("block `{name}` comes a second time"),
+                        format!("block `{}` comes a second time", corner.name),
                         "here again",
                     )
                     .help("write the rows of a block one below the other, and each name once"));
             }
-            None => outlines.push(Outline {
-                name: name.to_owned(),
-                place: place.clone(),
-                corners: vec![corner],
-                places: vec![place],
-            }),
+            None => {
+                places.insert(corner.name.to_owned(), blocks.len());
+                blocks.push(CsvBlock {
+                    outline: Outline {
+                        name: corner.name.to_owned(),
+                        place: place.clone(),
+                        corners: Vec::new(),
+                        places: Vec::new(),
+                    },
+                    weight: None,
+                });
+                blocks.last_mut().expect("it was pushed")
+            }
+        };
+        block.outline.corners.push(corner.point);
+        block.outline.places.push(place);
+        if let Some((weight, cell)) = corner.weight {
+            weigh(document, block, weight, cell)?;
         }
     }
-    if outlines.is_empty() {
-        let complaint = document.complain(line, "a CSV without corners", "no row below");
+    if blocks.is_empty() {
+        let complaint = document.complain(table.header, "a CSV without corners", "no row below");
         return Err(complaint.help(ROWS));
     }
-    Ok(outlines)
+    Ok((blocks, left_aside(document, &table)))
 }
 
-/// Name and corner of a row.
+/// Gives a block the weight in one of its rows, which all rows that have one agree in.
+fn weigh(
+    document: &Document,
+    block: &mut CsvBlock,
+    weight: f64,
+    cell: &Cell,
+) -> Result<(), Complaint> {
+    match &block.weight {
+        Some((known, _)) if *known != weight => {
+            let title = format!("block `{}` has two weights", block.outline.name);
+            Err(document
+                .complain(cell.place.clone(), title, format!("above it is {known}"))
+                .help("write the weight in one row of the block, or the same in all"))
+        }
+        Some(_) => Ok(()),
+        None => {
+            block.weight = Some((weight, Place::new(document, cell.place.clone())));
+            Ok(())
+        }
+    }
+}
+
+/// A word about columns that are not read.
+fn left_aside(document: &Document, table: &Table) -> Vec<Complaint> {
+    let Some(first) = table.others.first() else {
+        return Vec::new();
+    };
+    let names: Vec<String> = table
+        .others
+        .iter()
+        .take(8)
+        .map(|cell| shorten(&cell.text, 20))
+        .collect();
+    let names = listed(names.iter().map(String::as_str));
+    let title = format!("columns that are not read: {names}");
+    let warning = document.complain(first.place.clone(), title, "left aside");
+    let help = "the columns that count are `block`, `x`, `y` and `weight`";
+    vec![warning.help(help).into_warning()]
+}
+
+/// A row.
+struct Corner<'a> {
+    name: &'a str,
+    point: Point,
+    weight: Option<(f64, &'a Cell<'a>)>,
+}
+
 fn corner<'a>(
     document: &Document,
-    line: Range<usize>,
-    cells: &[CsvCell<'a>],
-) -> Result<(&'a str, Point), Complaint> {
-    let [(name, _), x, y] = cells else {
-        let title = format!("a row of {} columns", cells.len());
-        let help = match cells.len() {
-            4 | 5 => "write three, `block,x,y`, and numbers with a decimal point, not a comma",
-            _ => "write three: `block,x,y`",
+    table: &Table,
+    row: &'a Row<'a>,
+    decimals: &mut Decimals,
+) -> Result<Corner<'a>, Complaint> {
+    let most = table
+        .columns
+        .iter()
+        .flatten()
+        .max()
+        .map_or(0, |last| last + 1);
+    let header = table.columns.iter().flatten().count() + table.others.len();
+    let too_many = row.cells.iter().skip(header.max(most));
+    if row.cells.len() < NEEDED.max(needed(table)) || too_many.clone().any(|c| !c.text.is_empty()) {
+        let title = format!("a row of {} columns", row.cells.len());
+        let count = header.max(most);
+        let help = match table.separator {
+            Separator::Comma if row.cells.len() > count => {
+                "write numbers with a decimal point, or part the columns by semicolons".to_owned()
+            }
+            separator => format!("part the cells by {}, as in the header", separator.name()),
         };
-        return Err(document
-            .complain(line, title, "three are expected")
-            .help(help));
+        let label = format!("the header has {count}");
+        return Err(document.complain(row.line.clone(), title, label).help(help));
+    }
+    let cell = |column: usize| table.columns[column].and_then(|place| row.cells.get(place));
+    let [Some(name), Some(x), Some(y)] = [cell(0), cell(1), cell(2)] else {
+        let title = format!("a row of {} columns", row.cells.len());
+        let complaint = document.complain(row.line.clone(), title, "a cell is missing");
+        return Err(complaint.help(ROWS));
     };
-    if name.is_empty() {
+    if name.text.is_empty() {
         return Err(document
-            .complain(line, "a corner of no block", "no name in the first column")
+            .complain(
+                row.line.clone(),
+                "a corner of no block",
+                "no name in its column",
+            )
             .help("write the block's name in every row"));
     }
-    Ok((
-        name,
-        Point::new(coordinate(document, x)?, coordinate(document, y)?),
-    ))
-}
-
-fn coordinate(document: &Document, (text, place): &CsvCell) -> Result<f64, Complaint> {
-    let complain = |title: String, help: String| {
-        let complaint = document.complain(place.clone(), title, "here");
-        Err(complaint.help(help))
+    let mut number = |cell: &Cell, smallest: f64, what: &str| {
+        let complain = |title: String, help: String| {
+            let complaint = document.complain(cell.place.clone(), title, "here");
+            Err(complaint.help(help))
+        };
+        match decimals.number(&cell.text, table.separator) {
+            Ok(number) if (smallest..=LARGEST).contains(&number) => Ok(number + 0.0),
+            Ok(_) => complain(
+                format!("`{}` is no {what}", cell.text),
+                format!("write a number from {smallest:e} to {LARGEST:e}"),
+            ),
+            Err((title, help)) => complain(title, help),
+        }
     };
-    match text.parse::<f64>() {
-        Ok(number) if number.abs() <= LARGEST => Ok(number + 0.0),
-        Ok(_) => complain(
-            format!("`{text}` is no coordinate"),
-            format!("write a number from -{LARGEST:e} to {LARGEST:e}"),
+    Ok(Corner {
+        name: &name.text,
+        point: Point::new(
+            number(x, -LARGEST, "coordinate")?,
+            number(y, -LARGEST, "coordinate")?,
         ),
-        Err(_) => complain(
-            format!("`{}` is not a number", shorten(text, 60)),
-            "write a number with a decimal point, such as `1.75`".into(),
-        ),
-    }
+        weight: match cell(3).filter(|cell| !cell.text.is_empty()) {
+            Some(cell) => Some((number(cell, SMALLEST, "weight")?, cell)),
+            None => None,
+        },
+    })
 }
 
-/// Rows with their places and cells, from the header on.
-fn rows(document: &Document) -> impl Iterator<Item = (Range<usize>, Vec<CsvCell<'_>>)> {
-    let mut start = 0;
-    let lines = document.text.split('\n').map(move |line| {
-        let at = start;
-        start += line.len() + 1;
-        (at, line.trim_end_matches('\r'))
-    });
-    let lines = lines.map(|(at, line)| match line.strip_prefix('\u{feff}') {
-        // A byte order mark, as spreadsheets write it.
-        Some(rest) if at == 0 => (line.len() - rest.len(), rest),
-        _ => (at, line),
-    });
-    let rows = lines.filter(|(_, line)| !(line.trim().is_empty() || line.trim().starts_with('#')));
-    rows.map(|(at, line)| {
-        let mut begin = at;
-        let cells = line.split(',').map(|cell| {
-            let lead = cell.len() - cell.trim_start().len();
-            let text = cell.trim();
-            let place = begin + lead..begin + lead + text.len();
-            begin += cell.len() + 1;
-            (text, place)
-        });
-        (at..at + line.len(), cells.collect())
-    })
+/// Cells that a row must have for the columns that must be there.
+fn needed(table: &Table) -> usize {
+    let needed = table.columns[..NEEDED].iter().flatten();
+    needed.max().map_or(0, |last| last + 1)
 }

@@ -6,6 +6,7 @@
 use std::ops::Range;
 
 use super::keys::CASE_KEYS;
+use super::not_modelled::not_modelled;
 use crate::case::complaint::{Complaint, Document};
 use crate::case::suggestion::{listed, nearest};
 
@@ -65,6 +66,8 @@ pub(super) fn missing_key(document: &Document, span: Range<usize>, key: &str) ->
         "name" => "name = \"A\"",
         "block" => "block = \"A\"",
         "corners" => "corners = [[0, 0], [4, 0], [4, 1.75], [0, 1.75]]",
+        "course" => "course = 1",
+        "piece" => "piece = 1",
         "bed" => "bed = 0.65",
         _ => key,
     };
@@ -77,6 +80,11 @@ fn unknown_key(document: &Document, span: Range<usize>, message: &str) -> Compla
     // unknown field `a`, expected one of `b`, `c`: every second piece is a word.
     let words: Vec<&str> = message.split('`').skip(1).step_by(2).collect();
     let (key, known) = words.split_first().unwrap_or((&"", &[]));
+    if let Some(entry) = not_modelled(key) {
+        let title = format!("{} is not modelled", entry.what);
+        let complaint = document.complain(span, title, "known, but in none of the methods");
+        return complaint.help(entry.nearest);
+    }
     let help = if CASE_KEYS.contains(key) {
         format!("move `{key}` up, above the first line that begins with `[`")
     } else if let Some(near) = nearest(key, known.iter().copied()) {
@@ -108,6 +116,7 @@ fn wrong_type(document: &Document, span: Range<usize>, types: &str) -> Complaint
     };
     let help = match expected {
         "a list" | "two numbers" => list_help(document, span.start),
+        "a string" => text_help(document, span.clone()),
         _ => type_help(document.at(span.clone()), expected),
     };
     document
@@ -124,7 +133,6 @@ fn type_help(written: &str, expected: &str) -> String {
     let bare = written.trim_matches(['"', '\'']);
     match expected {
         "a number" | "a whole number" => number_help(written, bare, expected == "a whole number"),
-        "a string" => format!("put it in quotes: `\"{bare}\"`"),
         "courses" => {
             "write `courses = [\"h1111h\", \"11111\"]`, or `courses = 6` with `bond`".into()
         }
@@ -139,6 +147,9 @@ fn type_help(written: &str, expected: &str) -> String {
         "a `[[block]]` or `[[support]]` table" | "a `[[load]]` table" => {
             "write the key in two brackets in a line of its own, `[[block]]`, its keys below".into()
         }
+        "a table of pieces" | "a table of a piece" => {
+            "write `pieces = { L = { units = 2.5 }, s = { length = 0.6 } }`".into()
+        }
         "a table of the unit's size" => {
             "write `unit = { length = 4.0, height = 1.75, weight = 1.0 }`".into()
         }
@@ -146,14 +157,44 @@ fn type_help(written: &str, expected: &str) -> String {
     }
 }
 
-/// What to write for the list of a key, which stands before byte `at` in its line.
-fn list_help(document: &Document, at: usize) -> String {
+/// The key of the line that byte `at` is in.
+fn key_of_line(document: &Document, at: usize) -> &str {
     let before = document.at(0..at);
     let start = before.rfind('\n').map_or(0, |newline| newline + 1);
     let line = document.at(start..document.text.len());
     let line = line.lines().next().unwrap_or_default();
     let key = line.split('=').next().unwrap_or_default();
-    let key = key.trim_matches(|c: char| "[] \t\r".contains(c));
+    key.trim_matches(|c: char| "[] \t\r".contains(c))
+}
+
+/// What to write where a text in quotes is wanted: the forms of the key, where it has few.
+fn text_help(document: &Document, span: Range<usize>) -> String {
+    let key = key_of_line(document, span.start);
+    let words = match key {
+        "live" => {
+            return "write `live = \"weight\"`, every weight sideways, or `live = \"loads\"`; a live \
+                    force stands in a `[[load]]`, as `live = [1.0, 0.0]`"
+                .into();
+        }
+        "push" => "\"right\"`, `push = \"left\"` or `push = \"both\"",
+        "head_joints" => "\"contact\"`, `head_joints = \"open\"` or `head_joints = \"both\"",
+        "bond" => "\"running\"",
+        "first" => "\"half\"` or `first = \"whole\"",
+        _ => {
+            let written = document.at(span);
+            let bare = written.trim_matches(['"', '\'']);
+            return match written.starts_with(['[', '{']) {
+                true => format!("write a text in quotes: `{key} = \"...\"`"),
+                false => format!("put it in quotes: `\"{bare}\"`"),
+            };
+        }
+    };
+    format!("write `{key} = {words}`")
+}
+
+/// What to write for the list of a key, which stands before byte `at` in its line.
+fn list_help(document: &Document, at: usize) -> String {
+    let key = key_of_line(document, at);
     match key {
         "corners" => "write `corners = [[0, 0], [4, 0], [4, 1.75], [0, 1.75]]`".into(),
         "along" => "write `along = [[0.0, 1.0], [2.0, 1.0]]`".into(),

@@ -3,7 +3,7 @@
 use toml::Spanned;
 
 use super::explain::explain;
-use super::values::{CoursesValue, FrictionValue, Number, Pair, WholeNumber};
+use super::values::{CoursesValue, Entries, FrictionValue, Number, Pair, WholeNumber};
 use crate::case::complaint::{Complaint, Document};
 
 /// A whole file. Which of the keys go together is judged later, where it can be said well.
@@ -15,6 +15,7 @@ pub(super) struct CaseFile {
     pub unit: Option<Spanned<UnitTable>>,
     pub courses: Option<Spanned<CoursesValue>>,
     pub repeat: Option<Spanned<WholeNumber>>,
+    pub pieces: Option<Spanned<Entries<PieceTable>>>,
     pub bond: Option<Spanned<String>>,
     pub units: Option<Spanned<WholeNumber>>,
     pub first: Option<Spanned<String>>,
@@ -57,18 +58,32 @@ pub(super) struct BlocksTable {
     pub specific_weight: Option<Spanned<Number>>,
     pub thickness: Option<Spanned<Number>>,
     pub tolerance: Option<Spanned<Number>>,
+    pub radial: Option<bool>,
 }
 
-/// A block or a support.
+/// A piece of a coursed wall that has a letter of its own.
+#[derive(Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table of a piece")]
+pub(super) struct PieceTable {
+    pub units: Option<Spanned<Number>>,
+    pub length: Option<Spanned<Number>>,
+    pub gap: Option<bool>,
+    pub weight: Option<Spanned<Number>>,
+}
+
+/// A block or a support; in a coursed wall, what a block of a course has of its own.
 #[derive(Debug, serde::Deserialize)]
 #[serde(
     deny_unknown_fields,
     expecting = "a `[[block]]` or `[[support]]` table"
 )]
 pub(super) struct BodyTable {
-    pub name: Spanned<String>,
+    pub name: Option<Spanned<String>>,
     pub corners: Option<Spanned<Vec<Spanned<Pair>>>>,
     pub weight: Option<Spanned<Number>>,
+    pub centre: Option<Spanned<Pair>>,
+    pub course: Option<Spanned<WholeNumber>>,
+    pub piece: Option<Spanned<WholeNumber>>,
 }
 
 /// A force on a block.

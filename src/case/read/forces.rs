@@ -1,4 +1,6 @@
-//! The live load of explicit blocks and arches: weights sideways, and forces on named blocks.
+//! The live load: weights sideways, and forces on named blocks.
+
+use std::collections::HashMap;
 
 use toml::Spanned;
 
@@ -8,11 +10,40 @@ use super::values::Pair;
 use crate::case::complaint::{Complaint, Document};
 use crate::scene::{Assembly, Force, Forces, Point, Polygon, Vector};
 
-/// The forces of a file on the blocks of `assembly`.
+/// Blocks that a load can name, and supports, which it cannot.
+pub(super) struct Loadable<'a> {
+    blocks: Vec<(&'a str, &'a Polygon)>,
+    places: HashMap<&'a str, usize>,
+    supports: Vec<&'a str>,
+}
+
+impl<'a> Loadable<'a> {
+    pub fn new(blocks: Vec<(&'a str, &'a Polygon)>, supports: Vec<&'a str>) -> Self {
+        let places = blocks.iter().enumerate();
+        Self {
+            places: places.map(|(place, (name, _))| (*name, place)).collect(),
+            blocks,
+            supports,
+        }
+    }
+
+    pub fn of(assembly: &'a Assembly) -> Self {
+        let blocks = assembly.blocks.iter();
+        let supports = assembly.supports.iter();
+        Self::new(
+            blocks
+                .map(|block| (block.name.as_str(), &block.shape))
+                .collect(),
+            supports.map(|support| support.name.as_str()).collect(),
+        )
+    }
+}
+
+/// The forces of a file on these blocks.
 pub(super) fn forces(
     document: &Document,
     file: &CaseFile,
-    assembly: &Assembly,
+    loadable: &Loadable,
 ) -> Result<Forces, Complaint> {
     let weight_is_live = match &file.live {
         None => true,
@@ -20,7 +51,7 @@ pub(super) fn forces(
     };
     let loads = file.load.iter();
     let extra: Vec<Force> = loads
-        .map(|load| force(document, load, assembly))
+        .map(|load| force(document, load, loadable))
         .collect::<Result<_, _>>()?;
     let pushes = extra.iter().any(|force| force.live != Vector::zeros());
     match &file.live {
@@ -41,10 +72,10 @@ pub(super) fn forces(
 fn force(
     document: &Document,
     load: &Spanned<LoadTable>,
-    assembly: &Assembly,
+    loadable: &Loadable,
 ) -> Result<Force, Complaint> {
     let table = load.get_ref();
-    let block = named(document, &table.block, assembly)?;
+    let block = named(document, &table.block, loadable)?;
     let vector = |pair: &Option<Spanned<Pair>>| match pair {
         None => Ok(Vector::zeros()),
         Some(pair) => coordinates(document, pair, "a force").map(|p| p.coords),
@@ -59,7 +90,7 @@ fn force(
             )
             .help("add `dead = [0.0, -1.0]`, or `live = [1.0, 0.0]`"));
     }
-    let (point, length) = application(document, load, &assembly.blocks[block].shape)?;
+    let (point, length) = application(document, load, loadable.blocks[block].1)?;
     Ok(Force {
         block,
         point,
@@ -124,14 +155,13 @@ fn application(
 fn named(
     document: &Document,
     word: &Spanned<String>,
-    assembly: &Assembly,
+    loadable: &Loadable,
 ) -> Result<usize, Complaint> {
     let name = word.get_ref().as_str();
-    let known = || assembly.blocks.iter().map(|block| block.name.as_str());
-    if let Some(block) = known().position(|known| known == name) {
-        return Ok(block);
+    if let Some(block) = loadable.places.get(name) {
+        return Ok(*block);
     }
-    if assembly.supports.iter().any(|support| support.name == name) {
+    if loadable.supports.contains(&name) {
         return Err(document
             .complain(
                 word.span(),
@@ -140,18 +170,23 @@ fn named(
             )
             .help("put the load on a block that can move"));
     }
-    Err(unknown_block(document, word, known()))
+    let known = loadable.blocks.iter().map(|(name, _)| *name);
+    Err(unknown_block(document, word, known))
 }
 
-/// Whether a point lies in a convex shape or on its edge.
+/// Whether a point lies in a shape or on its edge.
 fn inside(shape: &Polygon, point: Point) -> bool {
     let (low, high) = shape.bounds();
     let tolerance = 1e-6 * (high - low).norm();
-    let left_of = |(from, to): (Point, Point)| {
-        let along = (to - from).normalize();
-        along.perp(&(point - from)) >= -tolerance
+    let corners = shape.corners();
+    let in_piece = |piece: Vec<usize>| {
+        let next = piece.iter().cycle().skip(1);
+        piece.iter().zip(next).all(|(&from, &to)| {
+            let along = (corners[to] - corners[from]).normalize();
+            along.perp(&(point - corners[from])) >= -tolerance
+        })
     };
-    shape.edges().all(left_of)
+    shape.convex_pieces().into_iter().any(in_piece)
 }
 
 fn extent_of(shape: &Polygon) -> String {

@@ -13,12 +13,13 @@ use super::wall::wall;
 use crate::case::complaint::{Complaint, Document};
 use crate::case::geometry::Geometry;
 
-/// The one geometry of a file: the first key that belongs to one form decides which, and a key of
+/// The one geometry of a file, and warnings about files beside it: the first key that belongs to one form decides which, and a key of
 /// another is refused.
 pub(super) fn geometry(
     document: &Document,
     file: &CaseFile,
     read_file: ReadFile,
+    warnings: &mut Vec<Complaint>,
 ) -> Result<Geometry, Complaint> {
     let keys = form_keys(file);
     let first = |key: &&FormKey| (key.forms.len(), key.span.start);
@@ -40,7 +41,7 @@ pub(super) fn geometry(
     }
     match form {
         Form::Wall => wall(document, file).map(Geometry::Wall),
-        Form::Blocks => assembly(document, file, read_file).map(Geometry::Blocks),
+        Form::Blocks => assembly(document, file, read_file, warnings).map(Geometry::Blocks),
         Form::Arch => arch(document, file).map(Geometry::Arch),
     }
 }
@@ -74,11 +75,13 @@ struct FormKey {
 fn form_keys(file: &CaseFile) -> Vec<FormKey> {
     const WALL: &[Form] = &[Form::Wall];
     const BLOCKS: &[Form] = &[Form::Blocks];
-    const FORCES: &[Form] = &[Form::Blocks, Form::Arch];
+    const OF_BLOCKS: &[Form] = &[Form::Blocks, Form::Wall];
+    const FORCES: &[Form] = &[Form::Blocks, Form::Arch, Form::Wall];
     let spans = [
         ("unit", WALL, file.unit.as_ref().map(Spanned::span)),
         ("courses", WALL, file.courses.as_ref().map(Spanned::span)),
         ("repeat", WALL, file.repeat.as_ref().map(Spanned::span)),
+        ("pieces", WALL, file.pieces.as_ref().map(Spanned::span)),
         ("bond", WALL, file.bond.as_ref().map(Spanned::span)),
         ("units", WALL, file.units.as_ref().map(Spanned::span)),
         ("first", WALL, file.first.as_ref().map(Spanned::span)),
@@ -90,7 +93,7 @@ fn form_keys(file: &CaseFile) -> Vec<FormKey> {
         ),
         ("arch", &[Form::Arch], file.arch.as_ref().map(Spanned::span)),
         ("blocks", BLOCKS, file.blocks.as_ref().map(Spanned::span)),
-        ("block", BLOCKS, file.block.first().map(Spanned::span)),
+        ("block", OF_BLOCKS, file.block.first().map(Spanned::span)),
         ("support", BLOCKS, file.support.first().map(Spanned::span)),
         ("live", FORCES, file.live.as_ref().map(Spanned::span)),
         ("load", FORCES, file.load.first().map(Spanned::span)),

@@ -1,4 +1,4 @@
-//! The outline of a block or support as written, and its convex shape.
+//! The outline of a block or support as written, and its shape.
 
 use crate::case::complaint::{Complaint, Place};
 use crate::scene::{Point, Polygon, PolygonError};
@@ -11,6 +11,9 @@ pub(super) struct Outline {
     pub corners: Vec<Point>,
     pub places: Vec<Place>,
 }
+
+/// Most corners of an outline: what is found by comparing all edges with all takes no time.
+const MOST_CORNERS: usize = 1000;
 
 /// Blocks longer than this times their thickness are slivers.
 const MOST_SLENDER: f64 = 1000.0;
@@ -32,6 +35,12 @@ impl Outline {
     pub fn shape(&self, moves: bool) -> Result<Polygon, Complaint> {
         if let Some(complaint) = self.repeated_corner() {
             return Err(complaint);
+        }
+        if let Some(place) = self.places.get(MOST_CORNERS) {
+            let title = format!("`{}` has more than {MOST_CORNERS} corners", self.name);
+            return Err(place
+                .complain(title, "the first too many")
+                .help("leave out corners, or write longer chords for a curve"));
         }
         let shape = Polygon::new(self.corners.clone()).map_err(|error| self.unusable(&error))?;
         let edges = shape.edges().map(|(a, b)| (b - a).norm());
@@ -81,12 +90,12 @@ impl Outline {
                 .place
                 .complain(format!("`{name}` has no finite corners"), "here")
                 .help("write finite numbers"),
-            PolygonError::NotConvex(corner) => self.places[self.as_written(corner)]
-                .complain(format!("`{name}` is not convex at this corner"), "here")
-                .help(
-                    "write the corners in order round the outline, leave out those on a straight \
-                     edge, and part the body into convex ones",
-                ),
+            PolygonError::NotSimple(corner) => self.places[self.as_written(corner)]
+                .complain(
+                    format!("the outline of `{name}` crosses or touches itself"),
+                    "in the edge at this corner",
+                )
+                .help("write the corners in order round the outline, each once"),
             PolygonError::Sliver { area, .. } if area <= 0.0 => self
                 .place
                 .complain(format!("`{name}` has no area"), "here")

@@ -5,6 +5,7 @@ use toml::Spanned;
 use super::checks::{HEAD_JOINTS, choose, not_negative, positive};
 use super::file::ReferenceTable;
 use crate::case::complaint::{Complaint, Document, shorten};
+use crate::case::printable::printable;
 use crate::case::program::program_name;
 use crate::case::reference::{Quantity, Reference, SourceKind, known_method_names};
 use crate::case::suggestion::{listed, nearest};
@@ -42,10 +43,10 @@ pub(super) fn reference(
         quantity: choose(document, "quantity", quantities, &table.quantity)?,
         value: not_negative(document, "value", &table.value)?,
         tolerance: positive(document, "tolerance", &table.tolerance)?,
-        source: table.source.clone(),
+        source: printable(&table.source),
         kind: choose(document, "kind", kinds, &table.kind)?,
-        note: table.note.clone().unwrap_or_default(),
-        deviation: table.deviation.clone(),
+        note: printable(table.note.as_deref().unwrap_or_default()),
+        deviation: table.deviation.as_deref().map(printable),
     })
 }
 

@@ -1,6 +1,7 @@
 //! Values of a case file that come in more forms than one, or whose message should be ours.
 
 use std::fmt;
+use std::marker::PhantomData;
 
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{Deserialize, Deserializer, MapAccess, SeqAccess, Visitor};
@@ -27,6 +28,10 @@ pub(super) enum FrictionValue {
 /// Two numbers, `[x, y]`.
 #[derive(Clone, Debug)]
 pub(super) struct Pair(pub Vec<Spanned<Number>>);
+
+/// A table whose keys are free, in their order.
+#[derive(Debug)]
+pub(super) struct Entries<T>(pub Vec<(Spanned<String>, Spanned<T>)>);
 
 /// `courses` in its three forms.
 #[derive(Debug)]
@@ -70,6 +75,18 @@ impl<'de> Visitor<'de> for FrictionVisitor {
         Ok(FrictionValue::One(value as f64))
     }
 
+    fn visit_u64<E>(self, value: u64) -> Result<FrictionValue, E> {
+        Ok(FrictionValue::One(value as f64))
+    }
+
+    fn visit_i128<E>(self, value: i128) -> Result<FrictionValue, E> {
+        Ok(FrictionValue::One(value as f64))
+    }
+
+    fn visit_u128<E>(self, value: u128) -> Result<FrictionValue, E> {
+        Ok(FrictionValue::One(value as f64))
+    }
+
     fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<FrictionValue, A::Error> {
         FrictionTable::deserialize(MapAccessDeserializer::new(map)).map(FrictionValue::Classes)
     }
@@ -99,6 +116,30 @@ impl<'de> Visitor<'de> for PairVisitor {
     }
 }
 
+impl<'de, T: Deserialize<'de>> Deserialize<'de> for Entries<T> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        deserializer.deserialize_map(EntriesVisitor(PhantomData))
+    }
+}
+
+struct EntriesVisitor<T>(PhantomData<T>);
+
+impl<'de, T: Deserialize<'de>> Visitor<'de> for EntriesVisitor<T> {
+    type Value = Entries<T>;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a table of pieces")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Entries<T>, A::Error> {
+        let mut entries = Vec::new();
+        while let Some(entry) = map.next_entry()? {
+            entries.push(entry);
+        }
+        Ok(Entries(entries))
+    }
+}
+
 impl<'de> Deserialize<'de> for CoursesValue {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         deserializer.deserialize_any(CoursesVisitor)
@@ -120,6 +161,18 @@ impl<'de> Visitor<'de> for CoursesVisitor {
 
     fn visit_i64<E>(self, count: i64) -> Result<CoursesValue, E> {
         Ok(CoursesValue::Count(count))
+    }
+
+    fn visit_u64<E>(self, _: u64) -> Result<CoursesValue, E> {
+        Ok(CoursesValue::Count(i64::MAX))
+    }
+
+    fn visit_i128<E>(self, count: i128) -> Result<CoursesValue, E> {
+        Ok(CoursesValue::Count(nearest(count)))
+    }
+
+    fn visit_u128<E>(self, _: u128) -> Result<CoursesValue, E> {
+        Ok(CoursesValue::Count(i64::MAX))
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<CoursesValue, A::Error> {
@@ -154,6 +207,18 @@ impl Visitor<'_> for NumberVisitor {
     fn visit_i64<E>(self, value: i64) -> Result<Number, E> {
         Ok(Number(value as f64))
     }
+
+    fn visit_u64<E>(self, value: u64) -> Result<Number, E> {
+        Ok(Number(value as f64))
+    }
+
+    fn visit_i128<E>(self, value: i128) -> Result<Number, E> {
+        Ok(Number(value as f64))
+    }
+
+    fn visit_u128<E>(self, value: u128) -> Result<Number, E> {
+        Ok(Number(value as f64))
+    }
 }
 
 impl<'de> Deserialize<'de> for WholeNumber {
@@ -174,4 +239,22 @@ impl Visitor<'_> for WholeVisitor {
     fn visit_i64<E>(self, value: i64) -> Result<WholeNumber, E> {
         Ok(WholeNumber(value))
     }
+
+    fn visit_u64<E>(self, _: u64) -> Result<WholeNumber, E> {
+        Ok(WholeNumber(i64::MAX))
+    }
+
+    fn visit_i128<E>(self, value: i128) -> Result<WholeNumber, E> {
+        Ok(WholeNumber(nearest(value)))
+    }
+
+    fn visit_u128<E>(self, _: u128) -> Result<WholeNumber, E> {
+        Ok(WholeNumber(i64::MAX))
+    }
+}
+
+/// The number, or the end of the range that it lies beyond: the checks of a count refuse either, and
+/// say how large it may be.
+fn nearest(value: i128) -> i64 {
+    i64::try_from(value).unwrap_or(if value < 0 { i64::MIN } else { i64::MAX })
 }

@@ -9,8 +9,10 @@ use super::courses::{PlacedCourses, courses};
 use super::explain::missing_key;
 use super::file::{CaseFile, UnitTable};
 use super::friction::friction;
+use super::own_blocks::own_blocks;
+use super::pieces::legend;
 use crate::case::complaint::{Complaint, Document};
-use crate::scene::{Course, Push, Wall, WallError};
+use crate::scene::{Course, OfBlocks, Push, Wall, WallError};
 
 /// Units longer or higher than this times the other side would fall under the joint search's
 /// tolerance.
@@ -24,8 +26,10 @@ pub(super) fn wall(document: &Document, file: &CaseFile) -> Result<Wall, Complai
     let Some(list) = &file.courses else {
         return Err(missing_key(document, 0..0, "courses"));
     };
-    let laid = courses(document, file, list)?;
-    let wall = sized(document, file, unit.get_ref(), laid.courses.clone())?;
+    let unit_length = positive(document, "length", &unit.get_ref().length)?;
+    let legend = legend(document, file, unit_length)?;
+    let laid = courses(document, file, list, &legend)?;
+    let mut wall = sized(document, file, unit.get_ref(), laid.courses.clone())?;
     not_too_slender(document, unit, &wall)?;
     for head_joints in HEAD_JOINTS {
         wall.scene(head_joints).map_err(|error| {
@@ -39,6 +43,7 @@ pub(super) fn wall(document: &Document, file: &CaseFile) -> Result<Wall, Complai
                 .help(help)
         })?;
     }
+    own_blocks(document, file, &mut wall, laid.weights)?;
     Ok(wall)
 }
 
@@ -63,6 +68,7 @@ fn sized(
             Some(value) => not_negative(document, "overburden", value)?,
         },
         push: Push::Right,
+        of_blocks: OfBlocks::default(),
     })
 }
 

@@ -40,12 +40,18 @@ pub(super) fn forces(scene: &Scene) -> Option<Vec<JointForce>> {
         })
         .collect();
     let mut forces = vec![JointForce::default(); scene.joints().len()];
+    let mut done = vec![false; scene.blocks().len()];
     for block in order {
+        done[block] = true;
         let centre = scene.blocks()[block].shape.centroid().x;
         let (weight, moment) = carried[block];
         for (rest, n) in distribute(&rests[block], weight, centre + moment / weight)? {
             forces[rest.joint].normal[rest.end] = n;
             if let Some(below) = block_below(&scene.joints()[rest.joint]) {
+                // One that bends inwards may carry a block whose centroid is lower than its own.
+                if done[below] {
+                    return None;
+                }
                 let arm = rest.x - scene.blocks()[below].shape.centroid().x;
                 carried[below].0 += n;
                 carried[below].1 += n * arm;
@@ -96,7 +102,7 @@ fn distribute(rests: &[Rest], weight: f64, x: f64) -> Option<Vec<(Rest, f64)>> {
 mod tests {
     use super::*;
     use crate::answer::StaticResidual;
-    use crate::scene::{HeadJoints, Piece, Push, Wall};
+    use crate::scene::{HeadJoints, OfBlocks, Piece, Push, Wall};
 
     fn wall(courses: Vec<Vec<Piece>>) -> Scene {
         let wall = Wall {
@@ -108,6 +114,7 @@ mod tests {
             friction: 0.65.into(),
             overburden: 0.5,
             push: Push::Right,
+            of_blocks: OfBlocks::default(),
         };
         wall.scene(HeadJoints::Contact)
             .expect("the wall can be laid")

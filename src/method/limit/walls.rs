@@ -1,6 +1,6 @@
 //! Walls for the tests of this folder.
 
-use crate::scene::{HeadJoints, Piece, Push, Scene, Wall};
+use crate::scene::{HeadJoints, OfBlocks, Piece, Push, Scene, Wall};
 
 /// Courses of three units each, stacked joint above joint, with head joints in contact and a load on
 /// top.
@@ -14,6 +14,7 @@ pub(super) fn wall(courses: usize, push: Push) -> Scene {
         friction: 0.65.into(),
         overburden: 1.0,
         push,
+        of_blocks: OfBlocks::default(),
     };
     wall.scene(HeadJoints::Contact).expect("it can be laid")
 }

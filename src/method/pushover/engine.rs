@@ -14,7 +14,7 @@ use rapier2d::prelude::{
 };
 
 use super::groups::{Groups, Surface};
-use super::model::{EngineBody, Model};
+use super::model::{EngineBody, Model, Outline};
 use super::parameters::Parameters;
 use crate::scene::Side;
 
@@ -91,16 +91,16 @@ impl<'a> Engine<'a> {
             ccd: CCDSolver::new(),
         };
         for (id, support) in model.supports.iter().enumerate() {
-            for surface in &support.surfaces {
-                let collider = collider(&support.outline, support.centre, surface)?;
+            for (surface, outline) in colliders(&support.surfaces, &support.outlines) {
+                let collider = collider(outline, support.centre, surface)?;
                 world.colliders.insert(collider.user_data(id as u128));
             }
         }
         let mut blocks = Vec::with_capacity(model.blocks.len());
         for (id, block) in model.blocks.iter().enumerate() {
             let handle = world.bodies.insert(body(block));
-            for surface in &block.surfaces {
-                let collider = collider(&block.outline, [0.0; 2], surface)?
+            for (surface, outline) in colliders(&block.surfaces, &block.outlines) {
+                let collider = collider(outline, [0.0; 2], surface)?
                     .user_data((model.supports.len() + id) as u128);
                 let World {
                     bodies, colliders, ..
@@ -299,6 +299,15 @@ fn body(block: &EngineBody) -> RigidBodyBuilder {
         .can_sleep(false)
         .ccd_enabled(false)
         .additional_mass_properties(properties)
+}
+
+/// Every surface of a body with every convex piece of it.
+fn colliders<'a>(
+    surfaces: &'a [Surface],
+    outlines: &'a [Outline],
+) -> impl Iterator<Item = (&'a Surface, &'a Outline)> {
+    let each = |surface| outlines.iter().map(move |outline| (surface, outline));
+    surfaces.iter().flat_map(each)
 }
 
 /// A rectangle with level sides becomes a cuboid, whose contacts rapier finds exactly.

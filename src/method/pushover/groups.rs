@@ -247,7 +247,7 @@ fn colours(joined: &[Vec<usize>], near: &[Vec<usize>]) -> Option<Vec<u32>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::{HeadJoints, Piece, Push, Wall};
+    use crate::scene::{HeadJoints, OfBlocks, Piece, Push, Wall};
 
     /// Coefficients with which two bodies collide, as the engine combines them.
     fn meeting(one: &[Surface], other: &[Surface]) -> Vec<f64> {
@@ -274,6 +274,7 @@ mod tests {
             friction: 0.65.into(),
             overburden: 0.0,
             push: Push::Right,
+            of_blocks: OfBlocks::default(),
         };
         let scene = wall.scene(HeadJoints::Open).unwrap();
         let uneven = scene.clone().with_friction(|i, _| [0.5, 0.7][(i / 3) % 2]);

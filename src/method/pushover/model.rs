@@ -20,14 +20,17 @@ pub struct BodyForce {
     pub live: [f64; 2],
 }
 
+/// Corners of a convex piece.
+pub type Outline = Vec<[f64; 2]>;
+
 /// A block as the engine sees it.
 pub struct EngineBody {
     /// Its place in the scene.
     pub index: usize,
     /// Centroid.
     pub centre: [f64; 2],
-    /// Corners of the collision shape relative to the centroid, counter-clockwise.
-    pub outline: Vec<[f64; 2]>,
+    /// Convex pieces of the collision shape: corners relative to the centroid, counter-clockwise.
+    pub outlines: Vec<Outline>,
     /// Mass, in mean weights over g.
     pub mass: f64,
     /// Moment of inertia about the centroid.
@@ -50,8 +53,8 @@ pub struct FixedBody {
     pub side: Side,
     /// Centroid.
     pub centre: [f64; 2],
-    /// Corners relative to the centroid, counter-clockwise.
-    pub outline: Vec<[f64; 2]>,
+    /// Convex pieces: corners relative to the centroid, counter-clockwise.
+    pub outlines: Vec<Outline>,
     /// What it collides with, and how rough it is.
     pub surfaces: Vec<Surface>,
 }
@@ -195,7 +198,7 @@ impl Units {
         FixedBody {
             side,
             centre: self.point(shape.centroid()),
-            outline: outline(shape, self.length),
+            outlines: outlines(shape, self.length),
             surfaces,
         }
     }
@@ -220,7 +223,7 @@ impl Units {
         EngineBody {
             index,
             centre: self.point(centroid),
-            outline: outline(shape, self.length),
+            outlines: outlines(shape, self.length),
             mass,
             inertia: mass * gyration_squared(shape) / (self.length * self.length),
             reach: reach / self.length,
@@ -248,6 +251,15 @@ fn course_height(blocks: &[&Block]) -> f64 {
     let mut heights: Vec<f64> = blocks.iter().map(height).collect();
     heights.sort_by(f64::total_cmp);
     heights[heights.len() / 2]
+}
+
+/// Convex pieces of a shape, exactly: their inner sides lie on each other.
+fn outlines(shape: &Polygon, length: f64) -> Vec<Outline> {
+    let whole = outline(shape, length);
+    let pieces = shape.convex_pieces().into_iter();
+    pieces
+        .map(|piece| piece.into_iter().map(|corner| whole[corner]).collect())
+        .collect()
 }
 
 /// Corners relative to the centroid.

@@ -3,7 +3,7 @@
 use super::verify::verify;
 use super::*;
 use crate::answer::Bracket;
-use crate::scene::{Course, HeadJoints, Piece, Polygon, Push, SceneParts, Vector, Wall};
+use crate::scene::{Course, HeadJoints, OfBlocks, Piece, Polygon, Push, SceneParts, Vector, Wall};
 
 fn wall(unit: [f64; 2], friction: f64, courses: &[&str]) -> Wall {
     let course = |text: &&str| -> Course {
@@ -23,6 +23,7 @@ fn wall(unit: [f64; 2], friction: f64, courses: &[&str]) -> Wall {
         friction: friction.into(),
         overburden: 0.0,
         push: Push::Right,
+        of_blocks: OfBlocks::default(),
     }
 }
 

@@ -6,6 +6,7 @@ use super::{certificates, replay};
 use crate::method::{Kind, entry};
 use crate::picture::{Options, View, common_size, figure};
 use crate::record::record;
+use crate::report::terms::terms;
 use crate::run::{CaseResult, Row};
 use crate::scene::HeadJoints;
 
@@ -19,6 +20,11 @@ pub fn panel(result: &CaseResult) -> Markup {
     html! {
         @if result.case.title != result.case.name { p.title { (result.case.title) } }
         @if !result.case.source.is_empty() { p.small { "Source: " (result.case.source) } }
+        @for conclusion in &result.conclusions {
+            @if let Some(terms) = terms(result, conclusion) {
+                p.small { (conclusion.head_joints.name()) ": " (terms.to_string()) }
+            }
+        }
         h3 { "Mechanisms" }
         (drawings(result, &foremost, size))
         @if !further.is_empty() {

@@ -9,7 +9,7 @@ use super::file::{self, CaseSource, File};
 use super::name::sweep_name;
 use super::neighbours::FromNeighbours;
 use super::variants::{Axis, Base, Variant, axes, settings, variants};
-use crate::case::{self, Complaint, Document, UnreadCase, listed, nearest};
+use crate::case::{self, Complaint, Document, UnreadCase, listed, nearest, printable};
 use crate::method::{Kind, METHODS, Method, defaults, kind, methods as all_methods};
 use crate::run::{Subject, Task};
 use crate::scene::HeadJoints;
@@ -47,8 +47,8 @@ impl Sweep {
         let variants = variants(&document, &bases, &axes, settings)?;
         let neighbours = neighbours(&document, &file, &axes, &variants)?;
         Ok(Self {
-            title: file.title.unwrap_or_else(|| name.clone()),
-            source: file.source.unwrap_or_default(),
+            title: printable(file.title.as_deref().unwrap_or(&name)),
+            source: printable(file.source.as_deref().unwrap_or_default()),
             name,
             variants,
             methods,

@@ -1,0 +1,209 @@
+//! A case of any form as explicit blocks: a case file, and the corners in a CSV beside it.
+
+use std::fmt::Write;
+
+use super::geometry::Geometry;
+use super::model::Case;
+use super::reference::{Quantity, Reference};
+use crate::method::{Kind, kind};
+use crate::scene::{Assembly, Force, Friction, HeadJoints, Point, Polygon, Push, TOUCHING, Vector};
+
+/// The two files of a case of explicit blocks.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BlocksFiles {
+    /// The case, which names the CSV.
+    pub toml: String,
+    /// A row a corner: block, x, y, and the block's weight.
+    pub csv: String,
+}
+
+impl Case {
+    /// The case as explicit blocks, whose corners stand in a file `csv` beside it. Numbers are written
+    /// so that they are read as the same ones, and blocks keep their order: all methods but the closed
+    /// form answer the same. References of the closed form and of cracks, which need courses, are left
+    /// out.
+    ///
+    /// # Panics
+    /// As [`Geometry::scene`].
+    pub fn as_blocks(&self, csv: &str) -> BlocksFiles {
+        let assembly = self.geometry.assembly();
+        BlocksFiles {
+            toml: self.blocks_toml(&assembly, csv),
+            csv: corners(&assembly),
+        }
+    }
+
+    fn blocks_toml(&self, assembly: &Assembly, csv: &str) -> String {
+        let mut text = format!(
+            "title = {}\nsource = {}\n{}",
+            quoted(&self.title),
+            quoted(&self.source),
+            friction(assembly.friction)
+        );
+        if !matches!(self.geometry, Geometry::Arch(_)) {
+            let word = match self.head_joints.as_slice() {
+                [HeadJoints::Contact] => "contact",
+                [HeadJoints::Open] => "open",
+                _ => "both",
+            };
+            let _ = writeln!(text, "head_joints = \"{word}\"");
+        }
+        let push = match self.pushes.as_slice() {
+            [Push::Right] => "right",
+            [Push::Left] => "left",
+            _ => "both",
+        };
+        let live = match assembly.forces.weight_is_live {
+            true => "weight",
+            false => "loads",
+        };
+        let _ = writeln!(text, "push = \"{push}\"\nlive = \"{live}\"\n");
+        let supports = assembly
+            .supports
+            .iter()
+            .map(|support| quoted(&support.name));
+        let supports: Vec<String> = supports.collect();
+        let _ = writeln!(
+            text,
+            "[blocks]\ncsv = {}\nsupports = [{}]",
+            quoted(csv),
+            supports.join(", ")
+        );
+        if assembly.tolerance != TOUCHING {
+            let _ = writeln!(text, "tolerance = {:?}", assembly.tolerance);
+        }
+        if assembly.radial {
+            text.push_str("radial = true\n");
+        }
+        for block in &assembly.blocks {
+            if block.centre != block.shape.centroid() {
+                let (name, at) = (quoted(&block.name), pair(block.centre.coords));
+                let _ = writeln!(text, "\n[[block]]\nname = {name}\ncentre = {at}");
+            }
+        }
+        for force in &assembly.forces.extra {
+            text.push_str(&load(force, &assembly.blocks[force.block].name));
+        }
+        for reference in self.references.iter().filter(|r| holds_for_blocks(r)) {
+            text.push_str(&written(reference));
+        }
+        text
+    }
+}
+
+/// A row a corner, blocks first.
+fn corners(assembly: &Assembly) -> String {
+    let mut text = String::from("block,x,y,weight\n");
+    let mut body = |name: &str, shape: &Polygon, weight: &str| {
+        for Point { coords } in shape.corners() {
+            let _ = writeln!(
+                text,
+                "{},{:?},{:?},{weight}",
+                cell(name),
+                coords.x,
+                coords.y
+            );
+        }
+    };
+    for block in &assembly.blocks {
+        body(&block.name, &block.shape, &format!("{:?}", block.weight));
+    }
+    for support in &assembly.supports {
+        body(&support.name, &support.shape, "");
+    }
+    text
+}
+
+/// A name as a cell: in quotes where it would be read as something else.
+fn cell(name: &str) -> String {
+    if name.contains([',', ';', '\t', '"']) || name.starts_with('#') {
+        format!("\"{}\"", name.replace('"', "\"\""))
+    } else {
+        name.to_owned()
+    }
+}
+
+fn friction(friction: Friction) -> String {
+    let Friction { bed, head, base } = friction;
+    if bed == head && bed == base {
+        format!("friction = {bed:?}\n")
+    } else {
+        format!("friction = {{ bed = {bed:?}, head = {head:?}, base = {base:?} }}\n")
+    }
+}
+
+fn load(force: &Force, block: &str) -> String {
+    format!(
+        "\n[[load]]\nblock = {}\nat = {}\ndead = {}\nlive = {}\n",
+        quoted(block),
+        pair(force.point.coords),
+        pair(force.dead),
+        pair(force.live)
+    )
+}
+
+fn pair(vector: Vector) -> String {
+    format!("[{:?}, {:?}]", vector.x, vector.y)
+}
+
+/// Whether a value is expected of the same blocks without their courses.
+fn holds_for_blocks(reference: &Reference) -> bool {
+    let of_courses = [Quantity::TanBeta, Quantity::C, Quantity::E];
+    kind(&reference.method) != Kind::ClosedForm && !of_courses.contains(&reference.quantity)
+}
+
+fn written(reference: &Reference) -> String {
+    let mut text = format!("\n[[references]]\nmethod = {}\n", quoted(&reference.method));
+    if let Some(head_joints) = reference.head_joints {
+        let _ = writeln!(text, "head_joints = \"{}\"", head_joints.name());
+    }
+    let _ = writeln!(
+        text,
+        "quantity = \"{}\"\nvalue = {:?}\ntolerance = {:?}\nsource = {}\nkind = \"{}\"",
+        reference.quantity.name(),
+        reference.value,
+        reference.tolerance,
+        quoted(&reference.source),
+        reference.kind.name()
+    );
+    if !reference.note.is_empty() {
+        let _ = writeln!(text, "note = {}", quoted(&reference.note));
+    }
+    if let Some(deviation) = &reference.deviation {
+        let _ = writeln!(text, "deviation = {}", quoted(deviation));
+    }
+    text
+}
+
+/// A text as TOML writes it.
+pub(super) fn quoted(text: &str) -> String {
+    toml::Value::String(text.to_owned()).to_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::case::find::library;
+
+    /// Every built-in case comes back with the same blocks, joints and forces, to the last bit.
+    #[test]
+    fn every_case_comes_back_as_the_same_scene() {
+        for case in library() {
+            let files = case.as_blocks("blocks.csv");
+            let beside = |_: &str| Ok(files.csv.clone().into_bytes());
+            let read = Case::read_with("a.toml", files.toml.as_bytes(), &beside);
+            let blocks = read.unwrap_or_else(|complaint| panic!("{}: {complaint}", case.name));
+            assert_eq!(blocks.warnings, []);
+            assert_eq!(blocks.head_joints, case.head_joints);
+            assert_eq!(blocks.pushes, case.pushes);
+            for head_joints in [HeadJoints::Contact, HeadJoints::Open] {
+                for &push in &case.pushes {
+                    let scene = case.geometry.scene(head_joints, push);
+                    let expected = scene.without_wall();
+                    let found = blocks.geometry.scene(head_joints, push);
+                    assert_eq!(found, expected, "{}", case.name);
+                }
+            }
+        }
+    }
+}

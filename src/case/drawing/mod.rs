@@ -1,0 +1,16 @@
+//! Walls as they are drawn: from a DXF to a case.
+//!
+//! ```text
+//! text ── groups ──▶ entities ── paths ──▶ closed outlines ── heal ──▶ blocks and supports
+//! ```
+
+mod entities;
+mod groups;
+mod heal;
+mod import;
+mod options;
+mod outlines;
+mod paths;
+
+pub use import::Imported;
+pub use options::DrawingOptions;

@@ -1,0 +1,162 @@
+//! What a drawing does not say, as arguments, and reading one.
+
+use std::path::Path;
+
+use clap::{Args, ValueEnum};
+use trilith::case::{Case, DrawingOptions, Imported};
+use trilith::files::{Input, read_input};
+use trilith::scene::Push;
+
+use super::stop::Stop;
+
+/// Remarks that a run prints; `import` prints all of them.
+const SHOWN: usize = 20;
+
+#[derive(Args)]
+#[command(next_help_heading = "Drawings (.dxf)")]
+pub(super) struct DrawingArguments {
+    /// Layer of the outlines that never move [default: `support` or `ground`, else the lowest wide one].
+    #[arg(long, value_name = "LAYER")]
+    support: Option<String>,
+    /// Layers that are not read.
+    #[arg(long, value_name = "LAYER", value_delimiter = ',')]
+    without: Vec<String>,
+    /// Coefficient of friction of every joint of the drawing.
+    #[arg(long, value_name = "NUMBER")]
+    friction: Option<f64>,
+    /// Which way the drawing is pushed.
+    #[arg(long, value_name = "WAY")]
+    push: Option<Ways>,
+    /// Unit of length of the drawing, instead of what its header says.
+    #[arg(long, value_name = "UNIT")]
+    units: Option<Unit>,
+    /// Chords are nearer to their arc than this part of its radius.
+    #[arg(long, value_name = "PART")]
+    chord: Option<f64>,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Ways {
+    Right,
+    Left,
+    Both,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum Unit {
+    Mm,
+    Cm,
+    M,
+    In,
+    Ft,
+}
+
+impl Unit {
+    fn metres(self) -> f64 {
+        match self {
+            Unit::Mm => 1e-3,
+            Unit::Cm => 1e-2,
+            Unit::M => 1.0,
+            Unit::In => 0.0254,
+            Unit::Ft => 0.3048,
+        }
+    }
+}
+
+/// Whether an argument names a drawing.
+pub(super) fn is_drawing(argument: &str) -> bool {
+    let end = Path::new(argument).extension();
+    end.is_some_and(|end| end.eq_ignore_ascii_case("dxf"))
+}
+
+impl DrawingArguments {
+    /// Whether any of them is given.
+    pub(super) fn is_given(&self) -> bool {
+        self.support.is_some()
+            || !self.without.is_empty()
+            || self.friction.is_some()
+            || self.push.is_some()
+            || self.units.is_some()
+            || self.chord.is_some()
+    }
+
+    /// The coefficient of friction, where it is given.
+    pub(super) fn friction(&self) -> Option<f64> {
+        self.friction
+    }
+
+    fn options(&self, tolerance: Option<f64>) -> Result<DrawingOptions, Stop> {
+        let default = DrawingOptions::default();
+        let within = |name: &str, value: Option<f64>, unsaid: f64, low: f64, high: f64| {
+            let value = value.unwrap_or(unsaid);
+            if (low..=high).contains(&value) {
+                return Ok(value);
+            }
+            let text =
+                format!("error: --{name} {value}\nhelp: write a number from {low} to {high}");
+            Err(Stop::bad_input(text))
+        };
+        if let Some(friction) = self.friction {
+            within("friction", Some(friction), 0.0, 0.0, 1e12)?;
+            if (10.5..90.0).contains(&friction) {
+                let tangent = friction.to_radians().tan();
+                eprintln!(
+                    "warning: --friction {friction}: is this an angle? It is taken as tan φ; write \
+                     {tangent:.3} for {friction} degrees"
+                );
+            }
+        }
+        Ok(DrawingOptions {
+            support: self.support.clone(),
+            without: self.without.clone(),
+            tolerance: within("tolerance", tolerance, default.tolerance, 0.0, 0.01)?,
+            chord: within("chord", self.chord, default.chord, 1e-6, 0.1)?,
+            metres: self.units.map(Unit::metres),
+            friction: self.friction,
+            pushes: match self.push {
+                None | Some(Ways::Right) => vec![Push::Right],
+                Some(Ways::Left) => vec![Push::Left],
+                Some(Ways::Both) => vec![Push::Right, Push::Left],
+            },
+            ..default
+        })
+    }
+
+    /// The case of a drawing whose edges are healed within `tolerance`; tells on standard error what was
+    /// taken for what, `all` of it or the first lines.
+    pub(super) fn read(
+        &self,
+        argument: &str,
+        tolerance: Option<f64>,
+        all: bool,
+    ) -> Result<Imported, Stop> {
+        let bytes = read_input(Path::new(argument), Input::Table).map_err(|error| {
+            let help = "check the path and its permissions";
+            Stop::bad_input(format!(
+                "error: cannot read {argument}: {error}\nhelp: {help}"
+            ))
+        })?;
+        let imported = Case::from_drawing(argument, &bytes, &self.options(tolerance)?)
+            .map_err(|complaint| Stop::bad_input(complaint.to_string()))?;
+        let most = if all { usize::MAX } else { SHOWN };
+        for remark in imported.remarks.iter().take(most) {
+            eprintln!("{argument}: {remark}");
+        }
+        if let Some(more @ 1..) = imported.remarks.len().checked_sub(most) {
+            eprintln!("{argument}: and {more} more; `trilith import {argument}` says all");
+        }
+        Ok(imported)
+    }
+
+    /// The case of a drawing that is to run, which needs a coefficient of friction.
+    pub(super) fn case(&self, argument: &str) -> Result<Case, Stop> {
+        if self.friction.is_none() {
+            let text = format!(
+                "error: {argument}: a drawing says nothing about friction\nhelp: write `--friction 0.65`, \
+                 or `trilith import {argument}` and fill it in"
+            );
+            return Err(Stop::bad_input(text));
+        }
+        Ok(self.read(argument, None, false)?.case)
+    }
+}

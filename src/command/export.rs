@@ -1,0 +1,61 @@
+//! `trilith export --dxf`.
+
+use std::path::Path;
+
+use trilith::answer::thrust;
+use trilith::files::write_whole;
+use trilith::method::{Settings, methods};
+use trilith::picture::dxf;
+use trilith::run::{Plan, run};
+use trilith::scene::Push;
+
+use super::convert::one_case;
+use super::head_joints::HeadJointsArgument;
+use super::stop::{Stop, print};
+
+/// Writes a case as a drawing, with the mechanism and the thrust of a method's answer.
+pub(super) fn export(
+    argument: &str,
+    head_joints: Option<HeadJointsArgument>,
+    push: Option<Push>,
+    path: &Path,
+    method: &str,
+) -> Result<u8, Stop> {
+    let mut case = one_case(argument)?;
+    case.head_joints.truncate(1);
+    if let Some(one) = head_joints.and_then(HeadJointsArgument::one) {
+        case.head_joints = vec![one];
+    }
+    if let Some(push) = push {
+        case.pushes = vec![push];
+    }
+    let methods: Vec<_> = methods()
+        .into_iter()
+        .filter(|known| known.name() == method)
+        .collect();
+    if methods.is_empty() {
+        let text =
+            format!("error: there is no method named `{method}`\nhelp: `trilith list` names them");
+        return Err(Stop::bad_input(text));
+    }
+    let plan = Plan {
+        methods,
+        settings: Settings::default(),
+        head_joints: None,
+    };
+    let results = run(std::slice::from_ref(&case), &plan, &());
+    let row = results
+        .first()
+        .and_then(|result| Some((result, result.rows.first()?)));
+    let Some((result, row)) = row else {
+        return Err(Stop::bad_input("error: there is nothing to draw"));
+    };
+    let scene = result.scene(row);
+    let forces = row.outcome.forces.as_ref();
+    let thrust = forces.map(|forces| thrust(scene, forces));
+    let text = dxf(scene, row.outcome.mechanism.as_ref(), thrust.as_ref());
+    write_whole(path, &text)
+        .map_err(|e| Stop::bad_input(format!("error: cannot write {}: {e}", path.display())))?;
+    print(&format!("wrote {}\n", path.display()))?;
+    Ok(0)
+}

@@ -1,0 +1,130 @@
+//! A scene as a drawing for CAD: blocks, supports, names, mechanism and thrust on layers of their own.
+//!
+//! DXF of version R12, which every program reads; written here, so that the same scene is the same
+//! bytes.
+
+use std::fmt::Write;
+
+use super::frame::Displacement;
+use crate::answer::{Mechanism, Thrust};
+use crate::scene::{Point, Scene};
+
+/// Layers and their colours, by CAD's numbers.
+const LAYERS: [(&str, u8); 6] = [
+    ("blocks", 7),
+    ("support", 8),
+    ("names", 9),
+    ("mechanism", 1),
+    ("thrust", 5),
+    ("resultants", 4),
+];
+
+/// Part of the scene's height that letters are high, and the largest resultant is long.
+const LETTERS: f64 = 0.02;
+const LONGEST: f64 = 0.2;
+
+/// The drawing of a scene; the mechanism is magnified as in pictures. Coordinates are the case's own, to
+/// the last digit.
+pub fn dxf(scene: &Scene, mechanism: Option<&Mechanism>, thrust: Option<&Thrust>) -> String {
+    let mut drawing = Drawing::new();
+    for block in scene.blocks() {
+        drawing.polyline("blocks", block.shape.corners(), true);
+    }
+    for support in scene.supports() {
+        drawing.polyline("support", support.corners(), true);
+    }
+    for (index, block) in scene.blocks().iter().enumerate() {
+        let name = scene.block_name(index);
+        drawing.text(
+            "names",
+            block.shape.centroid(),
+            LETTERS * scene.height(),
+            &name,
+        );
+    }
+    if mechanism.is_some() {
+        let moved = Displacement::new(scene, mechanism);
+        for block in 0..scene.blocks().len() {
+            let corners: Vec<Point> = moved.corners(block).collect();
+            drawing.polyline("mechanism", &corners, true);
+        }
+    }
+    if let Some(thrust) = thrust {
+        for line in &thrust.lines {
+            drawing.polyline("thrust", line, false);
+        }
+        let largest = thrust.courses.iter().map(|of| of.force.norm());
+        let largest = largest.fold(0.0, f64::max);
+        for of in &thrust.courses {
+            if let Some(x) = of.x.filter(|_| largest > 0.0) {
+                let at = Point::new(x, of.level);
+                let way = of.force * (LONGEST * scene.height() / largest);
+                drawing.polyline("resultants", &[at, at + way], false);
+            }
+        }
+    }
+    drawing.end()
+}
+
+/// The text of a drawing as it grows.
+struct Drawing {
+    text: String,
+    handle: u64,
+}
+
+impl Drawing {
+    fn new() -> Self {
+        // The remark tells a reader of ours which layers are no walls.
+        let mut text = String::from("999\ntrilith\n");
+        text.push_str("0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1009\n0\nENDSEC\n");
+        text.push_str("0\nSECTION\n2\nTABLES\n0\nTABLE\n2\nLAYER\n");
+        let _ = writeln!(text, "70\n{}", LAYERS.len());
+        for (name, colour) in LAYERS {
+            let _ = writeln!(
+                text,
+                "0\nLAYER\n2\n{name}\n70\n0\n62\n{colour}\n6\nCONTINUOUS"
+            );
+        }
+        text.push_str("0\nENDTAB\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n");
+        // Behind the handles that readers give to tables.
+        Self { text, handle: 0xFF }
+    }
+
+    fn begin(&mut self, kind: &str, layer: &str) {
+        self.handle += 1;
+        let _ = writeln!(self.text, "0\n{kind}\n5\n{:X}\n8\n{layer}", self.handle);
+    }
+
+    fn point(&mut self, at: Point) {
+        let _ = writeln!(self.text, "10\n{:?}\n20\n{:?}\n30\n0.0", at.x, at.y);
+    }
+
+    fn polyline(&mut self, layer: &str, points: &[Point], closed: bool) {
+        self.begin("POLYLINE", layer);
+        self.text.push_str("66\n1\n");
+        self.point(Point::origin());
+        let _ = writeln!(self.text, "70\n{}", u8::from(closed));
+        for &point in points {
+            let _ = writeln!(self.text, "0\nVERTEX\n8\n{layer}");
+            self.point(point);
+        }
+        let _ = writeln!(self.text, "0\nSEQEND\n8\n{layer}");
+    }
+
+    fn text(&mut self, layer: &str, at: Point, height: f64, words: &str) {
+        self.begin("TEXT", layer);
+        self.point(at);
+        // R12 knows no Unicode: other letters as CAD writes them.
+        let escaped = |c: char| match c {
+            ' '..='~' => c.to_string(),
+            c => format!("\\U+{:04X}", u32::from(c)),
+        };
+        let words: String = words.chars().map(escaped).collect();
+        let _ = writeln!(self.text, "40\n{height:?}\n1\n{words}");
+    }
+
+    fn end(mut self) -> String {
+        self.text.push_str("0\nENDSEC\n0\nEOF\n");
+        self.text
+    }
+}

@@ -1,0 +1,407 @@
+//! Drawings: those in `tests/drawings` were written by ezdxf 1.4 (`tests/drawings/generate.py`), in the
+//! versions and with the entities that CAD programs write.
+
+use std::path::Path;
+
+use trilith::answer::Outcome;
+use trilith::case::{self, Case, DrawingOptions, Geometry, Imported};
+use trilith::method::{Settings, methods};
+use trilith::picture::dxf;
+use trilith::run::{Plan, run};
+use trilith::scene::HeadJoints;
+
+fn options() -> DrawingOptions {
+    DrawingOptions {
+        friction: Some(0.65),
+        ..DrawingOptions::default()
+    }
+}
+
+fn drawing(name: &str) -> Imported {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("tests/drawings")
+        .join(name);
+    let bytes = std::fs::read(path).expect("the drawing is there");
+    Case::from_drawing(name, &bytes, &options()).unwrap_or_else(|complaint| panic!("{complaint}"))
+}
+
+fn answer(case: &Case, method: &str) -> Outcome {
+    let wanted = methods().into_iter().filter(|one| one.name() == method);
+    let plan = Plan {
+        methods: wanted.collect(),
+        settings: Settings::default(),
+        head_joints: None,
+    };
+    let mut results = run(std::slice::from_ref(case), &plan, &());
+    results.remove(0).rows.remove(0).outcome
+}
+
+fn associative(case: &Case) -> f64 {
+    let bracket = answer(case, "associative").bracket;
+    bracket.expect("there is a multiplier").lower
+}
+
+fn coursed(text: &str) -> Case {
+    Case::read("wall.toml", text.as_bytes()).unwrap_or_else(|complaint| panic!("{complaint}"))
+}
+
+const WALL: &str = "friction = 0.65\nunit = { length = 0.5, height = 0.25, weight = 0.125 }\n\
+                    bond = \"running\"\ncourses = 4\nunits = 3\nfirst = \"whole\"\n";
+
+/// One wall in four versions, as lines, with equal ends in metres, as INSERTs, without layers: the
+/// multiplier of the coursed wall, to 1e-9.
+#[test]
+fn one_wall_in_every_version_is_one_wall() {
+    let expected = associative(&coursed(WALL));
+    for name in [
+        "wall-R12.dxf",
+        "wall-R2000.dxf",
+        "wall-R2007.dxf",
+        "wall-R2018.dxf",
+        "wall-lines.dxf",
+        "wall-metres.dxf",
+        "wall-inserts.dxf",
+        "wall-lowest.dxf",
+    ] {
+        let Imported { case, remarks } = drawing(name);
+        assert!(
+            !remarks.iter().any(|remark| remark.contains("moved")),
+            "{name}"
+        );
+        let Geometry::Blocks(assembly) = &case.geometry else {
+            panic!("a drawing is of blocks");
+        };
+        assert_eq!((assembly.blocks.len(), assembly.supports.len()), (14, 1));
+        let found = associative(&case);
+        assert!(
+            (found - expected).abs() < 1e-9 * expected,
+            "{name}: {found} {expected}"
+        );
+        if name != "wall-R12.dxf" {
+            let (low, high) = case.scene(HeadJoints::Contact).bounds();
+            assert_eq!(
+                (high.x - low.x, high.y - low.y),
+                (1.5, 1.0),
+                "{name}: in metres"
+            );
+        }
+    }
+}
+
+/// An array of copies, mirrored: a pier of five, which rocks at width / height.
+#[test]
+fn copies_and_mirrored_inserts_are_resolved() {
+    let found = associative(&drawing("pier-array.dxf").case);
+    assert!((found - 0.4 / 1.5).abs() < 1e-9, "{found}");
+}
+
+/// Corners off by up to a thousandth of a block, at random: every joint is found, what was moved is
+/// listed, and the multiplier is that of the exact wall to a thousandth.
+#[test]
+fn noise_is_healed_and_listed() {
+    let exact = WALL
+        .replace("courses = 4", "courses = 8")
+        .replace("units = 3", "units = 4");
+    let exact = coursed(&exact);
+    let joints = exact.scene(HeadJoints::Contact).joints().len();
+    let expected = associative(&exact);
+    for (name, tolerance) in [("noise-1e-03.dxf", 1e-3), ("noise-1e-06.dxf", 1e-6)] {
+        let Imported { case, remarks } = drawing(name);
+        assert_eq!(
+            case.scene(HeadJoints::Contact).joints().len(),
+            joints,
+            "{name}"
+        );
+        assert!(
+            remarks
+                .iter()
+                .any(|remark| remark.starts_with("moved 144 corners"))
+        );
+        let found = associative(&case);
+        assert!(
+            (found - expected).abs() < tolerance * expected,
+            "{name}: {found} {expected}"
+        );
+    }
+}
+
+/// Semicircles of bulges and of arcs on two supports, their chords a thousandth of the radius off: the
+/// multipliers of Table 5 of the notes (t / R 0.15: 9 voussoirs 0.14547, 15 0.14975) to 0.2 %, the noise
+/// of a thousandth of a length to 0.3 %.
+#[test]
+fn arcs_become_chords() {
+    for (name, voussoirs, expected, tolerance) in [
+        ("arch-arcs.dxf", 9, 0.14547, 2e-3),
+        ("arch-bulges.dxf", 15, 0.14975, 2e-3),
+        ("arch-noise.dxf", 15, 0.14975, 3e-3),
+    ] {
+        let case = drawing(name).case;
+        let scene = case.scene(HeadJoints::Contact);
+        assert_eq!(scene.blocks().len(), voussoirs);
+        let found = associative(&case);
+        assert!(
+            (found - expected).abs() < tolerance * expected,
+            "{name}: {found}"
+        );
+    }
+}
+
+/// A drawing in R12 of a ground and what `entities` adds.
+fn with(entities: &str) -> String {
+    let ground = polyline("support", &[(-5, -1), (5, -1), (5, 0), (-5, 0)]);
+    let block = polyline("stones", &[(0, 0), (2, 0), (2, 1), (0, 1)]);
+    format!("0\nSECTION\n2\nENTITIES\n{ground}{block}{entities}0\nENDSEC\n0\nEOF\n")
+}
+
+fn polyline(layer: &str, corners: &[(i32, i32)]) -> String {
+    let corners: Vec<(f64, f64)> = corners
+        .iter()
+        .map(|&(x, y)| (f64::from(x), f64::from(y)))
+        .collect();
+    closed(layer, "A1", &corners)
+}
+
+fn closed(layer: &str, handle: &str, corners: &[(f64, f64)]) -> String {
+    let vertex = |(x, y): &(f64, f64)| format!("0\nVERTEX\n8\n{layer}\n10\n{x}\n20\n{y}\n");
+    let vertices: String = corners.iter().map(vertex).collect();
+    format!("0\nPOLYLINE\n5\n{handle}\n8\n{layer}\n66\n1\n70\n1\n{vertices}0\nSEQEND\n8\n{layer}\n")
+}
+
+fn refused(text: &str) -> String {
+    let read = Case::from_drawing("a.dxf", text.as_bytes(), &options());
+    let complaint = read.expect_err("it is refused");
+    assert!(complaint.line().is_some(), "{complaint}");
+    let shown = complaint.to_string();
+    assert!(shown.contains("= help: "), "{shown}");
+    shown
+}
+
+/// What is no block of a wall is refused with its name, handle, layer and line.
+#[test]
+fn what_is_no_outline_is_named() {
+    Case::from_drawing("a.dxf", with("").as_bytes(), &options())
+        .expect("it is a block on the ground");
+    for kind in ["SPLINE", "HATCH", "ELLIPSE", "REGION", "3DFACE", "SOLID"] {
+        let shown = refused(&with(&format!("0\n{kind}\n5\n2F\n8\nfill\n")));
+        assert!(
+            shown.contains(&format!("{kind} is no outline of a block")),
+            "{shown}"
+        );
+        assert!(shown.contains("handle 2F, layer `fill`"), "{shown}");
+        // Its layer can be left out.
+        let options = DrawingOptions {
+            without: vec!["FILL".to_owned()],
+            ..options()
+        };
+        let text = with(&format!("0\n{kind}\n5\n2F\n8\nfill\n"));
+        Case::from_drawing("a.dxf", text.as_bytes(), &options).expect("without that layer");
+    }
+    let line = "0\nLINE\n5\n30\n8\nstones\n10\n0\n20\n1\n11\n1\n21\n2\n";
+    let shown = refused(&with(line));
+    assert!(shown.contains("a LINE that closes no outline"), "{shown}");
+    assert!(
+        shown.contains("handle 30, layer `stones`: nothing goes on from (1, 2)"),
+        "{shown}"
+    );
+    let shown = refused(&with("0\nINSERT\n5\n31\n8\n0\n2\ndoor\n10\n0\n20\n0\n"));
+    assert!(
+        shown.contains("an INSERT of `door`, which is not in the drawing"),
+        "{shown}"
+    );
+}
+
+/// Gaps and overlaps beyond what is healed are refused with layers, handles and coordinates.
+#[test]
+fn gaps_and_overlaps_are_refused_with_their_place() {
+    let above = |low: f64| {
+        closed(
+            "upper",
+            "2B",
+            &[(0.0, low), (2.0, low), (2.0, 2.0), (0.0, 2.0)],
+        )
+    };
+    for low in [1.002, 0.998] {
+        let healed = Case::from_drawing("a.dxf", with(&above(low)).as_bytes(), &options());
+        let healed = healed.unwrap_or_else(|complaint| panic!("{complaint}"));
+        assert_eq!(healed.case.scene(HeadJoints::Contact).joints().len(), 2);
+        assert!(
+            healed
+                .remarks
+                .iter()
+                .any(|remark| remark.contains("`2B` at (0, "))
+        );
+    }
+    let shown = refused(&with(&above(1.02)));
+    assert!(shown.contains("a gap of 2.000e-2"), "{shown}");
+    assert!(shown.contains("at (1.0000, 1.0000)"), "{shown}");
+    assert!(shown.contains("`2B` (layer `upper`"), "{shown}");
+    assert!(shown.contains("--tolerance 0.01"), "{shown}");
+    let shown = refused(&with(&above(0.9)));
+    assert!(shown.contains("overlap, 1.000e-1 deep"), "{shown}");
+    assert!(shown.contains("handle 2B, layer `upper`"), "{shown}");
+    let shown = refused(&with(&above(1.5)));
+    assert!(shown.contains("floats"), "{shown}");
+}
+
+/// Files that are no drawing, or not all of one.
+#[test]
+fn what_is_no_drawing_is_refused() {
+    for (bytes, why) in [
+        (&b"AutoCAD Binary DXF\r\n\x1a\0"[..], "a DXF in binary form"),
+        (b"AC1032\0\0", "a DWG and not a DXF"),
+        (b"", "a DXF without an end"),
+        (b"friction = 0.65\n", "not a DXF"),
+        (b"0\nSECTION\n2\nENTITIES\n", "a DXF without an end"),
+        (b"0\nEOF\n", "a DXF without entities"),
+        (
+            b"0\nSECTION\n2\nENTITIES\n0\nENDSEC\n0\nEOF\n",
+            "no outline of a block",
+        ),
+        (b"0\nSECTION\n2", "a DXF that ends within a group"),
+    ] {
+        let read = Case::from_drawing("a.dxf", bytes, &options());
+        let shown = read.expect_err("it is refused").to_string();
+        assert!(shown.contains(why), "{shown}");
+        assert!(shown.contains("help: "), "{shown}");
+    }
+    let shown = refused(&with("0\nLINE\n8\nstones\n10\nwide\n20\n0\n"));
+    assert!(
+        shown.contains("`wide` is no number for group 10"),
+        "{shown}"
+    );
+}
+
+/// One to three bytes changed: a case or a complaint, never a panic.
+#[test]
+fn broken_drawings_are_complained_about_and_never_panic() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/drawings/arch-arcs.dxf");
+    let long = std::fs::read(path).expect("the drawing is there");
+    let short = with(&closed(
+        "upper",
+        "2B",
+        &[(0.0, 1.0), (2.0, 1.0), (2.0, 2.0), (0.0, 2.0)],
+    ));
+    let short = short.into_bytes();
+    let odd = b"0123456789.-eE \n\r\t\0\xff\xc3ALVP";
+    let mut state = 0x2545_F491_4F6C_DD1D_u64;
+    let mut noise = move || {
+        state ^= state << 13;
+        state ^= state >> 7;
+        state ^= state << 17;
+        (state >> 16) as usize
+    };
+    let mut refused = 0;
+    for round in 0..600 {
+        let mut bytes = if round % 10 == 0 {
+            long.clone()
+        } else {
+            short.clone()
+        };
+        for _ in 0..=noise() % 3 {
+            let at = noise() % bytes.len();
+            let new = odd[noise() % odd.len()];
+            match noise() % 3 {
+                0 => bytes[at] = new,
+                1 => bytes.insert(at, new),
+                _ => drop(bytes.remove(at)),
+            }
+        }
+        refused += usize::from(Case::from_drawing("a.dxf", &bytes, &options()).is_err());
+    }
+    assert!(refused > 100, "{refused}");
+}
+
+/// The multiplier of a coursed case, and of the case that its drawing gives.
+fn there_and_back(case: &Case, head_joints: HeadJoints) -> [Case; 2] {
+    let mut case = case.clone();
+    case.head_joints = vec![head_joints];
+    case.pushes.truncate(1);
+    case.references.clear();
+    let text = dxf(&case.scene(head_joints), None, None);
+    let options = DrawingOptions {
+        friction: Some(0.0),
+        head_joints: vec![head_joints],
+        pushes: case.pushes.clone(),
+        ..options()
+    };
+    let read = Case::from_drawing("a.dxf", text.as_bytes(), &options);
+    let mut drawn = read.unwrap_or_else(|complaint| panic!("{complaint}")).case;
+    if let (Geometry::Blocks(drawn), Geometry::Wall(wall)) = (&mut drawn.geometry, &case.geometry) {
+        drawn.friction = wall.friction;
+    }
+    [case, drawn]
+}
+
+/// Coursed built-in cases without loads of their own.
+fn coursed_cases() -> impl Iterator<Item = Case> {
+    case::library()
+        .into_iter()
+        .filter(|case| match &case.geometry {
+            Geometry::Wall(wall) => wall.overburden == 0.0 && wall.of_blocks.is_plain(),
+            _ => false,
+        })
+}
+
+/// Walls as blocks, and drawn and read again: λ_A to 1e-9.
+#[test]
+fn coursed_walls_come_back_from_a_drawing() {
+    let mut count = 0;
+    for case in coursed_cases().filter(|case| case.name != "paper-3") {
+        for &head_joints in &case.head_joints {
+            let [one, other] = there_and_back(&case, head_joints).map(|case| associative(&case));
+            assert!(
+                (one - other).abs() < 1e-9 * one,
+                "{}: {one} {other}",
+                case.name
+            );
+            count += 1;
+        }
+    }
+    assert!(count >= 15, "{count}");
+}
+
+/// Their pushovers, by courses, by blocks and from the drawing: brackets that overlap.
+#[test]
+#[ignore = "three pushovers a wall"]
+fn pushovers_of_walls_that_come_back_overlap() {
+    for case in coursed_cases().filter(|case| case.name != "paper-3") {
+        let [one, drawn] = there_and_back(&case, *case.head_joints.last().expect("there is one"));
+        let files = one.as_blocks("a.csv");
+        let beside = |_: &str| Ok(files.csv.clone().into_bytes());
+        let blocks = Case::read_with("a.toml", files.toml.as_bytes(), &beside);
+        let blocks = blocks.unwrap_or_else(|complaint| panic!("{complaint}"));
+        let [one, blocks, drawn] =
+            [one, blocks, drawn].map(|case| answer(&case, "pushover").bracket);
+        for other in [blocks, drawn] {
+            let (Some(one), Some(other)) = (one, other) else {
+                assert_eq!(one.is_some(), other.is_some(), "{}", case.name);
+                continue;
+            };
+            let slack = 1e-12;
+            assert!(
+                one.lower <= other.upper + slack && other.lower <= one.upper + slack,
+                "{}: {one:?} {other:?}",
+                case.name
+            );
+        }
+    }
+}
+
+/// What is exported beside the wall is left aside when the drawing is read again.
+#[test]
+fn the_exported_mechanism_is_no_wall() {
+    let case = coursed(WALL);
+    let outcome = answer(&case, "associative");
+    let scene = case.scene(HeadJoints::Contact);
+    let thrust = outcome
+        .forces
+        .as_ref()
+        .map(|forces| trilith::answer::thrust(&scene, forces));
+    let text = dxf(&scene, outcome.mechanism.as_ref(), thrust.as_ref());
+    for layer in ["blocks", "support", "names", "mechanism", "resultants"] {
+        assert!(text.contains(&format!("\n8\n{layer}\n")), "{layer}");
+    }
+    let read = Case::from_drawing("a.dxf", text.as_bytes(), &options());
+    let read = read.unwrap_or_else(|complaint| panic!("{complaint}"));
+    assert_eq!(read.case.scene(HeadJoints::Contact).blocks().len(), 14);
+}

@@ -1,0 +1,134 @@
+//! What the program says to what people type.
+
+use std::path::Path;
+use std::process::{Command, Output};
+
+fn trilith(folder: &Path, arguments: &[&str]) -> Output {
+    let mut program = Command::new(env!("CARGO_BIN_EXE_trilith"));
+    let output = program.args(arguments).current_dir(folder).output();
+    output.expect("the program runs")
+}
+
+fn said(output: &Output) -> (String, String) {
+    let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).expect("it is text");
+    (text(&output.stdout), text(&output.stderr))
+}
+
+#[test]
+fn names_of_new_cases_are_taken_or_refused_in_words() {
+    let folder = tempfile::tempdir().unwrap();
+    for name in ["", "a/", ".toml"] {
+        let output = trilith(folder.path(), &["new", name]);
+        assert_eq!(output.status.code(), Some(2), "{name}");
+        assert!(said(&output).1.contains("is no name for a case"), "{name}");
+    }
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
+    let (out, _) = said(&trilith(folder.path(), &["new", "--", "-x"]));
+    assert_eq!(out, "wrote -x.toml; next: trilith run ./-x.toml\n");
+    let output = trilith(folder.path(), &["show", "./-x.toml"]);
+    assert!(output.status.success());
+}
+
+#[test]
+fn both_settings_of_head_joints_run_where_that_is_said() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = ["run", "stack", "oppenheim-7", "--head-joints", "both"];
+    let output = trilith(
+        folder.path(),
+        &[&run[..], &["--method", "associative", "--format", "csv"]].concat(),
+    );
+    let (out, _) = said(&output);
+    let names: Vec<&str> = out
+        .lines()
+        .skip(1)
+        .filter_map(|l| l.split(',').next())
+        .collect();
+    assert_eq!(names, ["stack", "stack@open", "oppenheim-7"]);
+}
+
+#[test]
+fn titles_cannot_steer_the_terminal_and_units_are_doubted() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = "title = \"a\\u001b[31mb\"\nfriction = 33\n[arch]\nmean_radius = 10\nthickness = 1.5\n\
+                embrace = 3.14159\nvoussoirs = 9\n";
+    std::fs::write(folder.path().join("a.toml"), text).unwrap();
+    let (out, err) = said(&trilith(folder.path(), &["show", "a.toml"]));
+    assert!(
+        out.contains("a\\u{1b}[31mb") && !out.contains('\u{1b}'),
+        "{out}"
+    );
+    assert!(
+        err.contains("warning: a coefficient of friction of 33: is this an angle?"),
+        "{err}"
+    );
+    assert!(err.contains("write `0.649` for 33 degrees"), "{err}");
+    assert!(
+        err.contains("an embrace of 3.14159 degrees: is this in radians?"),
+        "{err}"
+    );
+}
+
+#[test]
+fn drawings_are_imported_run_and_exported() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let output = trilith(folder, &["export", "paper-1", "--dxf", "wall.dxf"]);
+    assert!(output.status.success(), "{}", said(&output).1);
+    let output = trilith(folder, &["run", "wall.dxf", "--method", "associative"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(
+        said(&output)
+            .1
+            .contains("a drawing says nothing about friction")
+    );
+    let run = [
+        "run",
+        "wall.dxf",
+        "--friction",
+        "0.65",
+        "--method",
+        "associative",
+        "--format",
+        "csv",
+    ];
+    let (out, err) = said(&trilith(folder, &run));
+    assert!(
+        out.contains("wall,associative,verified,0.6428"),
+        "{out}\n{err}"
+    );
+    // Without friction it is to be filled in, and until then nothing runs.
+    let (out, _) = said(&trilith(folder, &["import", "wall.dxf", "-o", "mine.toml"]));
+    assert!(
+        out.contains("next: fill in `friction` in mine.toml"),
+        "{out}"
+    );
+    let output = trilith(folder, &["run", "mine.toml"]);
+    assert!(said(&output).1.contains("missing key `friction`"));
+    let text = std::fs::read_to_string(folder.join("mine.toml")).unwrap();
+    std::fs::write(
+        folder.join("mine.toml"),
+        text.replace("# friction", "friction"),
+    )
+    .unwrap();
+    let run = [
+        "run",
+        "mine.toml",
+        "--method",
+        "associative",
+        "--format",
+        "csv",
+    ];
+    let (out, err) = said(&trilith(folder, &run));
+    assert!(
+        out.contains("mine,associative,verified,0.6428"),
+        "{out}\n{err}"
+    );
+    // Nothing is overwritten.
+    let output = trilith(folder, &["import", "wall.dxf", "-o", "mine.toml"]);
+    assert_eq!(output.status.code(), Some(2));
+    let (out, _) = said(&trilith(folder, &["convert", "paper-1", "--to", "blocks"]));
+    assert!(
+        out.starts_with("wrote paper-1-blocks.toml and paper-1-blocks.csv"),
+        "{out}"
+    );
+}
