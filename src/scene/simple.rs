@@ -1,6 +1,9 @@
 //! Simple outlines: whether one crosses itself, and its convex pieces.
 
-use super::polygon::{Point, Vector};
+use nalgebra::{Point2, Vector2};
+
+type Point = Point2<f64>;
+type Vector = Vector2<f64>;
 
 /// Sine of an angle below which an outline goes straight on, or comes straight back.
 pub(super) const STRAIGHT: f64 = 1e-9;
