@@ -33,7 +33,7 @@ const NAME_LINE: f64 = 14.0;
 /// Pixels between a line's end and its name.
 const LEADER_WIDTH: f64 = 16.0;
 
-/// Plots below one another between a title and a legend, as a whole SVG file.
+/// Plots below one another below a title, which may be empty, and a legend, as a whole SVG file.
 pub fn plots(title: &str, plots: &[Plot], entries: &[LegendEntry]) -> String {
     let mut svg = Svg::default();
     let width = SIZE[0] - 2.0 * BORDER;
@@ -51,7 +51,9 @@ pub fn plots(title: &str, plots: &[Plot], entries: &[LegendEntry]) -> String {
         y += BORDER;
         y += panel(&mut svg, plot, [0.0, y]);
     }
-    svg.document([SIZE[0], y], title)
+    let first = plots.first().map_or("", |plot| plot.title.as_str());
+    let name = if title.is_empty() { first } else { title };
+    svg.document([SIZE[0], y], name)
 }
 
 /// One plot below a corner; the pixels that it takes downwards.

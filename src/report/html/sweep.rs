@@ -4,7 +4,7 @@ use maud::{Markup, PreEscaped, html};
 
 use super::table::{TableCell, sortable};
 use crate::number::short;
-use crate::study::sweep::{SweepTable, sweep_picture};
+use crate::study::sweep::{SweepTable, sweep_pictures};
 
 /// Heading of a sweep's section.
 pub fn title(table: &SweepTable) -> String {
@@ -24,8 +24,8 @@ pub fn section(table: &SweepTable) -> Markup {
         .collect();
     html! {
         @if let Some(partial) = &table.partial { p.headline.bad { (partial) } }
-        @match sweep_picture(table) {
-            Ok(svg) => { figure { (PreEscaped(svg)) } }
+        @match sweep_pictures(table) {
+            Ok(all) => { div.plots { @for svg in &all { figure { (PreEscaped(svg)) } } } }
             Err(why) => { p.small { (why) "." } }
         }
         details {

@@ -28,7 +28,7 @@ mod variants;
 
 pub use compare::{SweepCheck, compare};
 pub use library::embedded;
-pub use picture::sweep_picture;
+pub use picture::{sweep_picture, sweep_pictures};
 pub use plan::Sweep;
 pub use points::{SweepError, SweepTable, Variable};
 pub use shard::{MOST_SHARDS, Shard, merge};

@@ -4,7 +4,7 @@ use super::curves::{KNOWN, curves};
 use super::fields::fields;
 use super::points::{SweepTable, Variable};
 use crate::picture::palette::INK;
-use crate::picture::{Filling, LegendEntry, dashed_line, plots};
+use crate::picture::{Filling, LegendEntry, Plot, dashed_line, plots};
 
 /// Most plots of one sweep that anybody looks at.
 const MOST_PLOTS: usize = 24;
@@ -12,11 +12,41 @@ const MOST_PLOTS: usize = 24;
 /// Values of a second variable from which on a field of cells shows more than a plot each.
 const MANY: usize = 5;
 
-/// The plots of a sweep as SVG, or why there is none.
+/// The plots of a sweep as one SVG, below one another.
 ///
 /// # Errors
 /// Why there is no plot: nothing varies, or too much.
 pub fn sweep_picture(table: &SweepTable) -> Result<String, String> {
+    Ok(match drawn(table)? {
+        Drawn::Fields(svg) => svg,
+        Drawn::Curves(title, panels) => plots(&title, &panels, &legend(&panels)),
+    })
+}
+
+/// The plots of a sweep, an SVG each.
+///
+/// # Errors
+/// As [`sweep_picture`].
+pub fn sweep_pictures(table: &SweepTable) -> Result<Vec<String>, String> {
+    let one = |panel: Plot| {
+        let panel = [panel];
+        plots("", &panel, &legend(&panel))
+    };
+    Ok(match drawn(table)? {
+        Drawn::Fields(svg) => vec![svg],
+        Drawn::Curves(_, panels) => panels.into_iter().map(one).collect(),
+    })
+}
+
+/// What is drawn of a sweep.
+enum Drawn {
+    /// Fields of cells.
+    Fields(String),
+    /// Curves, with what stands above all of them.
+    Curves(String, Vec<Plot>),
+}
+
+fn drawn(table: &SweepTable) -> Result<Drawn, String> {
     let variables = table.variables();
     let scenes = table.distinct("case");
     let Some(x) = abscissa(&variables) else {
@@ -30,7 +60,8 @@ pub fn sweep_picture(table: &SweepTable) -> Result<String, String> {
     if let [y] = others.as_slice()
         && y.values.len() >= MANY
     {
-        return Ok(fields(table, &format!("{title} and {}", y.label()), x, y));
+        let title = format!("{title} and {}", y.label());
+        return Ok(Drawn::Fields(fields(table, &title, x, y)));
     }
     let count = others
         .iter()
@@ -45,7 +76,6 @@ pub fn sweep_picture(table: &SweepTable) -> Result<String, String> {
         ));
     }
     let mut panels = Vec::new();
-    let mut known = false;
     for scene in scenes {
         for chosen in combinations(&others) {
             let of_panel = |row: &&Vec<String>| {
@@ -58,11 +88,15 @@ pub fn sweep_picture(table: &SweepTable) -> Result<String, String> {
             if rows.is_empty() {
                 continue;
             }
-            let plot = curves(table, scene, &chosen, x, &rows);
-            known |= !plot.marks.is_empty();
-            panels.push(plot);
+            panels.push(curves(table, scene, &chosen, x, &rows));
         }
     }
+    Ok(Drawn::Curves(title, panels))
+}
+
+/// What the marks of these curves mean.
+fn legend(panels: &[Plot]) -> Vec<LegendEntry> {
+    let known = panels.iter().any(|panel| !panel.marks.is_empty());
     let mut entries = vec![LegendEntry::shade(
         INK,
         0.22,
@@ -76,7 +110,7 @@ pub fn sweep_picture(table: &SweepTable) -> Result<String, String> {
         ));
     }
     entries.push(LegendEntry::line(dashed_line(INK), "lower end"));
-    Ok(plots(&title, &panels, &entries))
+    entries
 }
 
 /// The variable with the most numbers: the overburden, where it has as many.
