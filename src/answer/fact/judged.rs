@@ -4,6 +4,7 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
+use super::super::certificate::Refusal;
 use super::super::block_residual::{BlockResidual, VERIFIED_BLOCK};
 use super::super::residual::{CollapseResidual, StaticResidual};
 use super::super::status::Status;
@@ -21,6 +22,8 @@ pub enum JudgedFact {
     /// Over the whole scene the proof holds, and at one block it does not: its own forces or
     /// velocities are too small beside the others' to be resolved.
     Unresolved(BlockResidual),
+    /// A lower bound has no certificate that proves it.
+    Uncertified(Refusal),
     /// The method claims a proof and hands over no forces or no mechanism.
     NothingToProve,
     /// The method claims `falls` or `stands` and hands over nothing that proves it.
@@ -91,6 +94,7 @@ impl fmt::Display for JudgedFact {
             JudgedFact::NoProof(residuals) => write!(f, "no proof: {residuals}"),
             JudgedFact::Refuted(residuals) => write!(f, "refuted by the judge: {residuals}"),
             JudgedFact::Unresolved(residual) => write!(f, "not resolved: {residual}"),
+            JudgedFact::Uncertified(refusal) => write!(f, "refuted by the judge: {refusal}"),
             JudgedFact::NothingToProve => {
                 write!(f, "claims a proof without forces and mechanism")
             }
