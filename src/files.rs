@@ -11,8 +11,8 @@ use tempfile::NamedTempFile;
 ///
 /// # Errors
 /// Any error of the file system.
-pub fn write_whole(path: &Path, text: &str) -> io::Result<()> {
-    staged(path, text)?.persist(path)?;
+pub fn write_whole(path: &Path, text: impl AsRef<[u8]>) -> io::Result<()> {
+    staged(path, text.as_ref())?.persist(path)?;
     Ok(())
 }
 
@@ -24,7 +24,7 @@ pub fn write_whole(path: &Path, text: &str) -> io::Result<()> {
 pub fn write_together(files: &[(PathBuf, String)]) -> Result<(), (PathBuf, io::Error)> {
     let mut temporary = Vec::new();
     for (path, text) in files {
-        temporary.push(staged(path, text).map_err(|error| (path.clone(), error))?);
+        temporary.push(staged(path, text.as_bytes()).map_err(|error| (path.clone(), error))?);
     }
     for ((path, _), file) in files.iter().zip(temporary) {
         if path.is_dir() {
@@ -44,11 +44,11 @@ pub fn test_folder(folder: &Path) -> io::Result<()> {
     if folder.exists() && !folder.is_dir() {
         return Err(io::Error::other("it is a file, not a folder"));
     }
-    staged(&folder.join("results"), &" ".repeat(1 << 12)).map(drop)
+    staged(&folder.join("results"), " ".repeat(1 << 12).as_bytes()).map(drop)
 }
 
 /// The text in a temporary file beside its target, which goes where nobody persists it.
-fn staged(path: &Path, text: &str) -> io::Result<NamedTempFile> {
+fn staged(path: &Path, text: &[u8]) -> io::Result<NamedTempFile> {
     let folder = match path.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),
@@ -57,7 +57,7 @@ fn staged(path: &Path, text: &str) -> io::Result<NamedTempFile> {
     let mut file = tempfile::Builder::new()
         .prefix(".trilith-")
         .tempfile_in(folder)?;
-    file.write_all(text.as_bytes())?;
+    file.write_all(text)?;
     // A temporary file is private to its owner; a result is not.
     #[cfg(unix)]
     {
@@ -80,6 +80,8 @@ pub enum Input {
     Record,
     /// Rows of a shard, which this program wrote.
     Rows,
+    /// A certificate of a lower bound, which this program wrote.
+    Certificate,
 }
 
 impl Input {
@@ -87,7 +89,7 @@ impl Input {
     pub fn limit(self) -> u64 {
         match self {
             Input::Toml | Input::Record => 16 << 20,
-            Input::Table => 64 << 20,
+            Input::Table | Input::Certificate => 64 << 20,
             Input::Rows => 1 << 30,
         }
     }

@@ -36,6 +36,7 @@
 //! The conditions are those that the program computes from the scene in double precision.
 
 mod conditions;
+mod encoding;
 mod proof;
 mod sum;
 
@@ -44,6 +45,7 @@ use std::fmt;
 use serde::{Deserialize, Serialize};
 
 pub(crate) use conditions::{Conditions, Entry};
+pub use encoding::Unreadable;
 pub use proof::prove;
 pub(crate) use proof::{Prover, SliceProof, scene_fingerprint};
 

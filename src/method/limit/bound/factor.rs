@@ -1,7 +1,7 @@
 //! A sparse Cholesky factor of square tiles: one row of tiles a block of the scene, a tile where two
 //! blocks share a joint or elimination fills one in.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DMatrix;
 
 use super::dense;
 
@@ -169,11 +169,6 @@ impl<'a> Tiles<'a> {
         }
         solution
     }
-}
-
-/// The vector as a matrix of one column.
-pub(super) fn column(values: &[f64]) -> DMatrix<f64> {
-    DMatrix::from_column_slice(values.len(), 1, DVector::from_column_slice(values).as_slice())
 }
 
 #[cfg(test)]

@@ -22,6 +22,8 @@ pub(super) struct Request {
     pub(super) from: f64,
     /// b.
     pub(super) to: f64,
+    /// Bound at which the iteration may stop.
+    pub(super) enough: f64,
     /// σ₀, above b.
     pub(super) most: f64,
     /// Steps at most.
@@ -38,8 +40,6 @@ pub(super) struct Multipliers {
     pub(super) unknowns: Columns,
     /// The bound on λ* that they give, but for what they leave of the identity.
     pub(super) sigma: f64,
-    /// The optimum is no more than this, but for what the products violate.
-    pub(super) above: f64,
     /// Steps done.
     pub(super) steps: usize,
 }
@@ -129,12 +129,11 @@ pub(super) fn solve(lift: &Lift, pattern: &Pattern, request: Request) -> Multipl
                 products: at.products.clone(),
                 unknowns: at.unknowns.clone(),
                 sigma,
-                above,
                 steps,
             };
             best = Some((merit, multipliers));
         }
-        let excludes = sigma > request.to + 0.5 * (request.most - request.to) && left < LEFT;
+        let excludes = sigma > request.enough && left < LEFT;
         let optimal = above - sigma < GAP && left < LEFT && violated < LEFT;
         if excludes || optimal || stalled > 4 || mean < 1e-13 || steps == request.steps {
             break;

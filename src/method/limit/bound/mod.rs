@@ -39,8 +39,6 @@ mod lift;
 mod newton;
 mod slice;
 mod slices;
-#[cfg(test)]
-mod tests;
 
 use std::sync::Arc;
 

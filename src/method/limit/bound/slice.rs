@@ -85,7 +85,8 @@ pub(super) fn slice(
         if value < product { 0.0 } else { value }
     });
     let dropped = clean(pairs);
-    let (_, (values, sigma)) = if dropped.0 < kept.0 { dropped } else { kept };
+    let (_, (mut values, sigma)) = if dropped.0 < kept.0 { dropped } else { kept };
+    values.apply(|value| *value = (*value / GRAIN).round() * GRAIN);
     Slice {
         from: request.from,
         to: request.to,
@@ -94,6 +95,10 @@ pub(super) fn slice(
         multipliers: values.transpose().as_slice().to_vec(),
     }
 }
+
+/// Multipliers are whole multiples of this: what is finer is below what rounding leaves, and would only
+/// fill files.
+const GRAIN: f64 = 1.0 / (1u64 << 48) as f64;
 
 /// Makes negative multipliers zero, but for those of the zero products.
 fn clip(values: &mut DMatrix<f64>, joints: usize) {

@@ -64,19 +64,24 @@ impl Search<'_> {
                 return;
             }
             let from = slices.lower;
-            let to = if share == 1.0 {
-                state
+            // The state itself is to be well inside a slice that reaches it.
+            let tolerance = self.settings.bound_gap * state.max(1e-3);
+            let (to, enough) = if share == 1.0 {
+                let to = state + (0.01 * tolerance).max(1e-7);
+                (to, state - (0.01 * tolerance).max(1e-8))
             } else {
-                from + share * (state - from)
+                let to = from + share * (state - from);
+                (to, to + 0.25 * BEYOND[1])
             };
             let request = Request {
                 from,
                 to,
+                enough,
                 most: to + BEYOND[0] * to + BEYOND[1],
                 steps: STEPS.min(steps_left),
             };
             let gain = self.solve(slices, request);
-            if slices.lower >= to {
+            if slices.lower >= to.min(state) {
                 share = f64::min(1.0, 2.0 * share);
             } else if gain < 0.5 {
                 share *= 0.5;
@@ -104,11 +109,6 @@ impl Search<'_> {
         let Some(proof) = proof else {
             return 0.0;
         };
-        #[cfg(test)]
-        println!(
-            "slice {} to {}: {} of {} after {} steps, rounding {:.1e}",
-            request.from, request.to, proof.least, multipliers.sigma, multipliers.steps, proof.rounding
-        );
         if proof.least <= request.to {
             slices.normals = normals(self.lift, &multipliers);
         }
