@@ -28,8 +28,8 @@ pub use claim::Claim;
 pub use crack::Crack;
 pub(crate) use crack::{VELOCITY_THRESHOLDS, crack_slope, crack_slope_by_gap};
 pub use fact::{
-    AutoFact, BoundFact, CeilingSlack, Coverage, Fact, InapplicableForm, Invalid, JudgedFact, LimitFact,
-    ProgramEnding, ProgramFailure, PushoverFact, Residuals, SearchEnding, SearchFacts,
+    AutoFact, BoundFact, CeilingSlack, Coverage, Fact, InapplicableForm, Invalid, JudgedFact,
+    LimitFact, ProgramEnding, ProgramFailure, PushoverFact, Residuals, SearchEnding, SearchFacts,
     SearchFailure, SearchStart, SequentialEnding, SequentialFacts, SideFact, SolverEnding,
     StartEnding, Uniqueness,
 };

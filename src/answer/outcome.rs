@@ -103,8 +103,11 @@ impl Outcome {
         let refuted = |fact: &Fact| {
             matches!(
                 fact,
-                Fact::Judged(JudgedFact::Refuted(_) | JudgedFact::Uncertified(_) | JudgedFact::NothingToProve)
-                    | Fact::KeptRefutation(_)
+                Fact::Judged(
+                    JudgedFact::Refuted(_)
+                        | JudgedFact::Uncertified(_)
+                        | JudgedFact::NothingToProve
+                ) | Fact::KeptRefutation(_)
             )
         };
         self.facts.iter().any(refuted)

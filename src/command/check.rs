@@ -43,7 +43,10 @@ pub(super) struct CheckArguments {
 
 pub(super) fn check(arguments: &CheckArguments) -> Result<u8, Stop> {
     let (cases, plan) = arguments.plan.read(&arguments.cases, case::library)?;
-    for folder in [&arguments.out, &arguments.certificate].into_iter().flatten() {
+    for folder in [&arguments.out, &arguments.certificate]
+        .into_iter()
+        .flatten()
+    {
         output::test(folder)?;
     }
     let stored_in = stored_in(arguments)?;
@@ -64,7 +67,11 @@ pub(super) fn check(arguments: &CheckArguments) -> Result<u8, Stop> {
     let results = solve(&cases, &plan, kept, show, |results, partial| {
         hand_out(arguments, results, partial)
     })?;
-    Ok(if refuted(&results) || refused.load(Ordering::SeqCst) { REFUTED } else { 0 })
+    Ok(if refuted(&results) || refused.load(Ordering::SeqCst) {
+        REFUTED
+    } else {
+        0
+    })
 }
 
 fn hand_out(

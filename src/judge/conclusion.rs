@@ -193,7 +193,11 @@ impl fmt::Display for Conclusion {
             Basis::Nothing => write!(f, "no answer ({by})"),
         }?;
         if let Some((by, floor)) = &self.floor {
-            write!(f, "; no collapse state below {}, proved ({by})", number(*floor, 5))?;
+            write!(
+                f,
+                "; no collapse state below {}, proved ({by})",
+                number(*floor, 5)
+            )?;
         }
         if let Some(difference) = &self.difference {
             write!(f, "; {difference}")?;

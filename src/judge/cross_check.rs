@@ -50,7 +50,11 @@ pub fn cross_check(scene: &Scene, answers: &Answers) -> Vec<Check> {
             }
         }
     }
-    for floor in claims.answered.iter().filter(|answer| answer.floor.is_some()) {
+    for floor in claims
+        .answered
+        .iter()
+        .filter(|answer| answer.floor.is_some())
+    {
         for state in verified_states(&claims) {
             if let Some(check) = above_floor(&claims, floor, &state) {
                 add(floor.name, check);
@@ -114,14 +118,20 @@ fn above_floor(claims: &Claims, floor: &Answered, state: &Answered) -> Option<(S
     let least = floor.floor.filter(|_| floor.name != state.name)?;
     let lambda = state.bracket.lower;
     let (by, name) = (floor.name, state.name);
-    Some(if claims.is_below(lambda, claims.proof_slack(least), least) {
-        let (lambda, least) = (number(lambda, 6), number(least, 6));
-        let text =
-            format!("{by} proves that no state is below {least}, {name} verifies one at {lambda}");
-        (text, Verdict::Violated)
-    } else {
-        (format!("no state of {name} is below the bound of {by}"), Verdict::Holds)
-    })
+    Some(
+        if claims.is_below(lambda, claims.proof_slack(least), least) {
+            let (lambda, least) = (number(lambda, 6), number(least, 6));
+            let text = format!(
+                "{by} proves that no state is below {least}, {name} verifies one at {lambda}"
+            );
+            (text, Verdict::Violated)
+        } else {
+            (
+                format!("no state of {name} is below the bound of {by}"),
+                Verdict::Holds,
+            )
+        },
+    )
 }
 
 fn pairs<'a, 'b>(

@@ -184,7 +184,11 @@ mod tests {
             unit_height: 1.75,
             thickness: 1.0,
             unit_weight: 1.0,
-            courses: vec![vec![Half, Unit, Half], vec![Unit, Unit], vec![Half, Unit, Half]],
+            courses: vec![
+                vec![Half, Unit, Half],
+                vec![Unit, Unit],
+                vec![Half, Unit, Half],
+            ],
             friction: 0.65.into(),
             overburden: 0.0,
             push: Push::Right,

@@ -223,10 +223,7 @@ mod tests {
             );
         }
         let longer = [bytes.clone(), vec![0]].concat();
-        assert_eq!(
-            Certificate::from_bytes(&longer),
-            Err(Unreadable::Damaged)
-        );
+        assert_eq!(Certificate::from_bytes(&longer), Err(Unreadable::Damaged));
         let mut other = bytes;
         other[TITLE.len()] = b'7';
         let refused = Certificate::from_bytes(&other).unwrap_err();

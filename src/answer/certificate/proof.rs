@@ -137,7 +137,13 @@ impl Prover {
     ) -> Result<SliceProof, Refusal> {
         check(&self.conditions, slice, index)?;
         let rounding = Rounding::of(&self.conditions, slice);
-        let deficit = deficit(&self.conditions, slice, &rounding, &self.forces, &self.chains);
+        let deficit = deficit(
+            &self.conditions,
+            slice,
+            &rounding,
+            &self.forces,
+            &self.chains,
+        );
         let least = slice.sigma - cap * deficit * OUTWARD;
         let least = least - 1e-15 * (1.0 + least.abs());
         if !least.is_finite() {
@@ -372,7 +378,8 @@ fn deficit(
     let rates = conditions.rate_rows();
     let of_joints = 4 * conditions.joints.len();
     let deficits = needed.iter().enumerate().map(|(rate, needed)| {
-        let [one, above, below] = [0, 1, 2].map(|k| slice.multipliers[(of_joints + k) * rates + rate]);
+        let [one, above, below] =
+            [0, 1, 2].map(|k| slice.multipliers[(of_joints + k) * rates + rate]);
         let absorbed = one + (slice.to - slice.from).max(0.0) * above.min(below);
         needed * OUTWARD - absorbed * (1.0 - 1e-9)
     });

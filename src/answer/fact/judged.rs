@@ -4,8 +4,8 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
-use super::super::certificate::Refusal;
 use super::super::block_residual::{BlockResidual, VERIFIED_BLOCK};
+use super::super::certificate::Refusal;
 use super::super::residual::{CollapseResidual, StaticResidual};
 use super::super::status::Status;
 use crate::number::number;

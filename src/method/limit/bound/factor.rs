@@ -11,6 +11,8 @@ pub(super) struct Pattern {
     place: Vec<usize>,
     /// Places of the tiles below the diagonal, by column, ascending.
     below: Vec<Vec<usize>>,
+    /// Whether every pair of blocks has a tile.
+    pub(super) is_full: bool,
 }
 
 impl Pattern {
@@ -47,8 +49,10 @@ impl Pattern {
             below.sort_unstable();
             below
         });
+        let below: Vec<Vec<usize>> = below.collect();
         Self {
-            below: below.collect(),
+            is_full: below.iter().map(Vec::len).sum::<usize>() == blocks * (blocks - 1) / 2,
+            below,
             place,
         }
     }
@@ -163,9 +167,7 @@ impl<'a> Tiles<'a> {
         }
         let mut solution = DMatrix::zeros(right.nrows(), right.ncols());
         for (block, &at) in place.iter().enumerate() {
-            solution
-                .rows_mut(block * size, size)
-                .copy_from(&parts[at]);
+            solution.rows_mut(block * size, size).copy_from(&parts[at]);
         }
         solution
     }
@@ -186,7 +188,9 @@ mod tests {
         for (n, &(a, b)) in pairs.iter().enumerate() {
             let row: Vec<(usize, f64)> = [a, b]
                 .iter()
-                .flat_map(|&block| (0..3).map(move |k| (3 * block + k, ((n + 3 * k + block) as f64).cos())))
+                .flat_map(|&block| {
+                    (0..3).map(move |k| (3 * block + k, ((n + 3 * k + block) as f64).cos()))
+                })
                 .collect();
             for &(p, x) in &row {
                 for &(q, y) in &row {

@@ -51,11 +51,18 @@ const ZERO: f64 = 1e9;
 /// Step as a share of the one that makes a number zero.
 const SHORT: f64 = 0.995;
 
+/// Steps shorter than this are tried again towards the centre, with this share of the mean product.
+const SHORT_STEP: f64 = 0.15;
+const CENTRE: f64 = 0.4;
+
 /// The gap at which the bound is as good as the optimum.
 const GAP: f64 = 1e-8;
 
 /// What multipliers may leave of the identity at the end of the iteration; a last step takes more.
 const LEFT: f64 = 1e-8;
+
+/// What a unit of what multipliers leave of the identity costs of their bound, to compare them.
+const OF_LEFT: f64 = 1e4;
 
 /// Iterates: products w with multipliers m, and of the scale condition.
 struct Point {
@@ -122,7 +129,7 @@ pub(super) fn solve(lift: &Lift, pattern: &Pattern, request: Request) -> Multipl
         if !(sigma.is_finite() && left.is_finite()) {
             break;
         }
-        let merit = sigma - 1e3 * left;
+        let merit = sigma.min(request.enough) - OF_LEFT * left;
         if best.as_ref().is_none_or(|(most, _)| merit > *most) {
             let multipliers = Multipliers {
                 values: at.multipliers.clone(),
@@ -135,7 +142,7 @@ pub(super) fn solve(lift: &Lift, pattern: &Pattern, request: Request) -> Multipl
         }
         let excludes = sigma > request.enough && left < LEFT;
         let optimal = above - sigma < GAP && left < LEFT && violated < LEFT;
-        if excludes || optimal || stalled > 4 || mean < 1e-13 || steps == request.steps {
+        if excludes || optimal || stalled > 8 || mean < 1e-13 || steps == request.steps {
             break;
         }
         let mut weights = at.multipliers.component_div(&at.products);
@@ -155,9 +162,7 @@ pub(super) fn solve(lift: &Lift, pattern: &Pattern, request: Request) -> Multipl
             // What multipliers become where products do not move.
             let mut target = wanted.component_div(&at.products);
             target -= weights.component_mul(&residual.products);
-            for ((target, free), missing) in
-                target.iter_mut().zip(&free).zip(&residual.products)
-            {
+            for ((target, free), missing) in target.iter_mut().zip(&free).zip(&residual.products) {
                 if *free {
                     *target = -missing * ZERO;
                 }
@@ -202,17 +207,34 @@ pub(super) fn solve(lift: &Lift, pattern: &Pattern, request: Request) -> Multipl
         for (wanted, free) in wanted.iter_mut().zip(&free) {
             *wanted = if *free { 0.0 } else { *wanted + centre };
         }
-        let corrected = step(
+        let mut corrected = step(
             &wanted,
             centre - scaled - predicted.scale[0] * predicted.scale[1],
         );
-        let [primal, dual] = self::lengths(&at, &corrected, &free).map(|l| (SHORT * l).min(1.0));
+        let mut reach = self::lengths(&at, &corrected, &free);
+        if reach[0].min(reach[1]) < SHORT_STEP {
+            // A correction that leads nowhere: back towards the centre.
+            let mut wanted = -&product;
+            for (wanted, free) in wanted.iter_mut().zip(&free) {
+                *wanted = if *free { 0.0 } else { *wanted + CENTRE * mean };
+            }
+            let centred = step(&wanted, CENTRE * mean - scaled);
+            let other = self::lengths(&at, &centred, &free);
+            if other[0].min(other[1]) > reach[0].min(reach[1]) {
+                (corrected, reach) = (centred, other);
+            }
+        }
+        let [primal, dual] = reach.map(|l| (SHORT * l).min(1.0));
         at.unknowns.add(primal, &corrected.unknowns);
         at.products += corrected.products * primal;
         at.multipliers += corrected.multipliers * dual;
         at.scale[0] += primal * corrected.scale[0];
         at.scale[1] += dual * corrected.scale[1];
-        stalled = if primal.max(dual) < 0.05 { stalled + 1 } else { 0 };
+        stalled = if primal.max(dual) < 0.05 {
+            stalled + 1
+        } else {
+            0
+        };
     }
     best.expect("the start is finite").1
 }
@@ -220,7 +242,11 @@ pub(super) fn solve(lift: &Lift, pattern: &Pattern, request: Request) -> Multipl
 /// Longest steps that keep products and multipliers from becoming negative.
 fn lengths(at: &Point, step: &Step, free: &[bool]) -> [f64; 2] {
     let longest = |values: &DMatrix<f64>, by: &DMatrix<f64>, scale: f64, by_scale: f64| {
-        let of_scale = if by_scale < 0.0 { scale / -by_scale } else { 1e30 };
+        let of_scale = if by_scale < 0.0 {
+            scale / -by_scale
+        } else {
+            1e30
+        };
         let pairs = values.iter().zip(by).zip(free);
         let lengths = pairs.filter(|((_, by), free)| !**free && **by < 0.0);
         lengths
@@ -230,6 +256,11 @@ fn lengths(at: &Point, step: &Step, free: &[bool]) -> [f64; 2] {
     };
     [
         longest(&at.products, &step.products, at.scale[0], step.scale[0]),
-        longest(&at.multipliers, &step.multipliers, at.scale[1], step.scale[1]),
+        longest(
+            &at.multipliers,
+            &step.multipliers,
+            at.scale[1],
+            step.scale[1],
+        ),
     ]
 }

@@ -64,7 +64,10 @@ impl Lift {
         let mut whole = DMatrix::identity(forces, forces);
         decomposed.q_tr_mul(&mut whole);
         let triangle = decomposed.unpack_r();
-        let least = triangle.diagonal().iter().fold(f64::INFINITY, |a, b| a.min(b.abs()));
+        let least = triangle
+            .diagonal()
+            .iter()
+            .fold(f64::INFINITY, |a, b| a.min(b.abs()));
         if least < 1e-12 {
             return None;
         }

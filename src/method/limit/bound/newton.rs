@@ -2,8 +2,9 @@
 //!
 //! Forward slips meet only their own joint's conditions and are eliminated joint by joint: what is
 //! left of the two parts of a slip is their parallel sum. Velocities are tiles, one row a block. The
-//! live load's power moves every block; it is added by Woodbury's formula, and conjugate gradients on
-//! the whole system take what that rounds.
+//! live load's power moves every block. Where the tiles are full it is one more term of them; else it
+//! is added by Woodbury's formula, which is cheaper and rounds more. Conjugate gradients on the whole
+//! system take what rounding leaves.
 
 use nalgebra::{Cholesky, DMatrix, Dyn};
 
@@ -22,7 +23,8 @@ pub(super) struct Newton<'a> {
     one: DMatrix<f64>,
     slips: Vec<Slip>,
     tiles: Tiles<'a>,
-    power: Power,
+    /// Where the tiles do not hold it.
+    power: Option<Power>,
 }
 
 /// One joint's forward slip.
@@ -40,10 +42,10 @@ struct Power {
 }
 
 /// Share of each diagonal entry, and of the largest, that is added to it.
-const REGULAR: [f64; 2] = [1e-14, 1e-15];
+const REGULAR: [f64; 2] = [1e-14, 1e-17];
 
 /// Steps of conjugate gradients at most.
-const STEPS: usize = 12;
+const STEPS: usize = 20;
 
 impl<'a> Newton<'a> {
     /// Assembles and factors.
@@ -96,8 +98,16 @@ impl<'a> Newton<'a> {
         }
         let mut power = of_rate(4 * lift.joints());
         power.gemm(scale, &one, &one.transpose(), 1.0);
-        let tiles = tiles.factor(REGULAR[0], REGULAR[1]);
-        let power = Power::new(lift, &tiles, power);
+        let (tiles, power) = if pattern.is_full {
+            let live: Vec<_> = lift.conditions.live.iter().copied().enumerate().collect();
+            let live: Vec<_> = live.into_iter().filter(|entry| entry.1 != 0.0).collect();
+            add(&live, &power);
+            (tiles.factor(REGULAR[0], REGULAR[1]), None)
+        } else {
+            let tiles = tiles.factor(REGULAR[0], REGULAR[1]);
+            let power = Power::new(lift, &tiles, power);
+            (tiles, Some(power))
+        };
         Self {
             lift,
             conditions,
@@ -126,7 +136,12 @@ impl<'a> Newton<'a> {
     fn solve_once(&self, right: &Columns) -> Columns {
         let mut velocities = right.velocities.clone();
         let mut slips = right.slips.clone();
-        for ((j, slip), joint) in self.slips.iter().enumerate().zip(&self.lift.conditions.joints) {
+        for ((j, slip), joint) in self
+            .slips
+            .iter()
+            .enumerate()
+            .zip(&self.lift.conditions.joints)
+        {
             let mut own = slips.columns(j, 1).clone_owned();
             slip.factor.solve_lower_triangular_mut(&mut own);
             slip.factor.tr_solve_lower_triangular_mut(&mut own);
@@ -139,9 +154,16 @@ impl<'a> Newton<'a> {
         let (free, motions) = velocities.shape();
         let long = DMatrix::from_column_slice(free * motions, 1, velocities.as_slice());
         let mut solved = self.tiles.solve(&long);
-        self.power.correct(self.lift, &mut solved);
+        if let Some(power) = &self.power {
+            power.correct(self.lift, &mut solved);
+        }
         let velocities = DMatrix::from_column_slice(free, motions, solved.as_slice());
-        for ((j, slip), joint) in self.slips.iter().enumerate().zip(&self.lift.conditions.joints) {
+        for ((j, slip), joint) in self
+            .slips
+            .iter()
+            .enumerate()
+            .zip(&self.lift.conditions.joints)
+        {
             let mut slid = DMatrix::zeros(free, 1);
             for &(k, value) in &joint.rates[2] {
                 slid.column_mut(0).axpy(value, &velocities.column(k), 1.0);
@@ -193,7 +215,8 @@ impl Power {
         let free = lift.free();
         let mut live = DMatrix::zeros(free * lift.conditions.velocities(), free);
         for (k, &value) in lift.conditions.live.iter().enumerate() {
-            live.view_mut((k * free, 0), (free, free)).fill_diagonal(value);
+            live.view_mut((k * free, 0), (free, free))
+                .fill_diagonal(value);
         }
         let solved = tiles.solve(&live);
         let floor = 1e-15 * part.diagonal().amax();

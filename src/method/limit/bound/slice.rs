@@ -16,21 +16,21 @@ const ENOUGH: f64 = 1e-14;
 
 /// How freely the bound itself moves: where the multipliers on their way to zero are gone, it has to
 /// become the optimum.
-const OF_SIGMA: f64 = 1.0;
+const OF_SIGMA: [f64; 2] = [1e-6, 1.0];
 
 /// Multipliers smaller than this share of the largest do not move.
 const SMALL: f64 = 1e-13;
 
-/// The slice of a certificate: multipliers cleaned so that they leave as little of the identity as
+/// The slice of a certificate, made in three ways: multipliers cleaned so that they leave as little of the identity as
 /// double precision allows, each changed in proportion to its size. Those on their way to zero are
-/// kept or made zero, whichever leaves less: where some motion can be as fast as it likes, its
+/// kept or made zero, the bound moves little or freely: where some motion can be as fast as it likes, its
 /// multipliers must vanish, and what rounding left of them is all that remains.
-pub(super) fn slice(
+pub(super) fn slices(
     lift: &Lift,
     pattern: &Pattern,
     request: Request,
     multipliers: &Multipliers,
-) -> Slice {
+) -> [Slice; 3] {
     let conditions = lift.force_conditions(request.from, request.to);
     let transposed = conditions.transpose();
     let live = lift.live();
@@ -41,7 +41,7 @@ pub(super) fn slice(
         left.slips.neg_mut();
         left
     };
-    let clean = |values: DMatrix<f64>| {
+    let clean = |values: DMatrix<f64>, of_sigma: f64| {
         let mut now = (values, multipliers.sigma);
         let mut least = (left(&now).largest(), now.clone());
         for _ in 0..ROUNDS {
@@ -59,14 +59,14 @@ pub(super) fn slice(
                 }
             });
             let of_slice = [&conditions, &transposed];
-            let newton = Newton::new(lift, pattern, of_slice, weights.clone(), OF_SIGMA);
+            let newton = Newton::new(lift, pattern, of_slice, weights.clone(), of_sigma);
             let before = least.0;
             for _ in 0..ROUNDS {
                 let moved = newton.solve(&left(&now), 1e-10);
                 let mut change = &conditions * lift.rates(&moved);
                 change.component_mul_assign(&weights);
                 now.0 += change;
-                now.1 += OF_SIGMA * (one.transpose() * &moved.velocities * &live)[(0, 0)];
+                now.1 += of_sigma * (one.transpose() * &moved.velocities * &live)[(0, 0)];
                 clip(&mut now.0, lift.joints());
                 let remaining = left(&now).largest();
                 if remaining < least.0 {
@@ -78,22 +78,28 @@ pub(super) fn slice(
             }
             now = least.1.clone();
         }
-        least
+        least.1
     };
-    let kept = clean(multipliers.values.clone());
-    let pairs = multipliers.values.zip_map(&multipliers.products, |value, product| {
+    let kept = multipliers.values.clone();
+    let dropped = kept.zip_map(&multipliers.products, |value, product| {
         if value < product { 0.0 } else { value }
     });
-    let dropped = clean(pairs);
-    let (_, (mut values, sigma)) = if dropped.0 < kept.0 { dropped } else { kept };
-    values.apply(|value| *value = (*value / GRAIN).round() * GRAIN);
-    Slice {
-        from: request.from,
-        to: request.to,
-        sigma,
-        balance: balance(lift, request, sigma, &values),
-        multipliers: values.transpose().as_slice().to_vec(),
-    }
+    [
+        (kept, OF_SIGMA[0]),
+        (dropped.clone(), OF_SIGMA[0]),
+        (dropped, OF_SIGMA[1]),
+    ]
+    .map(|(values, of_sigma)| {
+        let (mut values, sigma) = clean(values, of_sigma);
+        values.apply(|value| *value = (*value / GRAIN).round() * GRAIN);
+        Slice {
+            from: request.from,
+            to: request.to,
+            sigma,
+            balance: balance(lift, request, sigma, &values),
+            multipliers: values.transpose().as_slice().to_vec(),
+        }
+    })
 }
 
 /// Multipliers are whole multiples of this: what is finer is below what rounding leaves, and would only

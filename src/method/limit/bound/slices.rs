@@ -5,7 +5,7 @@ use nalgebra::DMatrix;
 use super::factor::Pattern;
 use super::interior_point::{Multipliers, Request, solve};
 use super::lift::Lift;
-use super::slice::slice;
+use super::slice::slices;
 use crate::answer::certificate::{Prover, SliceProof, scene_fingerprint};
 use crate::answer::{Certificate, Proved, Slice};
 use crate::method::settings::BoundSettings;
@@ -93,30 +93,34 @@ impl Search<'_> {
     }
 
     /// Solves one slice; the share of its width by which it raises the bound.
-    fn solve(&self, slices: &mut Slices, request: Request) -> f64 {
+    fn solve(&self, found: &mut Slices, request: Request) -> f64 {
         let multipliers = solve(self.lift, self.pattern, request);
-        slices.programs += 1;
-        slices.steps += multipliers.steps;
-        let slice = slice(self.lift, self.pattern, request, &multipliers);
-        let proof = match self.prover {
-            Some(prover) => prover.slice(&slice, self.settings.lift_cap, 0).ok(),
-            None => Some(SliceProof {
-                least: slice.sigma,
-                deficit: 0.0,
-                rounding: 0.0,
-            }),
-        };
-        let Some(proof) = proof else {
+        found.programs += 1;
+        found.steps += multipliers.steps;
+        let candidates = slices(self.lift, self.pattern, request, &multipliers);
+        let proved = candidates.into_iter().filter_map(|slice| {
+            let proof = match self.prover {
+                Some(prover) => prover.slice(&slice, self.settings.lift_cap, 0).ok()?,
+                None => SliceProof {
+                    least: slice.sigma,
+                    deficit: 0.0,
+                    rounding: 0.0,
+                },
+            };
+            Some((slice, proof))
+        });
+        let best = proved.max_by(|a, b| a.1.least.total_cmp(&b.1.least));
+        let Some((slice, proof)) = best else {
             return 0.0;
         };
         if proof.least <= request.to {
-            slices.normals = normals(self.lift, &multipliers);
+            found.normals = normals(self.lift, &multipliers);
         }
         let reached = proof.least.min(request.to);
         let gain = (reached - request.from) / (request.to - request.from);
         if gain > 0.0 {
-            slices.lower = reached;
-            slices.slices.push((slice, proof));
+            found.lower = reached;
+            found.slices.push((slice, proof));
         }
         gain
     }
