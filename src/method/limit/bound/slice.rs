@@ -21,8 +21,8 @@ const OF_SIGMA: [f64; 2] = [1e-6, 1.0];
 /// Multipliers smaller than this share of the largest do not move.
 const SMALL: f64 = 1e-13;
 
-/// The slice of a certificate, made in three ways: multipliers cleaned so that they leave as little of the identity as
-/// double precision allows, each changed in proportion to its size. Those on their way to zero are
+/// The slice of a certificate, made in three ways: multipliers cleaned so that they leave as little of
+/// the identity as double precision allows, each changed in proportion to its size. Those on their way to zero are
 /// kept or made zero, the bound moves little or freely: where some motion can be as fast as it likes, its
 /// multipliers must vanish, and what rounding left of them is all that remains.
 pub(super) fn slices(

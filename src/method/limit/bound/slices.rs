@@ -15,6 +15,9 @@ use crate::scene::Scene;
 /// the farther, the earlier the proof is done.
 const BEYOND: [f64; 2] = [0.01, 0.01];
 
+/// How far a slice that reaches the state ends behind it, over its width.
+const BEHIND: f64 = 0.1;
+
 /// Interior-point steps of one slice at most.
 const STEPS: usize = 80;
 
@@ -64,11 +67,12 @@ impl Search<'_> {
                 return;
             }
             let from = slices.lower;
-            // The state itself is to be well inside a slice that reaches it.
+            // The state itself is to be well inside a slice that reaches it: where it lies at the end,
+            // the lift has hardly an interior, and its multipliers do not settle.
             let tolerance = self.settings.bound_gap * state.max(1e-3);
             let (to, enough) = if share == 1.0 {
-                let to = state + (0.01 * tolerance).max(1e-7);
-                (to, state - (0.01 * tolerance).max(1e-8))
+                let to = state + BEHIND * (state - from) + 0.01 * tolerance;
+                (to, state - 0.005 * tolerance)
             } else {
                 let to = from + share * (state - from);
                 (to, to + 0.25 * BEYOND[1])
