@@ -27,6 +27,7 @@ fn sources() -> String {
     let mut files = vec!["Cargo.lock".to_owned()];
     files.extend(files_below(Path::new("src")));
     files.extend(files_below(Path::new("cases")));
+    files.retain(|path| !path.starts_with(CERTIFICATES));
     files.sort();
     let mut sources = Fingerprint::new();
     for file in files {
@@ -51,6 +52,9 @@ fn files_below(folder: &Path) -> Vec<String> {
     files
 }
 
+/// What is proved of cases, which is no part of them: it is read where it lies.
+const CERTIFICATES: &str = "cases/certificates/";
+
 /// What comes first among the cases. All others follow by path.
 const FIRST: [&str; 6] = [
     "cases/walls/paper-1.toml",
@@ -64,6 +68,7 @@ const FIRST: [&str; 6] = [
 /// Lists the cases, the sweeps, and the files that cases may name.
 fn embed() {
     let mut files = files_below(Path::new("cases"));
+    files.retain(|path| !path.starts_with(CERTIFICATES));
     files.retain(|path| !path.split('/').any(|part| part.starts_with('.')));
     files.sort_by(|a, b| {
         let key = |path: &str| {

@@ -80,6 +80,8 @@ pub enum Input {
     Record,
     /// Rows of a shard, which this program wrote.
     Rows,
+    /// A certificate of a lower bound, which this program wrote.
+    Certificate,
 }
 
 impl Input {
@@ -87,7 +89,7 @@ impl Input {
     pub fn limit(self) -> u64 {
         match self {
             Input::Toml | Input::Record => 16 << 20,
-            Input::Table => 64 << 20,
+            Input::Table | Input::Certificate => 64 << 20,
             Input::Rows => 1 << 30,
         }
     }

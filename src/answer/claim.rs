@@ -13,16 +13,20 @@ pub enum Claim {
     Associative,
     /// A collapse state at `bracket.lower`, and `ceiling` as in `Associative` for `bracket.upper`.
     Enclosed,
+    /// A certificate that no collapse state lies below `bracket.lower`, and a collapse state at
+    /// `bracket.upper`.
+    Bounded,
     /// Something seen, not proved, as in an experiment.
     Observed,
 }
 
 impl Claim {
     /// Every claim.
-    pub const ALL: [Claim; 4] = [
+    pub const ALL: [Claim; 5] = [
         Claim::CollapseState,
         Claim::Associative,
         Claim::Enclosed,
+        Claim::Bounded,
         Claim::Observed,
     ];
 
@@ -32,6 +36,7 @@ impl Claim {
             Claim::CollapseState => "collapse-state",
             Claim::Associative => "associative",
             Claim::Enclosed => "enclosed",
+            Claim::Bounded => "bounded",
             Claim::Observed => "observed",
         }
     }

@@ -7,6 +7,7 @@
 
 mod block_residual;
 mod bracket;
+pub(crate) mod certificate;
 mod claim;
 mod crack;
 mod fact;
@@ -23,12 +24,13 @@ mod work;
 pub use block_residual::BlockResidual;
 pub(crate) use block_residual::reach;
 pub use bracket::{Bracket, VERIFIED_WIDTH, is_same_multiplier, magnitude};
+pub use certificate::{Certificate, Proved, Refusal, Slice, Unreadable, prove};
 pub use claim::Claim;
 pub use crack::Crack;
 pub(crate) use crack::{VELOCITY_THRESHOLDS, crack_slope, crack_slope_by_gap};
 pub use fact::{
-    AutoFact, CeilingSlack, Coverage, Fact, InapplicableForm, Invalid, JudgedFact, LimitFact,
-    ProgramEnding, ProgramFailure, PushoverFact, Residuals, SearchEnding, SearchFacts,
+    AutoFact, BoundFact, CeilingSlack, Coverage, Fact, InapplicableForm, Invalid, JudgedFact,
+    LimitFact, ProgramEnding, ProgramFailure, PushoverFact, Residuals, SearchEnding, SearchFacts,
     SearchFailure, SearchStart, SequentialEnding, SequentialFacts, SideFact, SolverEnding,
     StartEnding, Uniqueness,
 };

@@ -1,8 +1,11 @@
 //! What a method answers. It holds no time, so no time can reach a snapshot.
 
+use std::sync::Arc;
+
 use serde::{Deserialize, Serialize};
 
 use super::bracket::Bracket;
+use super::certificate::Certificate;
 use super::claim::Claim;
 use super::crack::Crack;
 use super::fact::{self, Fact, JudgedFact, SearchFacts};
@@ -27,7 +30,8 @@ pub struct Outcome {
     pub crack: Option<Crack>,
     /// Velocities of every block at collapse; with the status `falls`, under the dead load alone.
     pub mechanism: Option<Mechanism>,
-    /// Forces of every joint at the multiplier `bracket.lower`; with the status `stands`, at λ = 0.
+    /// Forces of every joint at the multiplier `bracket.lower`, with the claim [`Claim::Bounded`] at
+    /// `bracket.upper`; with the status `stands`, at λ = 0.
     pub forces: Option<Vec<JointForce>>,
     /// With the status `stands`: forces within friction that balance the live load for λ = 1 and
     /// nothing else, so that `forces` + λ · `ray` is a state for every λ ≥ 0.
@@ -35,6 +39,10 @@ pub struct Outcome {
     /// With the claim [`Claim::Enclosed`]: a mechanism with dilatancy, whose multiplier bounds every
     /// collapse multiplier from above.
     pub ceiling: Option<Mechanism>,
+    /// With the claim [`Claim::Bounded`]: what proves the lower bound. It is large, and files of
+    /// results leave it out.
+    #[serde(skip)]
+    pub certificate: Option<Arc<Certificate>>,
     /// Every collapse state that the answer rests on, lowest λ first; only the interval has them.
     pub states: Vec<CollapseState>,
     /// On request, displacements of every block since the scene settled, at times a constant step
@@ -69,6 +77,7 @@ impl Outcome {
             forces: None,
             ray: None,
             ceiling: None,
+            certificate: None,
             states: Vec::new(),
             recording: Vec::new(),
             work: Work::default(),
@@ -94,8 +103,11 @@ impl Outcome {
         let refuted = |fact: &Fact| {
             matches!(
                 fact,
-                Fact::Judged(JudgedFact::Refuted(_) | JudgedFact::NothingToProve)
-                    | Fact::KeptRefutation(_)
+                Fact::Judged(
+                    JudgedFact::Refuted(_)
+                        | JudgedFact::Uncertified(_)
+                        | JudgedFact::NothingToProve
+                ) | Fact::KeptRefutation(_)
             )
         };
         self.facts.iter().any(refuted)

@@ -1,11 +1,12 @@
 //! `trilith check`.
 
 use std::path::PathBuf;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::Args;
 use trilith::case;
 use trilith::report;
-use trilith::run::{CaseResult, Partial};
+use trilith::run::{CaseResult, Partial, stored};
 
 use super::output;
 use super::plan::PlanArguments;
@@ -26,6 +27,14 @@ pub(super) struct CheckArguments {
     /// Keep finished results in a journal in this folder, and go on from it [default: that of --out].
     #[arg(long, value_name = "DIR")]
     resume: Option<PathBuf>,
+    /// Write the certificates of lower bounds into this folder, one file a scene and direction of the
+    /// push: CASE.right.bound, CASE@open.left.bound.
+    #[arg(long, value_name = "DIR")]
+    certificate: Option<PathBuf>,
+    /// Verify the stored certificates of the cases in this folder, without a solver [default:
+    /// cases/certificates, where there is one].
+    #[arg(long, value_name = "DIR")]
+    certificates: Option<PathBuf>,
     /// Also put the scene, forces, velocities, rays and ceilings of every answer into results.json,
     /// in the formats of outside programs.
     #[arg(long, requires = "out")]
@@ -34,17 +43,35 @@ pub(super) struct CheckArguments {
 
 pub(super) fn check(arguments: &CheckArguments) -> Result<u8, Stop> {
     let (cases, plan) = arguments.plan.read(&arguments.cases, case::library)?;
-    if let Some(folder) = &arguments.out {
+    for folder in [&arguments.out, &arguments.certificate]
+        .into_iter()
+        .flatten()
+    {
         output::test(folder)?;
     }
+    let stored_in = stored_in(arguments)?;
+    let refused = AtomicBool::new(false);
     print(&report::library_heading())?;
-    let show = |result: &CaseResult| print(&report::library_case(result));
+    let show = |result: &CaseResult| {
+        print(&report::library_case(result))?;
+        for stored in stored_in.iter().flat_map(|folder| stored(result, folder)) {
+            if stored.verdict.is_err() {
+                refused.store(true, Ordering::SeqCst);
+            }
+            print(&format!("{stored}\n"))?;
+        }
+        Ok(())
+    };
     let kept = arguments.resume.as_deref().or(arguments.out.as_deref());
     let kept = kept.map(|folder| (folder, "check.journal"));
     let results = solve(&cases, &plan, kept, show, |results, partial| {
         hand_out(arguments, results, partial)
     })?;
-    Ok(if refuted(&results) { REFUTED } else { 0 })
+    Ok(if refuted(&results) || refused.load(Ordering::SeqCst) {
+        REFUTED
+    } else {
+        0
+    })
 }
 
 fn hand_out(
@@ -57,5 +84,24 @@ fn hand_out(
     if let Some(folder) = &arguments.out {
         output::write(folder, files(results, arguments.states, partial)?)?;
     }
+    if let Some(folder) = &arguments.certificate {
+        output::write_certificates(folder, results)?;
+    }
     printed
+}
+
+/// Where certificates lie unless a user says otherwise.
+const CERTIFICATES: &str = "cases/certificates";
+
+/// The folder of stored certificates.
+fn stored_in(arguments: &CheckArguments) -> Result<Option<PathBuf>, Stop> {
+    match &arguments.certificates {
+        Some(folder) if folder.is_dir() => Ok(Some(folder.clone())),
+        Some(folder) => Err(Stop::bad_input(format!(
+            "error: there is no folder {}\nhelp: `run --method bound --certificate DIR` writes \
+             certificates into one",
+            folder.display()
+        ))),
+        None => Ok(Some(PathBuf::from(CERTIFICATES)).filter(|folder| folder.is_dir())),
+    }
 }

@@ -2,8 +2,9 @@
 
 use std::path::Path;
 
-use trilith::files::{test_folder, write_together};
-use trilith::run::{Journal, Keeps, Task};
+use trilith::files::{test_folder, write_together, write_whole};
+use trilith::method::{Kind, kind};
+use trilith::run::{CaseResult, Journal, Keeps, Task, certificates};
 
 use super::stop::Stop;
 
@@ -27,6 +28,31 @@ pub(super) fn write(folder: &Path, files: Vec<(String, String)>) -> Result<(), S
     write_together(&files).map_err(|(path, error)| {
         Stop::bad_input(format!("error: cannot write {}: {error}", path.display()))
     })
+}
+
+/// Writes the certificates of results into a folder, each whole. Those of rows that a journal kept are
+/// not there any more: standard error names them.
+pub(super) fn write_certificates(folder: &Path, results: &[CaseResult]) -> Result<(), Stop> {
+    for result in results {
+        for (name, bytes) in certificates(result) {
+            let path = folder.join(name);
+            write_whole(&path, bytes).map_err(|error| {
+                Stop::bad_input(format!("error: cannot write {}: {error}", path.display()))
+            })?;
+        }
+        for row in &result.rows {
+            if kind(&row.method) == Kind::LowerBound
+                && row.bracket().is_some()
+                && row.outcome.certificate.is_none()
+            {
+                eprintln!(
+                    "no certificate of {}: it is an estimate, or a journal kept the answer without it",
+                    row.scene_name()
+                );
+            }
+        }
+    }
+    Ok(())
 }
 
 /// Opens the journal of this name in a folder that can be written to, and says where it is damaged.

@@ -29,6 +29,10 @@ pub(super) struct RunArguments {
     /// Keep finished results in a journal in this folder, and go on from it [default: that of --out].
     #[arg(long, value_name = "DIR")]
     resume: Option<PathBuf>,
+    /// Write the certificates of lower bounds into this folder, one file a scene and direction of the
+    /// push: CASE.right.bound, CASE@open.left.bound.
+    #[arg(long, value_name = "DIR")]
+    certificate: Option<PathBuf>,
     /// How results are printed.
     #[arg(long, default_value = "table")]
     format: Format,
@@ -59,7 +63,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<u8, Stop> {
         return Err(Stop::bad_input(text));
     }
     let (cases, plan) = arguments.plan.read(&arguments.cases, case::paper)?;
-    let folders = [&arguments.out, &arguments.record];
+    let folders = [&arguments.out, &arguments.record, &arguments.certificate];
     for folder in folders.into_iter().flatten() {
         output::test(folder)?;
     }
@@ -135,6 +139,9 @@ fn hand_out(
     let printed = print(&arguments.format.closing(results, states, partial)?);
     if let Some(folder) = &arguments.out {
         output::write(folder, files(results, states, partial)?)?;
+    }
+    if let Some(folder) = &arguments.certificate {
+        output::write_certificates(folder, results)?;
     }
     printed
 }

@@ -28,6 +28,8 @@ fn kind(outcome: &Outcome) -> Option<AnswerKind> {
         Claim::Associative => AnswerKind::Associative,
         Claim::CollapseState => AnswerKind::CollapseState,
         Claim::Enclosed => AnswerKind::Enclosed,
+        // The lower bound has a file of its own; the state is at the upper end.
+        Claim::Bounded => AnswerKind::CollapseState,
         Claim::Observed => AnswerKind::Estimate,
     };
     match outcome.status {

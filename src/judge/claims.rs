@@ -35,6 +35,8 @@ pub(super) struct Answered<'a> {
     pub name: &'a str,
     pub role: Role,
     pub bracket: Bracket,
+    /// Proved lower bound of every collapse state; `bracket` is then the state above it.
+    pub floor: Option<f64>,
     pub outcome: &'a Outcome,
 }
 
@@ -71,10 +73,17 @@ pub(super) struct Claims<'a> {
 impl<'a> Claims<'a> {
     pub fn of(scene: &Scene, answers: &'a Answers<'a>) -> Self {
         let answered = answers.iter().filter_map(|&(name, outcome)| {
+            let bracket = outcome.bracket?;
+            let is_floor = kind(name) == Kind::LowerBound;
             Some(Answered {
                 name,
                 role: role(name, outcome),
-                bracket: outcome.bracket?,
+                bracket: if is_floor {
+                    Bracket::point(bracket.upper)
+                } else {
+                    bracket
+                },
+                floor: (is_floor && outcome.status != Status::Estimate).then_some(bracket.lower),
                 outcome,
             })
         });
@@ -131,6 +140,10 @@ fn role(name: &str, outcome: &Outcome) -> Role {
         },
         Kind::CollapseState => Role::Converged,
         Kind::CollapseStates => Role::States,
+        Kind::LowerBound => match outcome.status {
+            Status::Estimate => Role::Loose,
+            _ => Role::States,
+        },
         Kind::Observed => Role::Observed,
         Kind::Enclosure => Role::Enclosure,
         Kind::Outside => match (outcome.status, outcome.claim) {

@@ -62,9 +62,19 @@ fn without_multiplier(
         status,
         bracket: None,
         highest_state: None,
+        floor: floor(claims),
         difference: None,
         doubts: Vec::new(),
     }
+}
+
+/// The largest proved lower bound.
+fn floor(claims: &Claims) -> Option<(String, f64)> {
+    let floors = claims.answered.iter().filter_map(|answer| {
+        let floor = answer.floor?;
+        Some((answer.name.to_owned(), floor))
+    });
+    floors.max_by(|a, b| a.1.total_cmp(&b.1))
 }
 
 fn of_answer(claims: &Claims, basis: Basis, answer: &Answered) -> Conclusion {

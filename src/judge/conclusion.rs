@@ -26,6 +26,9 @@ pub struct Conclusion {
     /// Of a lowest state, the highest state that is verified beside it: with head joints in contact,
     /// say, several mechanisms have one.
     pub highest_state: Option<f64>,
+    /// Whose proof it is that no collapse state in which the push does work lies below a multiplier,
+    /// and that multiplier.
+    pub floor: Option<(String, f64)>,
     /// What the other proofs say that is not the same.
     pub difference: Option<Difference>,
     /// What speaks against the best answer and is not explained.
@@ -189,6 +192,13 @@ impl fmt::Display for Conclusion {
             Basis::Nothing if self.methods.is_empty() => write!(f, "no answer"),
             Basis::Nothing => write!(f, "no answer ({by})"),
         }?;
+        if let Some((by, floor)) = &self.floor {
+            write!(
+                f,
+                "; no collapse state below {}, proved ({by})",
+                number(*floor, 5)
+            )?;
+        }
         if let Some(difference) = &self.difference {
             write!(f, "; {difference}")?;
         }

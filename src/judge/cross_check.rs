@@ -50,6 +50,17 @@ pub fn cross_check(scene: &Scene, answers: &Answers) -> Vec<Check> {
             }
         }
     }
+    for floor in claims
+        .answered
+        .iter()
+        .filter(|answer| answer.floor.is_some())
+    {
+        for state in verified_states(&claims) {
+            if let Some(check) = above_floor(&claims, floor, &state) {
+                add(floor.name, check);
+            }
+        }
+    }
     for range in claims.of_role(Role::ClosedForm) {
         for answer in claims.answered.iter().filter(|a| a.name != range.name) {
             add(range.name, range_contains(&range, answer));
@@ -100,6 +111,27 @@ fn stands_beside_state(name: &str, stands: &Outcome, state: &Answered) -> (Strin
         let text = format!("{name} stands, although {state} verifies a collapse state at {lambda}");
         (text, Verdict::Violated)
     }
+}
+
+/// No verified state lies below a proved lower bound.
+fn above_floor(claims: &Claims, floor: &Answered, state: &Answered) -> Option<(String, Verdict)> {
+    let least = floor.floor.filter(|_| floor.name != state.name)?;
+    let lambda = state.bracket.lower;
+    let (by, name) = (floor.name, state.name);
+    Some(
+        if claims.is_below(lambda, claims.proof_slack(least), least) {
+            let (lambda, least) = (number(lambda, 6), number(least, 6));
+            let text = format!(
+                "{by} proves that no state is below {least}, {name} verifies one at {lambda}"
+            );
+            (text, Verdict::Violated)
+        } else {
+            (
+                format!("no state of {name} is below the bound of {by}"),
+                Verdict::Holds,
+            )
+        },
+    )
 }
 
 fn pairs<'a, 'b>(

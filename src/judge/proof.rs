@@ -5,6 +5,7 @@ use crate::answer::{
     Residuals, StaticResidual, Status, VERIFIED_RESIDUAL, associative_violation, falling_violation,
     kinematic_multiplier, magnitude,
 };
+use crate::answer::{Refusal, prove};
 use crate::scene::Scene;
 
 /// Recomputes the residual of an outcome and sets its status to what that proves of its claim.
@@ -41,6 +42,9 @@ pub fn judge(scene: &Scene, outcome: &mut Outcome) -> Option<f64> {
     if !outcome.states.is_empty() {
         return Some(judge_states(scene, outcome));
     }
+    if outcome.claim == Claim::Bounded {
+        return Some(judge_bounded(scene, outcome, bracket));
+    }
     let statics = StaticResidual::of(scene, forces, bracket.lower);
     let of_forces = BlockResidual::of_forces(scene, forces, bracket.lower);
     let collapse = || CollapseResidual::of(scene, forces, mechanism);
@@ -73,12 +77,56 @@ pub fn judge(scene: &Scene, outcome: &mut Outcome) -> Option<f64> {
             };
             conclude_bounds(outcome, bracket, bounds, scene.multiplier_unit())
         }
-        Claim::CollapseState | Claim::Observed => {
+        Claim::CollapseState | Claim::Bounded | Claim::Observed => {
             let collapse = collapse();
             let blocks = of_forces.worse(of_collapse());
             conclude_state(outcome, statics, collapse, blocks)
         }
     })
+}
+
+/// The residual of the state at the upper end; refutes the answer where its certificate does not prove
+/// the lower end. An estimate claims no certificate.
+fn judge_bounded(scene: &Scene, outcome: &mut Outcome, bracket: Bracket) -> f64 {
+    let (Some(forces), Some(mechanism)) = (&outcome.forces, &outcome.mechanism) else {
+        return f64::INFINITY;
+    };
+    let statics = StaticResidual::of(scene, forces, bracket.upper);
+    let collapse = CollapseResidual::of(scene, forces, mechanism);
+    let blocks = BlockResidual::of_forces(scene, forces, bracket.upper)
+        .worse(BlockResidual::of_collapse(scene, forces, mechanism));
+    let residual = statics.largest().max(collapse.largest());
+    // Written so that a NaN refutes.
+    let holds = residual <= VERIFIED_RESIDUAL;
+    if !holds {
+        let residuals = Residuals::State { statics, collapse };
+        refute(outcome, JudgedFact::Refuted(residuals));
+    } else if outcome.status != Status::Estimate {
+        if let Err(refusal) = certified(scene, outcome, bracket) {
+            refute(outcome, JudgedFact::Uncertified(refusal));
+        } else if !blocks.is_small() {
+            unresolved(outcome, blocks);
+        } else if bracket.is_one_number(scene.multiplier_unit()) {
+            outcome.status = Status::Verified;
+        } else {
+            outcome.status = Status::Bracketed;
+        }
+    }
+    residual
+}
+
+/// Whether the certificate proves the lower end.
+fn certified(scene: &Scene, outcome: &Outcome, bracket: Bracket) -> Result<(), Refusal> {
+    let certificate = outcome.certificate.as_ref().ok_or(Refusal::Missing)?;
+    let proved = prove(scene, certificate)?.lower;
+    if bracket.lower <= proved {
+        Ok(())
+    } else {
+        Err(Refusal::Less {
+            claimed: bracket.lower,
+            proved,
+        })
+    }
 }
 
 /// What was computed of bounds.

@@ -17,8 +17,8 @@
 //!
 //! The answer is the bracket [lowest verified state, λ_A] with both ends proved; where it is wider
 //! than the tolerance, it is `undecided: not unique`, which is right: between its ends the
-//! multiplier depends on what nobody knows of a real wall. No rigorous lower bound on collapse is
-//! known, so that a state below everything that the starts found can never be excluded.
+//! multiplier depends on what nobody knows of a real wall. A state below everything that the starts
+//! found is not excluded: that takes a certificate of the method `bound`, which only small scenes have.
 
 use super::limit::{self, Associative, Sequential};
 use super::macro_block::MacroBlock;

@@ -3,7 +3,7 @@
 
 use super::Method;
 use super::auto::Auto;
-use super::limit::{Associative, Interval, Sequential};
+use super::limit::{Associative, Bound, Interval, Sequential};
 use super::macro_block::MacroBlock;
 use super::pushover::Pushover;
 
@@ -20,6 +20,8 @@ pub enum Kind {
     CollapseStates,
     /// What was seen in an experiment: the last load at rest and the first that collapsed.
     Observed,
+    /// A proved lower bound of every collapse state, and the lowest one verified.
+    LowerBound,
     /// The lowest collapse state found and λ_A, made of other methods' answers.
     Enclosure,
     /// The answer of an outside program; it says itself what it is.
@@ -262,6 +264,17 @@ pub static METHODS: &[MethodEntry] = &[
             loose(&[("tolerance", "0.05")]),
             small(&[("tolerance", "0.001")]),
         ],
+    },
+    MethodEntry {
+        method: &Bound,
+        summary: "a certificate that no collapse state lies below, beside the lowest one verified",
+        kind: Kind::LowerBound,
+        // A lift takes seconds to minutes, and only small scenes have one.
+        by_default: false,
+        drawn_first: false,
+        look: look("#F0E442", Mark::Plus),
+        cost: cost(60.0, 4.0),
+        ladder: &[],
     },
 ];
 

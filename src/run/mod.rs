@@ -14,6 +14,7 @@ mod progress;
 mod results;
 mod row;
 mod schedule;
+mod stored;
 mod task;
 mod weaker;
 
@@ -27,5 +28,6 @@ pub use partial::{PARTIAL_MARK, Partial, marked, titled};
 pub use progress::Progress;
 pub use results::{CaseResult, CaseScenes, Plan};
 pub use row::{Row, StrongerSide, scene_name};
+pub use stored::{Stored, certificates, stored};
 pub(crate) use task::fingerprint;
 pub use task::{Sides, Subject, Task, answer};

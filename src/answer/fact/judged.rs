@@ -5,6 +5,7 @@ use std::fmt;
 use serde::{Deserialize, Serialize};
 
 use super::super::block_residual::{BlockResidual, VERIFIED_BLOCK};
+use super::super::certificate::Refusal;
 use super::super::residual::{CollapseResidual, StaticResidual};
 use super::super::status::Status;
 use crate::number::number;
@@ -21,6 +22,8 @@ pub enum JudgedFact {
     /// Over the whole scene the proof holds, and at one block it does not: its own forces or
     /// velocities are too small beside the others' to be resolved.
     Unresolved(BlockResidual),
+    /// A lower bound has no certificate that proves it.
+    Uncertified(Refusal),
     /// The method claims a proof and hands over no forces or no mechanism.
     NothingToProve,
     /// The scene falls, and its open head joints carry nothing of it.
@@ -96,6 +99,7 @@ impl fmt::Display for JudgedFact {
             JudgedFact::NoProof(residuals) => write!(f, "no proof: {residuals}"),
             JudgedFact::Refuted(residuals) => write!(f, "refuted by the judge: {residuals}"),
             JudgedFact::Unresolved(residual) => write!(f, "not resolved: {residual}"),
+            JudgedFact::Uncertified(refusal) => write!(f, "refuted by the judge: {refusal}"),
             JudgedFact::NothingToProve => {
                 write!(f, "claims a proof without forces and mechanism")
             }

@@ -4,6 +4,7 @@
 use serde::{Deserialize, Serialize};
 
 mod auto;
+mod bound;
 mod closed_form;
 mod judged;
 mod limit;
@@ -16,6 +17,7 @@ mod side;
 use std::fmt;
 
 pub use auto::{AutoFact, Uniqueness};
+pub use bound::BoundFact;
 pub use closed_form::{InapplicableForm, Invalid};
 pub use judged::{CeilingSlack, JudgedFact, Residuals};
 pub use limit::{LimitFact, SolverEnding};
@@ -44,6 +46,8 @@ pub enum Fact {
     Pushover(PushoverFact),
     /// What `auto` concludes from the other methods.
     Auto(AutoFact),
+    /// What a lifted program proves.
+    Bound(BoundFact),
     /// What the judge finds.
     Judged(JudgedFact),
     /// Which side of a wall that is pushed both ways the answer is about.
@@ -65,6 +69,7 @@ impl Fact {
             | Fact::Limit(_)
             | Fact::Search(_)
             | Fact::Sequential(_)
+            | Fact::Bound(_)
             | Fact::Judged(_)
             | Fact::Program(_) => false,
         }
@@ -81,6 +86,7 @@ impl fmt::Display for Fact {
             Fact::Sequential(fact) => fact.fmt(f),
             Fact::Pushover(fact) => fact.fmt(f),
             Fact::Auto(fact) => fact.fmt(f),
+            Fact::Bound(fact) => fact.fmt(f),
             Fact::Judged(fact) => fact.fmt(f),
             Fact::Side(fact) => fact.fmt(f),
             Fact::Program(fact) => fact.fmt(f),
@@ -107,6 +113,7 @@ from! {
     Sequential(SequentialFacts),
     Pushover(PushoverFact),
     Auto(AutoFact),
+    Bound(BoundFact),
     Judged(JudgedFact),
     Side(SideFact),
     Program(ProgramFailure),

@@ -1,6 +1,7 @@
 //! Limit analysis of the rigid blocks by linear programming.
 
 mod associative;
+mod bound;
 mod columns;
 mod ending;
 mod engine;
@@ -18,6 +19,7 @@ mod vertical;
 mod walls;
 
 pub use associative::Associative;
+pub use bound::Bound;
 pub use ending::{Ending, Solution};
 pub use interval::Interval;
 pub(crate) use interval::lowest;

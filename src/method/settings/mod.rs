@@ -70,6 +70,21 @@ settings! {
         c0: f64 = 1e-6, Allowed::Number(0.0..=0.1), "of the largest normal force";
     }
 
+    /// Settings of the lower bound.
+    bound: BoundSettings {
+        /// Relative distance from the lowest state at which the lower bound is good enough.
+        bound_gap: f64 = 1e-4, Allowed::Number(0.0..=1.0), "of λ";
+        /// Lifted programs of a lower bound at most.
+        lifts: usize = 32, Allowed::Whole(1..=10_000), "";
+        /// Interior-point steps of all these programs at most.
+        lift_steps: usize = 2_000, Allowed::Whole(1..=1_000_000), "";
+        /// Unknowns of a lifted program at most; time grows with their square, memory too.
+        lift_unknowns: usize = 8_000, Allowed::Whole(1..=100_000), "";
+        /// Largest sum of openings and slips, over the push's own displacement, of the motions that a
+        /// lower bound speaks of where rounding sets a limit.
+        lift_cap: f64 = 1e4, Allowed::Number(1.0..=1e12), "";
+    }
+
     /// Settings of the method that picks among the others.
     auto: AutoSettings {
         /// Relative width up to which `auto` has an answer.

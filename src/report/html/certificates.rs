@@ -71,7 +71,7 @@ fn put_forward(scene: &Scene, outcome: &Outcome) -> Vec<(String, f64, NamedResid
     let admissible = match outcome.claim {
         Claim::Associative => outcome.mechanism.as_ref(),
         Claim::Enclosed => outcome.ceiling.as_ref(),
-        Claim::CollapseState | Claim::Observed => None,
+        Claim::CollapseState | Claim::Bounded | Claim::Observed => None,
     };
     if let Some(mechanism) = admissible {
         let slack = associative_violation(scene, mechanism);

@@ -56,7 +56,7 @@ pub fn limitations() -> Markup {
     html! {
         ul {
             li { "The verified interval is what a search found: a lower collapse state without dilatancy may "
-                "exist, and no useful rigorous lower bound is known." }
+                "exist, unless the method bound proves that none does." }
             li { "With head joints in contact the pushover's answer is not unique. It is a range over stated "
                 "variations, or undecided." }
             li { "The closed form's range is an assumption about the mechanism, not a bound." }

@@ -143,6 +143,8 @@ impl Known {
         match kind {
             Kind::AssociativeBounds => at_most(lower, self.associative) && bounds,
             Kind::Enclosure => is_state(lower) && bounds,
+            // A bound below a state: above all known ones it would refute them.
+            Kind::LowerBound => at_most(lower, self.states.lower) && is_state(upper),
             Kind::CollapseState | Kind::CollapseStates => is_state(lower) && is_state(upper),
             Kind::ClosedForm | Kind::Observed | Kind::Outside => {
                 at_most(lower, self.associative) && at_least(upper, self.states.lower)

@@ -1,0 +1,212 @@
+//! The conditions of a scene as sparse rows, without dimensions: forces over the total weight,
+//! lengths over the height, λ over its unit.
+
+use std::collections::VecDeque;
+
+use crate::scene::{Joint, Point, Scene, Side, Vector};
+
+/// One entry of a sparse row: its place and its value.
+pub(crate) type Entry = (usize, f64);
+
+/// A joint's conditions.
+#[derive(Clone, Debug)]
+pub(crate) struct JointRows {
+    /// How the first corner's opening, the second's and the slip follow from the velocities, three a
+    /// block; the same numbers are what a unit of either corner force and of the shear puts on the
+    /// blocks.
+    pub(crate) rates: [Vec<Entry>; 3],
+    /// Coefficient of friction.
+    pub(crate) friction: f64,
+}
+
+/// All conditions of a scene.
+#[derive(Clone, Debug)]
+pub(crate) struct Conditions {
+    /// Joints in the scene's order.
+    pub(crate) joints: Vec<JointRows>,
+    /// Dead load on the blocks, three numbers a block.
+    pub(crate) dead: Vec<f64>,
+    /// Live load for λ* = 1.
+    pub(crate) live: Vec<f64>,
+    /// λ for λ* = 1.
+    pub(crate) unit: f64,
+}
+
+impl Conditions {
+    /// Those of a scene.
+    pub(crate) fn of(scene: &Scene) -> Self {
+        let (force, length) = (scene.total_weight(), scene.height());
+        let unit = scene.multiplier_unit();
+        let scaled = |[x, y, moment]: [f64; 3], factor: f64| {
+            [x, y, moment / length].map(|part| part * factor / force)
+        };
+        let blocks = scene.blocks().iter();
+        let dead = blocks.clone().flat_map(|block| scaled(block.dead(), 1.0));
+        let live = blocks.flat_map(|block| scaled(block.live(), unit));
+        let rows = |joint: &Joint| JointRows {
+            rates: [
+                (joint.ends[0], joint.normal),
+                (joint.ends[1], joint.normal),
+                (joint.ends[0], joint.tangent()),
+            ]
+            .map(|(point, direction)| rate_row(scene, joint, point, direction)),
+            friction: joint.friction,
+        };
+        Self {
+            joints: scene.joints().iter().map(rows).collect(),
+            dead: dead.collect(),
+            live: live.collect(),
+            unit,
+        }
+    }
+
+    /// Number of velocities, and of equilibrium conditions.
+    pub(crate) fn velocities(&self) -> usize {
+        self.dead.len()
+    }
+
+    /// Number of force conditions: four a joint, then 1, λ − a and b − λ.
+    pub(crate) fn force_rows(&self) -> usize {
+        4 * self.joints.len() + 3
+    }
+
+    /// Number of rates: four a joint, then the power of the live load.
+    pub(crate) fn rate_rows(&self) -> usize {
+        4 * self.joints.len() + 1
+    }
+
+    /// Number of kinematic unknowns: velocities, then the forward slip of every joint.
+    pub(crate) fn motions(&self) -> usize {
+        self.velocities() + self.joints.len()
+    }
+
+    /// Number of force unknowns: 1, λ, then three a joint.
+    pub(crate) fn forces(&self) -> usize {
+        2 + 3 * self.joints.len()
+    }
+}
+
+/// Velocity of a joint's block `to` against its `from`, at a point and in a direction.
+fn rate_row(scene: &Scene, joint: &Joint, point: Point, direction: Vector) -> Vec<Entry> {
+    let mut row = Vec::with_capacity(6);
+    let mut add = |block: usize, sign: f64| {
+        let arm = (point - scene.blocks()[block].shape.centroid()) / scene.height();
+        let parts = [direction.x, direction.y, arm.perp(&direction)];
+        for (k, part) in parts.into_iter().enumerate() {
+            if part != 0.0 {
+                row.push((3 * block + k, sign * part));
+            }
+        }
+    };
+    if let Side::Block(from) = joint.from {
+        add(from, -1.0);
+    }
+    add(joint.to, 1.0);
+    row
+}
+
+/// A velocity of a block per unit of a rate: x, y and rotation.
+type Share = [f64; 3];
+
+/// How the velocities of each block follow from the rates along one chain of joints from a support
+/// to it: joint, kind of rate (opening, opening, slip) and what a unit of it adds. `None` where a
+/// block hangs on no such chain.
+pub(super) fn chains(scene: &Scene) -> Option<Vec<Vec<(usize, usize, Share)>>> {
+    let count = scene.blocks().len();
+    let mut joints_of: Vec<Vec<usize>> = vec![Vec::new(); count];
+    let mut queue = VecDeque::new();
+    let mut chains: Vec<Option<Vec<(usize, usize, Share)>>> = vec![None; count];
+    for (j, joint) in scene.joints().iter().enumerate() {
+        joints_of[joint.to].push(j);
+        match joint.from {
+            Side::Block(from) => joints_of[from].push(j),
+            Side::Support(_) if chains[joint.to].is_none() => {
+                chains[joint.to] = Some(relative(scene, j, joint.to, 1.0));
+                queue.push_back(joint.to);
+            }
+            Side::Support(_) => {}
+        }
+    }
+    while let Some(parent) = queue.pop_front() {
+        for &j in &joints_of[parent] {
+            let joint = &scene.joints()[j];
+            let (child, sign) = match joint.from {
+                Side::Block(from) if joint.to == parent => (from, -1.0),
+                Side::Block(_) => (joint.to, 1.0),
+                Side::Support(_) => continue,
+            };
+            if chains[child].is_some() {
+                continue;
+            }
+            let centroid = |block: usize| scene.blocks()[block].shape.centroid();
+            let arm = (centroid(child) - centroid(parent)) / scene.height();
+            let carried = chains[parent].iter().flatten();
+            let carried = carried.map(|&(joint, kind, [x, y, turn])| {
+                (joint, kind, [x - turn * arm.y, y + turn * arm.x, turn])
+            });
+            let own = relative(scene, j, child, sign);
+            chains[child] = Some(carried.chain(own).collect());
+            queue.push_back(child);
+        }
+    }
+    chains.into_iter().collect()
+}
+
+/// Motion of a joint's two sides against each other, at the centroid of a block, per unit of each
+/// rate.
+fn relative(scene: &Scene, j: usize, block: usize, sign: f64) -> Vec<(usize, usize, Share)> {
+    let joint = &scene.joints()[j];
+    let across = (joint.ends[1] - joint.ends[0]) / scene.height();
+    let lever = joint.normal.y * across.x - joint.normal.x * across.y;
+    let arm = (scene.blocks()[block].shape.centroid() - joint.ends[0]) / scene.height();
+    let turned = |turn: f64, at: Vector| {
+        let [x, y] = [at.x - turn * arm.y, at.y + turn * arm.x];
+        [x, y, turn].map(|part| sign * part)
+    };
+    vec![
+        (j, 0, turned(-1.0 / lever, joint.normal)),
+        (j, 1, turned(1.0 / lever, Vector::zeros())),
+        (j, 2, turned(0.0, joint.tangent())),
+    ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{HeadJoints, Piece, Push, Wall};
+
+    /// Kinematics: rates of any velocities give these velocities back, to rounding.
+    #[test]
+    fn rates_along_a_chain_give_the_velocities_back() {
+        use Piece::{Half, Unit};
+        let wall = Wall {
+            unit_length: 4.0,
+            unit_height: 1.75,
+            thickness: 1.0,
+            unit_weight: 1.0,
+            courses: vec![
+                vec![Half, Unit, Half],
+                vec![Unit, Unit],
+                vec![Half, Unit, Half],
+            ],
+            friction: 0.65.into(),
+            overburden: 0.0,
+            push: Push::Right,
+        };
+        let scene = wall.scene(HeadJoints::Contact).unwrap();
+        let conditions = Conditions::of(&scene);
+        let velocity: Vec<f64> = (0..conditions.velocities())
+            .map(|k| ((k * k + 3) as f64 * 0.7).sin())
+            .collect();
+        let rate = |row: &[Entry]| -> f64 { row.iter().map(|&(k, v)| v * velocity[k]).sum() };
+        for (block, chain) in chains(&scene).unwrap().iter().enumerate() {
+            for k in 0..3 {
+                let parts = chain.iter();
+                let sum: f64 = parts
+                    .map(|&(j, kind, share)| share[k] * rate(&conditions.joints[j].rates[kind]))
+                    .sum();
+                assert!((sum - velocity[3 * block + k]).abs() < 1e-12);
+            }
+        }
+    }
+}

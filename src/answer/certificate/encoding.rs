@@ -1,0 +1,233 @@
+//! Certificates as bytes: a line that says what they are and of which version, then all numbers,
+//! little-endian, compressed with a check sum of their own (zlib, RFC 1950).
+
+use std::fmt;
+use std::io::{Read, Write};
+
+use flate2::Compression;
+use flate2::read::ZlibDecoder;
+use flate2::write::ZlibEncoder;
+
+use super::{Certificate, Slice};
+
+/// What every file of a certificate begins with, before the number of its version.
+const TITLE: &str = "trilith lower bound, version ";
+
+/// The version that is written, and the only one that is read.
+const VERSION: &str = "1";
+
+/// Most bytes that a certificate may have when it is not compressed: some 200 slices of 33 blocks.
+const LARGEST: u64 = 256 << 20;
+
+/// Why bytes are no certificate.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Unreadable {
+    /// They are something else.
+    NoCertificate,
+    /// They are of a version that this program does not read.
+    Version(String),
+    /// They are cut off, changed, or followed by others.
+    Damaged,
+}
+
+impl fmt::Display for Unreadable {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Unreadable::NoCertificate => {
+                write!(f, "it is no certificate: it does not begin with `{TITLE}`")
+            }
+            Unreadable::Version(version) => write!(
+                f,
+                "it is of version `{version}`, and this program reads version {VERSION}"
+            ),
+            Unreadable::Damaged => write!(f, "it is cut off or damaged"),
+        }
+    }
+}
+
+impl Certificate {
+    /// The bytes of a file.
+    pub fn to_bytes(&self) -> Vec<u8> {
+        let mut plain = Vec::new();
+        let scene = self.scene.as_bytes();
+        count(&mut plain, scene.len());
+        plain.extend_from_slice(scene);
+        numbers(&mut plain, &[self.lower, self.cap]);
+        list(&mut plain, &self.opening);
+        count(&mut plain, self.slices.len());
+        for slice in &self.slices {
+            numbers(&mut plain, &[slice.from, slice.to, slice.sigma]);
+            list(&mut plain, &slice.multipliers);
+            list(&mut plain, &slice.balance);
+        }
+        let mut encoder = ZlibEncoder::new(Vec::new(), Compression::best());
+        let compressed = encoder.write_all(&plain).and_then(|()| encoder.finish());
+        let title = format!("{TITLE}{VERSION}\n");
+        // Memory takes what is written.
+        [title.into_bytes(), compressed.expect("a vector grows")].concat()
+    }
+
+    /// The certificate that bytes hold.
+    ///
+    /// # Errors
+    /// They are none, of another version, or damaged.
+    pub fn from_bytes(bytes: &[u8]) -> Result<Self, Unreadable> {
+        let after = bytes.strip_prefix(TITLE.as_bytes());
+        let after = after.ok_or(Unreadable::NoCertificate)?;
+        let end = after.iter().take(40).position(|&byte| byte == b'\n');
+        let end = end.ok_or(Unreadable::Damaged)?;
+        let version = String::from_utf8_lossy(&after[..end]).into_owned();
+        if version != VERSION {
+            return Err(Unreadable::Version(version));
+        }
+        let mut plain = Vec::new();
+        let compressed = &after[end + 1..];
+        let mut decoder = ZlibDecoder::new(compressed).take(LARGEST);
+        let read = decoder.read_to_end(&mut plain);
+        let decoder = decoder.into_inner();
+        if read.is_err() || decoder.total_in() != compressed.len() as u64 {
+            return Err(Unreadable::Damaged);
+        }
+        let mut rest = Rest(&plain);
+        let certificate = rest.certificate().ok_or(Unreadable::Damaged)?;
+        if rest.0.is_empty() {
+            Ok(certificate)
+        } else {
+            Err(Unreadable::Damaged)
+        }
+    }
+}
+
+fn count(out: &mut Vec<u8>, number: usize) {
+    out.extend_from_slice(&(number as u64).to_le_bytes());
+}
+
+fn numbers(out: &mut Vec<u8>, values: &[f64]) {
+    for value in values {
+        out.extend_from_slice(&value.to_le_bytes());
+    }
+}
+
+/// A list: how many, then all first bytes, all second bytes and so on, as those of neighbours are
+/// more alike than those of one number.
+fn list(out: &mut Vec<u8>, values: &[f64]) {
+    count(out, values.len());
+    for byte in 0..8 {
+        out.extend(values.iter().map(|value| value.to_le_bytes()[byte]));
+    }
+}
+
+/// What is not read yet; every part is `None` where it is cut off.
+struct Rest<'a>(&'a [u8]);
+
+impl<'a> Rest<'a> {
+    fn bytes(&mut self, length: usize) -> Option<&'a [u8]> {
+        let (bytes, rest) = self.0.split_at_checked(length)?;
+        self.0 = rest;
+        Some(bytes)
+    }
+
+    fn eight(&mut self) -> Option<[u8; 8]> {
+        self.bytes(8)?.try_into().ok()
+    }
+
+    fn count(&mut self) -> Option<usize> {
+        usize::try_from(u64::from_le_bytes(self.eight()?)).ok()
+    }
+
+    fn number(&mut self) -> Option<f64> {
+        Some(f64::from_le_bytes(self.eight()?))
+    }
+
+    fn list(&mut self) -> Option<Vec<f64>> {
+        let length = self.count()?;
+        let bytes = self.bytes(length.checked_mul(8)?)?;
+        let value = |at: usize| f64::from_le_bytes(std::array::from_fn(|k| bytes[k * length + at]));
+        Some((0..length).map(value).collect())
+    }
+
+    fn certificate(&mut self) -> Option<Certificate> {
+        let length = self.count()?;
+        let scene = String::from_utf8(self.bytes(length)?.to_vec()).ok()?;
+        let (lower, cap) = (self.number()?, self.number()?);
+        let opening = self.list()?;
+        let slices = self.count()?;
+        let mut certificate = Certificate {
+            scene,
+            lower,
+            cap,
+            opening,
+            slices: Vec::new(),
+        };
+        for _ in 0..slices {
+            certificate.slices.push(Slice {
+                from: self.number()?,
+                to: self.number()?,
+                sigma: self.number()?,
+                multipliers: self.list()?,
+                balance: self.list()?,
+            });
+        }
+        Some(certificate)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn certificate() -> Certificate {
+        let slice = Slice {
+            from: 0.0,
+            to: 0.5,
+            sigma: 0.25,
+            multipliers: vec![1.0, 0.0, -0.0, 1e-300],
+            balance: vec![-3.5; 7],
+        };
+        Certificate {
+            scene: "ab".to_owned(),
+            lower: 0.25,
+            cap: 1e4,
+            opening: vec![0.1, 0.2],
+            slices: vec![slice.clone(), slice],
+        }
+    }
+
+    #[test]
+    fn what_is_written_is_read_back() {
+        let bytes = certificate().to_bytes();
+        assert_eq!(Certificate::from_bytes(&bytes), Ok(certificate()));
+    }
+
+    #[test]
+    fn what_is_cut_off_changed_or_of_another_version_is_refused() {
+        let bytes = certificate().to_bytes();
+        let title = TITLE.len() + 2;
+        for length in 0..bytes.len() {
+            let read = Certificate::from_bytes(&bytes[..length]);
+            let expected = if length < TITLE.len() {
+                Unreadable::NoCertificate
+            } else {
+                Unreadable::Damaged
+            };
+            assert_eq!(read, Err(expected), "{length}");
+        }
+        for at in title..bytes.len() {
+            let mut changed = bytes.clone();
+            changed[at] ^= 1;
+            // A bit of the stream that means nothing may differ, and then nothing else does.
+            let read = Certificate::from_bytes(&changed);
+            assert!(
+                read == Err(Unreadable::Damaged) || read == Ok(certificate()),
+                "{at}"
+            );
+        }
+        let longer = [bytes.clone(), vec![0]].concat();
+        assert_eq!(Certificate::from_bytes(&longer), Err(Unreadable::Damaged));
+        let mut other = bytes;
+        other[TITLE.len()] = b'7';
+        let refused = Certificate::from_bytes(&other).unwrap_err();
+        assert_eq!(refused, Unreadable::Version("7".to_owned()));
+        assert!(refused.to_string().contains("reads version 1"));
+    }
+}

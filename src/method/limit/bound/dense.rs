@@ -1,0 +1,99 @@
+//! Dense Cholesky factors in blocks, so that nearly all work is products of matrices.
+
+use nalgebra::DMatrix;
+
+/// Columns of a block (chosen: what fits the fastest memory of any processor of today).
+const BLOCK: usize = 48;
+
+/// Share of a pivot's first value below which it is rounding: its unknown stays as it is.
+const LOST: f64 = 1e-15;
+
+/// Pivot of an unknown that stays as it is.
+const HELD: f64 = 1e80;
+
+/// Factors a symmetric matrix, of which the lower triangle is read and overwritten. Pivots that
+/// rounding has taken hold their unknowns.
+pub(super) fn factor(a: &mut DMatrix<f64>) {
+    let n = a.nrows();
+    let first: Vec<f64> = (0..n).map(|k| a[(k, k)]).collect();
+    for start in (0..n).step_by(BLOCK) {
+        let end = (start + BLOCK).min(n);
+        if start > 0 {
+            let left = a.view((start, 0), (n - start, start)).clone_owned();
+            let across = a.view((start, 0), (end - start, start)).transpose();
+            let mut panel = a.view_mut((start, start), (n - start, end - start));
+            panel.gemm(-1.0, &left, &across, 1.0);
+        }
+        for j in start..end {
+            let pivot = a[(j, j)];
+            let root = if pivot > LOST * first[j].abs() {
+                pivot.sqrt()
+            } else {
+                HELD
+            };
+            let mut column = a.view_mut((j, j), (n - j, 1));
+            column /= root;
+            a[(j, j)] = root;
+            for k in j + 1..end {
+                let factor = a[(k, j)];
+                subtract(a.as_mut_slice(), n, [j, k], k, factor);
+            }
+        }
+    }
+}
+
+/// Subtracts a multiple of an earlier column from a later one, from a row on; columns of `n` numbers.
+fn subtract(values: &mut [f64], n: usize, [from, to]: [usize; 2], row: usize, multiple: f64) {
+    let (before, after) = values.split_at_mut(to * n);
+    let from = &before[from * n + row..(from + 1) * n];
+    for (value, other) in after[row..n].iter_mut().zip(from) {
+        *value -= multiple * other;
+    }
+}
+
+/// Solves X Lᵀ = A for X in place, L being a factor.
+pub(super) fn solve_right(a: &mut DMatrix<f64>, factor: &DMatrix<f64>) {
+    let (rows, n) = a.shape();
+    for start in (0..n).step_by(BLOCK) {
+        let end = (start + BLOCK).min(n);
+        if start > 0 {
+            let across = factor.view((start, 0), (end - start, start)).transpose();
+            let (done, mut block) = a.columns_range_pair_mut(..start, start..end);
+            block.gemm(-1.0, &done, &across, 1.0);
+        }
+        for j in start..end {
+            for p in start..j {
+                subtract(a.as_mut_slice(), rows, [p, j], 0, factor[(j, p)]);
+            }
+            let mut column = a.view_mut((0, j), (rows, 1));
+            column /= factor[(j, j)];
+        }
+    }
+}
+
+/// Solves L X = B in place, many columns at once.
+pub(super) fn solve_left(factor: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
+    let mut transposed = b.transpose();
+    solve_right(&mut transposed, factor);
+    transposed.transpose()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_factor_gives_the_matrix_back() {
+        let n = 131;
+        let root = DMatrix::from_fn(n, n, |i, j| ((i * 7 + j * 13) as f64).sin());
+        let a = &root * root.transpose() + DMatrix::identity(n, n);
+        let mut factored = a.clone();
+        factor(&mut factored);
+        let lower = factored.lower_triangle();
+        assert!((&lower * lower.transpose() - &a).amax() < 1e-10);
+        let mut right = root.clone();
+        solve_right(&mut right, &factored);
+        assert!((&right * lower.transpose() - &root).amax() < 1e-10);
+        assert!((&lower * solve_left(&factored, &root) - &root).amax() < 1e-10);
+    }
+}

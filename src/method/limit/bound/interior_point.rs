@@ -1,0 +1,266 @@
+//! A primal-dual interior-point method for the lifted program of one slice (Mehrotra, SIAM J. Optim.
+//! 2 (1992) 575-601).
+//!
+//! ```text
+//! least  (λ − σ₀)·(f_L·u) + σ₀    with all products ≥ 0 or = 0 and (1)·(f_L·u) ≤ 1
+//! ```
+//!
+//! The last condition stands for = 1: with it the program always has an optimum. Where no collapse
+//! state is in the slice that is σ₀, which is chosen above the slice's end, so that the multipliers
+//! are a Farkas proof; else it is the least λ of the lift. Any multipliers on the way give a bound.
+
+use nalgebra::DMatrix;
+
+use super::factor::Pattern;
+use super::lift::{Columns, Lift, is_zero_product};
+use super::newton::Newton;
+
+/// A slice of λ*, and when to stop.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Request {
+    /// a.
+    pub(super) from: f64,
+    /// b.
+    pub(super) to: f64,
+    /// Bound at which the iteration may stop.
+    pub(super) enough: f64,
+    /// σ₀, above b.
+    pub(super) most: f64,
+    /// Steps at most.
+    pub(super) steps: usize,
+}
+
+/// Multipliers of a slice.
+pub(super) struct Multipliers {
+    /// One row a force condition, one column a rate.
+    pub(super) values: DMatrix<f64>,
+    /// The products that they belong to: where they are larger, a multiplier is on its way to zero.
+    pub(super) products: DMatrix<f64>,
+    /// The lifted state.
+    pub(super) unknowns: Columns,
+    /// The bound on λ* that they give, but for what they leave of the identity.
+    pub(super) sigma: f64,
+    /// Steps done.
+    pub(super) steps: usize,
+}
+
+/// Weight of the products that are zero: what they become is this share of what their multipliers
+/// change (measured: from 1e7 to 1e11 the steps and what is left of the identity are the same).
+const ZERO: f64 = 1e9;
+
+/// Step as a share of the one that makes a number zero.
+const SHORT: f64 = 0.995;
+
+/// Steps shorter than this are tried again towards the centre, with this share of the mean product.
+const SHORT_STEP: f64 = 0.15;
+const CENTRE: f64 = 0.4;
+
+/// The gap at which the bound is as good as the optimum.
+const GAP: f64 = 1e-8;
+
+/// What multipliers may leave of the identity at the end of the iteration; a last step takes more.
+const LEFT: f64 = 1e-8;
+
+/// What a unit of what multipliers leave of the identity costs of their bound, to compare them.
+const OF_LEFT: f64 = 1e4;
+
+/// Iterates: products w with multipliers m, and of the scale condition.
+struct Point {
+    unknowns: Columns,
+    products: DMatrix<f64>,
+    multipliers: DMatrix<f64>,
+    scale: [f64; 2],
+}
+
+struct Step {
+    unknowns: Columns,
+    products: DMatrix<f64>,
+    multipliers: DMatrix<f64>,
+    scale: [f64; 2],
+}
+
+/// Residuals of the conditions and of the identity.
+struct Residual {
+    products: DMatrix<f64>,
+    scale: f64,
+    identity: Columns,
+}
+
+/// Solves one slice.
+pub(super) fn solve(lift: &Lift, pattern: &Pattern, request: Request) -> Multipliers {
+    let conditions = lift.force_conditions(request.from, request.to);
+    let transposed = conditions.transpose();
+    let joints = lift.joints();
+    let (rows, rates) = (conditions.nrows(), lift.conditions.rate_rows());
+    let is_free = |at: usize| is_zero_product(at % rows, at / rows, joints);
+    let free: Vec<bool> = (0..rows * rates).map(is_free).collect();
+    let count = (rows * rates - 4 * joints + 1) as f64;
+    let start = DMatrix::from_fn(rows, rates, |i, j| {
+        f64::from(u8::from(!is_zero_product(i, j, joints)))
+    });
+    let live = lift.live();
+    let lambda = lift.basis.row(1).transpose() - lift.basis.row(0).transpose() * request.most;
+    let cost = &lambda * live.transpose();
+    let one = lift.basis.row(0).transpose();
+    let scale_row = &one * live.transpose();
+    let mut at = Point {
+        unknowns: lift.zero(),
+        products: start.clone(),
+        multipliers: start,
+        scale: [1.0, 1.0],
+    };
+    let mut stalled = 0;
+    let mut best: Option<(f64, Multipliers)> = None;
+    for steps in 0..=request.steps {
+        let mut identity = lift.of_rates(&(&transposed * &at.multipliers));
+        identity.velocities = &cost - identity.velocities + &scale_row * at.scale[1];
+        identity.slips.neg_mut();
+        let work = (one.transpose() * &at.unknowns.velocities * &live)[(0, 0)];
+        let residual = Residual {
+            products: &conditions * lift.rates(&at.unknowns) - &at.products,
+            scale: 1.0 - work - at.scale[0],
+            identity,
+        };
+        let mean = (at.products.dot(&at.multipliers) + at.scale[0] * at.scale[1]) / count;
+        let sigma = request.most - at.scale[1];
+        let above = cost.dot(&at.unknowns.velocities) + request.most;
+        let left = residual.identity.largest();
+        let violated = residual.products.amax();
+        if !(sigma.is_finite() && left.is_finite()) {
+            break;
+        }
+        let merit = sigma.min(request.enough) - OF_LEFT * left;
+        if best.as_ref().is_none_or(|(most, _)| merit > *most) {
+            let multipliers = Multipliers {
+                values: at.multipliers.clone(),
+                products: at.products.clone(),
+                unknowns: at.unknowns.clone(),
+                sigma,
+                steps,
+            };
+            best = Some((merit, multipliers));
+        }
+        let excludes = sigma > request.enough && left < LEFT;
+        let optimal = above - sigma < GAP && left < LEFT && violated < LEFT;
+        if excludes || optimal || stalled > 8 || mean < 1e-13 || steps == request.steps {
+            break;
+        }
+        let mut weights = at.multipliers.component_div(&at.products);
+        for (weight, free) in weights.iter_mut().zip(&free) {
+            if *free {
+                *weight = ZERO;
+            }
+        }
+        let newton = Newton::new(
+            lift,
+            pattern,
+            [&conditions, &transposed],
+            weights.clone(),
+            at.scale[1] / at.scale[0],
+        );
+        let step = |wanted: &DMatrix<f64>, scale: f64| {
+            // What multipliers become where products do not move.
+            let mut target = wanted.component_div(&at.products);
+            target -= weights.component_mul(&residual.products);
+            for ((target, free), missing) in target.iter_mut().zip(&free).zip(&residual.products) {
+                if *free {
+                    *target = -missing * ZERO;
+                }
+            }
+            let of_scale = scale / at.scale[0] - at.scale[1] / at.scale[0] * residual.scale;
+            let mut right = lift.of_rates(&(&transposed * &target));
+            right.add(-1.0, &residual.identity);
+            right.velocities -= &scale_row * of_scale;
+            let unknowns = newton.solve(&right, 1e-11);
+            let moved = &conditions * lift.rates(&unknowns);
+            let multipliers = target - weights.component_mul(&moved);
+            let mut products = moved + &residual.products;
+            for (product, free) in products.iter_mut().zip(&free) {
+                if *free {
+                    *product = 0.0;
+                }
+            }
+            let work = (one.transpose() * &unknowns.velocities * &live)[(0, 0)];
+            let first = residual.scale - work;
+            let second = of_scale + at.scale[1] / at.scale[0] * work;
+            Step {
+                unknowns,
+                products,
+                multipliers,
+                scale: [first, second],
+            }
+        };
+        let product = at.products.component_mul(&at.multipliers);
+        let scaled = at.scale[0] * at.scale[1];
+        let predicted = step(&-&product, -scaled);
+        let lengths = lengths(&at, &predicted, &free);
+        let mut after = (at.scale[0] + lengths[0] * predicted.scale[0])
+            * (at.scale[1] + lengths[1] * predicted.scale[1]);
+        for k in 0..product.len() {
+            if !free[k] {
+                after += (at.products[k] + lengths[0] * predicted.products[k])
+                    * (at.multipliers[k] + lengths[1] * predicted.multipliers[k]);
+            }
+        }
+        let centre = (after / count / mean).powi(3) * mean;
+        let mut wanted = -&product - predicted.products.component_mul(&predicted.multipliers);
+        for (wanted, free) in wanted.iter_mut().zip(&free) {
+            *wanted = if *free { 0.0 } else { *wanted + centre };
+        }
+        let mut corrected = step(
+            &wanted,
+            centre - scaled - predicted.scale[0] * predicted.scale[1],
+        );
+        let mut reach = self::lengths(&at, &corrected, &free);
+        if reach[0].min(reach[1]) < SHORT_STEP {
+            // A correction that leads nowhere: back towards the centre.
+            let mut wanted = -&product;
+            for (wanted, free) in wanted.iter_mut().zip(&free) {
+                *wanted = if *free { 0.0 } else { *wanted + CENTRE * mean };
+            }
+            let centred = step(&wanted, CENTRE * mean - scaled);
+            let other = self::lengths(&at, &centred, &free);
+            if other[0].min(other[1]) > reach[0].min(reach[1]) {
+                (corrected, reach) = (centred, other);
+            }
+        }
+        let [primal, dual] = reach.map(|l| (SHORT * l).min(1.0));
+        at.unknowns.add(primal, &corrected.unknowns);
+        at.products += corrected.products * primal;
+        at.multipliers += corrected.multipliers * dual;
+        at.scale[0] += primal * corrected.scale[0];
+        at.scale[1] += dual * corrected.scale[1];
+        stalled = if primal.max(dual) < 0.05 {
+            stalled + 1
+        } else {
+            0
+        };
+    }
+    best.expect("the start is finite").1
+}
+
+/// Longest steps that keep products and multipliers from becoming negative.
+fn lengths(at: &Point, step: &Step, free: &[bool]) -> [f64; 2] {
+    let longest = |values: &DMatrix<f64>, by: &DMatrix<f64>, scale: f64, by_scale: f64| {
+        let of_scale = if by_scale < 0.0 {
+            scale / -by_scale
+        } else {
+            1e30
+        };
+        let pairs = values.iter().zip(by).zip(free);
+        let lengths = pairs.filter(|((_, by), free)| !**free && **by < 0.0);
+        lengths
+            .map(|((value, by), _)| value / -by)
+            .fold(of_scale, f64::min)
+            .min(1.0 / SHORT)
+    };
+    [
+        longest(&at.products, &step.products, at.scale[0], step.scale[0]),
+        longest(
+            &at.multipliers,
+            &step.multipliers,
+            at.scale[1],
+            step.scale[1],
+        ),
+    ]
+}

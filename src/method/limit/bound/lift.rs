@@ -1,0 +1,184 @@
+//! The lifted program of one slice, in the forces that are in equilibrium.
+//!
+//! Unknown is Y = s·kᵀ. Forces s = N z in equilibrium have few free numbers z, and a motion has three
+//! velocities u a block and a forward slip g⁺ a joint; so Y = N (Z, G⁺) with one column a motion.
+
+use nalgebra::{DMatrix, DVector};
+
+use crate::answer::certificate::{Conditions, Entry};
+
+/// What does not depend on the slice: forces in equilibrium, and the conditions.
+pub(super) struct Lift {
+    pub(super) conditions: Conditions,
+    /// Orthonormal forces in equilibrium, by column; rows 1, λ, then three a joint.
+    pub(super) basis: DMatrix<f64>,
+    /// Orthonormal combinations of the equilibrium conditions, by column, and what they are made of.
+    across: DMatrix<f64>,
+    triangle: DMatrix<f64>,
+}
+
+/// Unknowns, or what is dual to the conditions on them: one column a motion.
+#[derive(Clone, Debug)]
+pub(super) struct Columns {
+    /// Of the velocities, three a block.
+    pub(super) velocities: DMatrix<f64>,
+    /// Of the forward slips, one a joint.
+    pub(super) slips: DMatrix<f64>,
+}
+
+impl Columns {
+    pub(super) fn dot(&self, other: &Self) -> f64 {
+        self.velocities.dot(&other.velocities) + self.slips.dot(&other.slips)
+    }
+
+    pub(super) fn add(&mut self, factor: f64, other: &Self) {
+        self.velocities += &other.velocities * factor;
+        self.slips += &other.slips * factor;
+    }
+
+    pub(super) fn largest(&self) -> f64 {
+        self.velocities.amax().max(self.slips.amax())
+    }
+}
+
+impl Lift {
+    /// `None` where the equilibrium conditions are not independent: a block hangs on nothing.
+    pub(super) fn new(conditions: Conditions) -> Option<Self> {
+        let (rows, forces) = (conditions.velocities(), conditions.forces());
+        let mut transposed = DMatrix::zeros(forces, rows);
+        for row in 0..rows {
+            transposed[(0, row)] = conditions.dead[row];
+            transposed[(1, row)] = conditions.live[row];
+        }
+        for (j, joint) in conditions.joints.iter().enumerate() {
+            for (kind, entries) in joint.rates.iter().enumerate() {
+                for &(row, value) in entries {
+                    transposed[(2 + 3 * j + kind, row)] += value;
+                }
+            }
+        }
+        if forces <= rows {
+            return None;
+        }
+        let decomposed = transposed.qr();
+        let mut whole = DMatrix::identity(forces, forces);
+        decomposed.q_tr_mul(&mut whole);
+        let triangle = decomposed.unpack_r();
+        let least = triangle
+            .diagonal()
+            .iter()
+            .fold(f64::INFINITY, |a, b| a.min(b.abs()));
+        if least < 1e-12 {
+            return None;
+        }
+        Some(Self {
+            basis: whole.rows(rows, forces - rows).transpose(),
+            across: whole.rows(0, rows).transpose(),
+            triangle,
+            conditions,
+        })
+    }
+
+    /// Free numbers of the forces.
+    pub(super) fn free(&self) -> usize {
+        self.basis.ncols()
+    }
+
+    pub(super) fn joints(&self) -> usize {
+        self.conditions.joints.len()
+    }
+
+    /// Neither unknown nor dual.
+    pub(super) fn zero(&self) -> Columns {
+        Columns {
+            velocities: DMatrix::zeros(self.free(), self.conditions.velocities()),
+            slips: DMatrix::zeros(self.free(), self.joints()),
+        }
+    }
+
+    /// The live load's power as a column of velocities.
+    pub(super) fn live(&self) -> DVector<f64> {
+        DVector::from_column_slice(&self.conditions.live)
+    }
+
+    /// The force conditions of a slice a ≤ λ ≤ b in the free numbers: four a joint, 1, λ − a, b − λ.
+    pub(super) fn force_conditions(&self, from: f64, to: f64) -> DMatrix<f64> {
+        let mut rows = DMatrix::zeros(self.conditions.force_rows(), self.free());
+        for (j, joint) in self.conditions.joints.iter().enumerate() {
+            let [one, other, shear] = [0, 1, 2].map(|k| self.basis.row(2 + 3 * j + k));
+            let limit = (one + other) * joint.friction;
+            rows.set_row(4 * j, &one);
+            rows.set_row(4 * j + 1, &other);
+            rows.set_row(4 * j + 2, &(&limit + shear));
+            rows.set_row(4 * j + 3, &(&limit - shear));
+        }
+        let (one, lambda) = (self.basis.row(0), self.basis.row(1));
+        let last = 4 * self.joints();
+        rows.set_row(last, &one);
+        rows.set_row(last + 1, &(lambda - one * from));
+        rows.set_row(last + 2, &(one * to - lambda));
+        rows
+    }
+
+    /// Columns of all rates: four a joint, then the power.
+    pub(super) fn rates(&self, unknowns: &Columns) -> DMatrix<f64> {
+        let mut rates = DMatrix::zeros(self.free(), self.conditions.rate_rows());
+        let velocities = &unknowns.velocities;
+        let combine = |target: &mut DMatrix<f64>, at: usize, entries: &[Entry], sign: f64| {
+            for &(k, value) in entries {
+                let mut column = target.column_mut(at);
+                column.axpy(sign * value, &velocities.column(k), 1.0);
+            }
+        };
+        for (j, joint) in self.conditions.joints.iter().enumerate() {
+            combine(&mut rates, 4 * j, &joint.rates[0], 1.0);
+            combine(&mut rates, 4 * j + 1, &joint.rates[1], 1.0);
+            rates.set_column(4 * j + 2, &unknowns.slips.column(j));
+            rates.set_column(4 * j + 3, &unknowns.slips.column(j));
+            combine(&mut rates, 4 * j + 3, &joint.rates[2], -1.0);
+        }
+        rates.set_column(4 * self.joints(), &(velocities * self.live()));
+        rates
+    }
+
+    /// The transpose of [`Lift::rates`].
+    pub(super) fn of_rates(&self, rates: &DMatrix<f64>) -> Columns {
+        let mut out = Columns {
+            velocities: DMatrix::zeros(rates.nrows(), self.conditions.velocities()),
+            slips: DMatrix::zeros(rates.nrows(), self.joints()),
+        };
+        let mut spread = |at: usize, entries: &[Entry], sign: f64| {
+            for &(k, value) in entries {
+                let mut column = out.velocities.column_mut(k);
+                column.axpy(sign * value, &rates.column(at), 1.0);
+            }
+        };
+        for (j, joint) in self.conditions.joints.iter().enumerate() {
+            spread(4 * j, &joint.rates[0], 1.0);
+            spread(4 * j + 1, &joint.rates[1], 1.0);
+            spread(4 * j + 3, &joint.rates[2], -1.0);
+        }
+        for (k, &live) in self.conditions.live.iter().enumerate() {
+            let mut column = out.velocities.column_mut(k);
+            column.axpy(live, &rates.column(4 * self.joints()), 1.0);
+        }
+        for j in 0..self.joints() {
+            out.slips
+                .set_column(j, &(rates.column(4 * j + 2) + rates.column(4 * j + 3)));
+        }
+        out
+    }
+
+    /// The multipliers ν of the equilibrium conditions that leave least of these columns, of all
+    /// forces (1, λ, three a joint) by motion.
+    pub(super) fn balance(&self, columns: &DMatrix<f64>) -> DMatrix<f64> {
+        let mut balance = self.across.transpose() * columns;
+        self.triangle.solve_upper_triangular_mut(&mut balance);
+        balance
+    }
+}
+
+/// Whether a force condition and a rate, by their rows, belong together so that their product is 0.
+pub(super) fn is_zero_product(force: usize, rate: usize, joints: usize) -> bool {
+    force == rate && force < 4 * joints
+}

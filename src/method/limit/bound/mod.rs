@@ -1,0 +1,219 @@
+//! A proved lower bound of non-associative collapse by a lifted linear program.
+//!
+//! The least multiplier of friction without dilatancy is the optimum of a linear program with
+//! complementarity constraints. Radenkovic's second theorem gives 0 as its lower bound, and
+//! mixed-integer programming with large constants ends at eight blocks. The lift gives a useful one:
+//! with s = (1, λ, q) for the forces and k = (u, g⁺) for the motion (g⁺ ≥ 0 and g⁻ = g⁺ − slip ≥ 0
+//! are the forward and the backward part of each slip), let Y stand for the product s kᵀ. Every
+//! collapse state in which the push does work, f_L·u = 1, gives a Y with
+//!
+//! ```text
+//! every column of Y in equilibrium
+//! (n1, n2, μN + t, μN − t, 1, λ − a, b − λ) × (opening 1, opening 2, g⁺, g⁻, f_L·u) ≥ 0, all pairs
+//! n · opening = 0 at one corner, (μN + t) g⁺ = 0 and (μN − t) g⁻ = 0 in one joint
+//! (row of 1) · f_L = 1
+//! ```
+//!
+//! so the least (row of λ)·f_L is a lower bound of λ over all collapse states with a ≤ λ ≤ b. What
+//! the program forgets is that Y has rank one: it is a first-level reformulation-linearisation
+//! (Sherali and Adams, SIAM J. Discrete Math. 3 (1990) 411-430) of a program with complementarity
+//! constraints (Luo, Pang and Ralph, Mathematical Programs with Equilibrium Constraints, 1996).
+//! No product needs a large constant, and velocities may be as large as they like: all conditions on
+//! the motion are homogeneous but f_L·u = 1.
+//!
+//! Narrow slices [a, b] are tighter, because the products with λ − a and b − λ pin λ. A slice either
+//! has no state, or a bound inside it; slices side by side raise the bound from 0 to the lowest
+//! verified state. Any number of them is a valid answer.
+//!
+//! What is claimed: no collapse state in which the push does work has 0 ≤ λ < lower. States in which
+//! it does none (a stone that drops while the push only holds on) are none of these, and nothing is
+//! said of λ < 0.
+//!
+//! What proves it is not the interior point that found the multipliers but the identity that they
+//! satisfy; see [`crate::answer::Certificate`] and the rounding argument there.
+
+mod dense;
+mod factor;
+mod interior_point;
+mod lift;
+mod newton;
+mod slice;
+mod slices;
+
+use std::sync::Arc;
+
+use super::ending::Ending;
+use super::interval::{Interval, lowest};
+use super::program::Program;
+use crate::answer::certificate::{Conditions, Prover};
+use crate::answer::{
+    BoundFact, Bracket, Claim, CollapseState, Fact, Outcome, Status, VELOCITY_THRESHOLDS, Work,
+    crack_slope, magnitude,
+};
+use crate::method::settings::LP_TOLERANCE;
+use crate::method::{Method, Settings};
+use crate::scene::{Scene, Side};
+use factor::Pattern;
+use lift::Lift;
+use slices::{Search, Slices};
+
+/// `lower` is proved by a certificate; `upper` is the lowest verified state.
+pub struct Bound;
+
+impl Method for Bound {
+    fn name(&self) -> &str {
+        "bound"
+    }
+
+    fn solve(&self, scene: &Scene, settings: &Settings) -> Outcome {
+        let mut proving = *settings;
+        proving.programs.lp_tolerance = LP_TOLERANCE;
+        let found = lowest(scene, &proving, f64::NEG_INFINITY);
+        let Some(state) = found.states.first().cloned() else {
+            return without_state(found);
+        };
+        let mut work = found.work;
+        let conditions = Conditions::of(scene);
+        let Some(lift) = Lift::new(conditions.clone()) else {
+            return answer(scene, state, None, work, vec![BoundFact::NoState.into()]);
+        };
+        let most = settings.bound.lift_unknowns;
+        let unknowns = lift.free() * lift.conditions.velocities();
+        if unknowns > most {
+            let fact = BoundFact::TooLarge { unknowns, most };
+            return answer(scene, state, None, work, vec![fact.into()]);
+        }
+        let opening = opening(scene, &mut work);
+        let prover = opening
+            .as_deref()
+            .and_then(|opening| Prover::new(scene, conditions, opening).ok());
+        let blocks = scene.blocks().len();
+        let all = (0..blocks).flat_map(|a| (0..a).map(move |b| (a, b)));
+        let all = all.filter(|_| unknowns <= FULL);
+        let pairs = scene.joints().iter().filter_map(|joint| match joint.from {
+            Side::Block(from) => Some((from, joint.to)),
+            Side::Support(_) => None,
+        });
+        let pattern = Pattern::new(blocks, pairs.chain(all));
+        let mut search = Search {
+            lift: &lift,
+            pattern: &pattern,
+            prover: prover.as_ref(),
+            settings: &settings.bound,
+        };
+        let mut state = state;
+        let unit = scene.multiplier_unit();
+        let mut slices = Slices::default();
+        for _ in 0..RESTARTS {
+            search.run(&mut slices, state.lambda / unit);
+            let gap = state.lambda - slices.lower * unit;
+            if gap <= settings.bound.bound_gap * magnitude(state.lambda, unit) {
+                break;
+            }
+            // States of the lift lead to states that other starts miss.
+            let mut few = proving;
+            few.interval.starts = 1;
+            let lower = Interval.solve_from(scene, &few, &slices.normals);
+            work = Work {
+                modelled: work.modelled,
+                ..work + lower.work
+            };
+            let least = lower.states.into_iter().next();
+            match least.filter(|least| least.lambda < state.lambda - 1e-9 * unit) {
+                Some(lower) => state = lower,
+                None => break,
+            }
+        }
+        work.programs += slices.programs;
+        work.iterations += slices.steps;
+        let mut facts: Vec<Fact> = Vec::new();
+        let certificate = match (opening, &prover) {
+            (Some(opening), Some(prover)) => {
+                let certificate =
+                    slices.certificate(scene, prover, settings.bound.lift_cap, opening);
+                facts.push(BoundFact::Proved(certificate.1).into());
+                Some(certificate.0)
+            }
+            _ => {
+                facts.push(BoundFact::Uncertified.into());
+                None
+            }
+        };
+        if slices.out_of_budget {
+            let programs = slices.programs;
+            facts.push(BoundFact::OutOfBudget { programs }.into());
+        }
+        let lower = certificate
+            .as_ref()
+            .map_or(slices.lower * unit, |c| c.lower);
+        Outcome {
+            certificate: certificate.map(Arc::new),
+            ..answer(scene, state, Some(lower), work, facts)
+        }
+    }
+}
+
+/// Unknowns up to which the live load's power is a term of full tiles: that is the more exact way, and
+/// up to here takes no more than a second a step.
+const FULL: usize = 4_000;
+
+/// Searches with the states of lifts as starts, at most.
+const RESTARTS: usize = 3;
+
+/// A motion that opens every joint by 1 beyond μ times its slip (the lengths over the height), so
+/// that all forces together are as small as can be shown; `None` where the scene can lock.
+fn opening(scene: &Scene, work: &mut Work) -> Option<Vec<f64>> {
+    let mut program = Program::new(scene);
+    program.set_cost(0.0, &vec![-1.0; scene.joints().len()]);
+    match program.solve_counted(work) {
+        Ending::Solved(solution) => Some(solution.velocity),
+        _ => None,
+    }
+}
+
+/// The answer where the interval has no state: its own where it settles the scene.
+fn without_state(found: Outcome) -> Outcome {
+    if matches!(found.status, Status::Falls | Status::Stands) {
+        return found;
+    }
+    let own = Fact::from(BoundFact::NoState);
+    Outcome {
+        facts: [vec![own], found.facts].concat(),
+        work: found.work,
+        ..Outcome::of(Status::Undecided)
+    }
+}
+
+/// The answer with a lowest state: without a lower end nothing is claimed.
+fn answer(
+    scene: &Scene,
+    state: CollapseState,
+    lower: Option<f64>,
+    work: Work,
+    facts: Vec<Fact>,
+) -> Outcome {
+    let upper = state.lambda;
+    let bracket = lower.map(|lower| Bracket {
+        // What rounding of the state leaves is not the bound's.
+        lower: lower.min(upper),
+        upper,
+    });
+    let certified = facts
+        .iter()
+        .any(|fact| matches!(fact, Fact::Bound(BoundFact::Proved(_))));
+    let status = match bracket {
+        None => Status::Undecided,
+        Some(_) if certified => Status::Bracketed,
+        Some(_) => Status::Estimate,
+    };
+    Outcome {
+        claim: Claim::Bounded,
+        bracket,
+        crack: crack_slope(scene, &state.mechanism, VELOCITY_THRESHOLDS),
+        mechanism: Some(state.mechanism),
+        forces: Some(state.forces),
+        work,
+        facts,
+        ..Outcome::of(status)
+    }
+}

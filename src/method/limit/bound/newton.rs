@@ -1,0 +1,247 @@
+//! The linear system of the interior point: Σ weight · (force condition × rate)², factored.
+//!
+//! Forward slips meet only their own joint's conditions and are eliminated joint by joint: what is
+//! left of the two parts of a slip is their parallel sum. Velocities are tiles, one row a block. The
+//! live load's power moves every block. Where the tiles are full it is one more term of them; else it
+//! is added by Woodbury's formula, which is cheaper and rounds more. Conjugate gradients on the whole
+//! system take what rounding leaves.
+
+use nalgebra::{Cholesky, DMatrix, Dyn};
+
+use super::dense;
+use super::factor::{Pattern, Tiles};
+use super::lift::{Columns, Lift};
+
+/// The system for given weights.
+pub(super) struct Newton<'a> {
+    lift: &'a Lift,
+    conditions: &'a DMatrix<f64>,
+    transposed: &'a DMatrix<f64>,
+    weights: DMatrix<f64>,
+    /// Weight of the scale condition 1 − (row of 1)·power, and that row.
+    scale: f64,
+    one: DMatrix<f64>,
+    slips: Vec<Slip>,
+    tiles: Tiles<'a>,
+    /// Where the tiles do not hold it.
+    power: Option<Power>,
+}
+
+/// One joint's forward slip.
+struct Slip {
+    /// Factor of forward + backward part.
+    factor: DMatrix<f64>,
+    backward: DMatrix<f64>,
+}
+
+/// Woodbury's term.
+struct Power {
+    /// The live load's columns, solved.
+    solved: DMatrix<f64>,
+    factor: Option<Cholesky<f64, Dyn>>,
+}
+
+/// Share of each diagonal entry, and of the largest, that is added to it.
+const REGULAR: [f64; 2] = [1e-14, 1e-17];
+
+/// Steps of conjugate gradients at most.
+const STEPS: usize = 20;
+
+impl<'a> Newton<'a> {
+    /// Assembles and factors.
+    pub(super) fn new(
+        lift: &'a Lift,
+        pattern: &'a Pattern,
+        [conditions, transposed]: [&'a DMatrix<f64>; 2],
+        weights: DMatrix<f64>,
+        scale: f64,
+    ) -> Self {
+        let free = lift.free();
+        let one = lift.basis.row(0).transpose();
+        let one = DMatrix::from_column_slice(free, 1, one.as_slice());
+        let mut scaled = transposed.clone();
+        let mut of_rate = |rate: usize| {
+            for (k, weight) in weights.column(rate).iter().enumerate() {
+                let mut column = scaled.column_mut(k);
+                column.copy_from(&transposed.column(k));
+                column *= *weight;
+            }
+            &scaled * conditions
+        };
+        let mut tiles = Tiles::zero(pattern, 3 * free);
+        let mut add = |entries: &[(usize, f64)], part: &DMatrix<f64>| {
+            for &(p, x) in entries {
+                for &(q, y) in entries {
+                    tiles.add([p / 3, q / 3], [p % 3, q % 3], x * y, part);
+                }
+            }
+        };
+        let mut slips = Vec::with_capacity(lift.joints());
+        for (j, joint) in lift.conditions.joints.iter().enumerate() {
+            for corner in 0..2 {
+                add(&joint.rates[corner], &of_rate(4 * j + corner));
+            }
+            let (forward, backward) = (of_rate(4 * j + 2), of_rate(4 * j + 3));
+            let mut factor = &forward + &backward;
+            let floor = 1e-15 * factor.diagonal().amax();
+            for k in 0..free {
+                factor[(k, k)] += 1e-15 * factor[(k, k)] + floor;
+            }
+            dense::factor(&mut factor);
+            // Their product cancels nothing, where a difference would.
+            let left = dense::solve_left(&factor, &backward);
+            let right = dense::solve_left(&factor, &forward);
+            let parallel = left.transpose() * right;
+            let parallel = (&parallel + parallel.transpose()) * 0.5;
+            add(&joint.rates[2], &parallel);
+            slips.push(Slip { factor, backward });
+        }
+        let mut power = of_rate(4 * lift.joints());
+        power.gemm(scale, &one, &one.transpose(), 1.0);
+        let (tiles, power) = if pattern.is_full {
+            let live: Vec<_> = lift.conditions.live.iter().copied().enumerate().collect();
+            let live: Vec<_> = live.into_iter().filter(|entry| entry.1 != 0.0).collect();
+            add(&live, &power);
+            (tiles.factor(REGULAR[0], REGULAR[1]), None)
+        } else {
+            let tiles = tiles.factor(REGULAR[0], REGULAR[1]);
+            let power = Power::new(lift, &tiles, power);
+            (tiles, Some(power))
+        };
+        Self {
+            lift,
+            conditions,
+            transposed,
+            weights,
+            scale,
+            one,
+            slips,
+            tiles,
+            power,
+        }
+    }
+
+    /// The system times unknowns.
+    fn times(&self, x: &Columns) -> Columns {
+        let mut products = self.conditions * self.lift.rates(x);
+        products.component_mul_assign(&self.weights);
+        let mut out = self.lift.of_rates(&(self.transposed * products));
+        let live = self.lift.live();
+        let scale = self.scale * (self.one.tr_mul(&x.velocities) * &live)[(0, 0)];
+        out.velocities += &self.one * live.transpose() * scale;
+        out
+    }
+
+    /// Solves by the factors alone.
+    fn solve_once(&self, right: &Columns) -> Columns {
+        let mut velocities = right.velocities.clone();
+        let mut slips = right.slips.clone();
+        for ((j, slip), joint) in self
+            .slips
+            .iter()
+            .enumerate()
+            .zip(&self.lift.conditions.joints)
+        {
+            let mut own = slips.columns(j, 1).clone_owned();
+            slip.factor.solve_lower_triangular_mut(&mut own);
+            slip.factor.tr_solve_lower_triangular_mut(&mut own);
+            let pulled = &slip.backward * &own;
+            for &(k, value) in &joint.rates[2] {
+                velocities.column_mut(k).axpy(value, &pulled.column(0), 1.0);
+            }
+            slips.set_column(j, &own.column(0));
+        }
+        let (free, motions) = velocities.shape();
+        let long = DMatrix::from_column_slice(free * motions, 1, velocities.as_slice());
+        let mut solved = self.tiles.solve(&long);
+        if let Some(power) = &self.power {
+            power.correct(self.lift, &mut solved);
+        }
+        let velocities = DMatrix::from_column_slice(free, motions, solved.as_slice());
+        for ((j, slip), joint) in self
+            .slips
+            .iter()
+            .enumerate()
+            .zip(&self.lift.conditions.joints)
+        {
+            let mut slid = DMatrix::zeros(free, 1);
+            for &(k, value) in &joint.rates[2] {
+                slid.column_mut(0).axpy(value, &velocities.column(k), 1.0);
+            }
+            let mut own = &slip.backward * slid;
+            slip.factor.solve_lower_triangular_mut(&mut own);
+            slip.factor.tr_solve_lower_triangular_mut(&mut own);
+            slips.column_mut(j).axpy(1.0, &own.column(0), 1.0);
+        }
+        Columns { velocities, slips }
+    }
+
+    /// Solves to a residual of this share of the right side, or as far as rounding lets it.
+    pub(super) fn solve(&self, right: &Columns, share: f64) -> Columns {
+        let mut x = self.solve_once(right);
+        let mut residual = right.clone();
+        residual.add(-1.0, &self.times(&x));
+        let enough = share * right.largest();
+        let mut best = (residual.largest(), x.clone());
+        let mut direction = self.solve_once(&residual);
+        let mut rho = residual.dot(&direction);
+        for _ in 0..STEPS {
+            if best.0 <= enough || !rho.is_finite() || rho <= 0.0 {
+                break;
+            }
+            let image = self.times(&direction);
+            let curvature = direction.dot(&image);
+            if curvature <= 0.0 || !curvature.is_finite() {
+                break;
+            }
+            x.add(rho / curvature, &direction);
+            residual.add(-rho / curvature, &image);
+            if residual.largest() < best.0 {
+                best = (residual.largest(), x.clone());
+            }
+            let preconditioned = self.solve_once(&residual);
+            let next = residual.dot(&preconditioned);
+            let mut turned = preconditioned;
+            turned.add(next / rho, &direction);
+            direction = turned;
+            rho = next;
+        }
+        best.1
+    }
+}
+
+impl Power {
+    fn new(lift: &Lift, tiles: &Tiles, mut part: DMatrix<f64>) -> Self {
+        let free = lift.free();
+        let mut live = DMatrix::zeros(free * lift.conditions.velocities(), free);
+        for (k, &value) in lift.conditions.live.iter().enumerate() {
+            live.view_mut((k * free, 0), (free, free))
+                .fill_diagonal(value);
+        }
+        let solved = tiles.solve(&live);
+        let floor = 1e-15 * part.diagonal().amax();
+        for k in 0..free {
+            part[(k, k)] += floor;
+        }
+        let inverse = Cholesky::new(part).map(|part| part.inverse());
+        let factor = inverse.and_then(|inverse| {
+            let sum = inverse + live.transpose() * &solved;
+            Cholesky::new((&sum + sum.transpose()) * 0.5)
+        });
+        Self { solved, factor }
+    }
+
+    fn correct(&self, lift: &Lift, x: &mut DMatrix<f64>) {
+        let Some(factor) = &self.factor else {
+            return;
+        };
+        let free = lift.free();
+        let mut moved = DMatrix::zeros(free, 1);
+        for (k, &value) in lift.conditions.live.iter().enumerate() {
+            let part = x.view((k * free, 0), (free, 1));
+            moved += part * value;
+        }
+        factor.solve_mut(&mut moved);
+        x.gemm(-1.0, &self.solved, &moved, 1.0);
+    }
+}

@@ -1,0 +1,152 @@
+//! From the multipliers of an interior point to those of a certificate.
+
+use nalgebra::DMatrix;
+
+use super::factor::Pattern;
+use super::interior_point::{Multipliers, Request};
+use super::lift::{Lift, is_zero_product};
+use super::newton::Newton;
+use crate::answer::certificate::Slice;
+
+/// Rounds of taking away what multipliers leave of the identity.
+const ROUNDS: usize = 3;
+
+/// What is left after which another round is of no use.
+const ENOUGH: f64 = 1e-14;
+
+/// How freely the bound itself moves: where the multipliers on their way to zero are gone, it has to
+/// become the optimum.
+const OF_SIGMA: [f64; 2] = [1e-6, 1.0];
+
+/// Multipliers smaller than this share of the largest do not move.
+const SMALL: f64 = 1e-13;
+
+/// The slice of a certificate, made in three ways: multipliers cleaned so that they leave as little of
+/// the identity as double precision allows, each changed in proportion to its size. Those on their way to zero are
+/// kept or made zero, the bound moves little or freely: where some motion can be as fast as it likes, its
+/// multipliers must vanish, and what rounding left of them is all that remains.
+pub(super) fn slices(
+    lift: &Lift,
+    pattern: &Pattern,
+    request: Request,
+    multipliers: &Multipliers,
+) -> [Slice; 3] {
+    let conditions = lift.force_conditions(request.from, request.to);
+    let transposed = conditions.transpose();
+    let live = lift.live();
+    let (one, lambda) = (lift.basis.row(0).transpose(), lift.basis.row(1).transpose());
+    let left = |(values, sigma): &(DMatrix<f64>, f64)| {
+        let mut left = lift.of_rates(&(&transposed * values));
+        left.velocities = (&lambda - &one * *sigma) * live.transpose() - left.velocities;
+        left.slips.neg_mut();
+        left
+    };
+    let clean = |values: DMatrix<f64>, of_sigma: f64| {
+        let mut now = (values, multipliers.sigma);
+        let mut least = (left(&now).largest(), now.clone());
+        for _ in 0..ROUNDS {
+            if least.0 <= ENOUGH {
+                break;
+            }
+            let largest = now.0.amax();
+            let weights = now.0.map_with_location(|force, rate, value| {
+                if is_zero_product(force, rate, lift.joints()) {
+                    largest * largest
+                } else if value < SMALL * largest {
+                    0.0
+                } else {
+                    value * value
+                }
+            });
+            let of_slice = [&conditions, &transposed];
+            let newton = Newton::new(lift, pattern, of_slice, weights.clone(), of_sigma);
+            let before = least.0;
+            for _ in 0..ROUNDS {
+                let moved = newton.solve(&left(&now), 1e-10);
+                let mut change = &conditions * lift.rates(&moved);
+                change.component_mul_assign(&weights);
+                now.0 += change;
+                now.1 += of_sigma * (one.transpose() * &moved.velocities * &live)[(0, 0)];
+                clip(&mut now.0, lift.joints());
+                let remaining = left(&now).largest();
+                if remaining < least.0 {
+                    least = (remaining, now.clone());
+                }
+            }
+            if least.0 > 0.1 * before {
+                break;
+            }
+            now = least.1.clone();
+        }
+        least.1
+    };
+    let kept = multipliers.values.clone();
+    let dropped = kept.zip_map(&multipliers.products, |value, product| {
+        if value < product { 0.0 } else { value }
+    });
+    [
+        (kept, OF_SIGMA[0]),
+        (dropped.clone(), OF_SIGMA[0]),
+        (dropped, OF_SIGMA[1]),
+    ]
+    .map(|(values, of_sigma)| {
+        let (mut values, sigma) = clean(values, of_sigma);
+        values.apply(|value| *value = (*value / GRAIN).round() * GRAIN);
+        Slice {
+            from: request.from,
+            to: request.to,
+            sigma,
+            balance: balance(lift, request, sigma, &values),
+            multipliers: values.transpose().as_slice().to_vec(),
+        }
+    })
+}
+
+/// Multipliers are whole multiples of this: what is finer is below what rounding leaves, and would only
+/// fill files.
+const GRAIN: f64 = 1.0 / (1u64 << 48) as f64;
+
+/// Makes negative multipliers zero, but for those of the zero products.
+fn clip(values: &mut DMatrix<f64>, joints: usize) {
+    for rate in 0..values.ncols() {
+        for force in 0..values.nrows() {
+            if !is_zero_product(force, rate, joints) {
+                values[(force, rate)] = values[(force, rate)].max(0.0);
+            }
+        }
+    }
+}
+
+/// The multipliers ν of the equilibrium conditions.
+fn balance(lift: &Lift, request: Request, sigma: f64, values: &DMatrix<f64>) -> Vec<f64> {
+    let joints = &lift.conditions.joints;
+    let mut forces = DMatrix::zeros(lift.conditions.forces(), values.ncols());
+    for (rate, column) in values.column_iter().enumerate() {
+        let mut target = forces.column_mut(rate);
+        for (j, joint) in joints.iter().enumerate() {
+            let limits = joint.friction * (column[4 * j + 2] + column[4 * j + 3]);
+            target[2 + 3 * j] = column[4 * j] + limits;
+            target[3 + 3 * j] = column[4 * j + 1] + limits;
+            target[4 + 3 * j] = column[4 * j + 2] - column[4 * j + 3];
+        }
+        let [one, above, below] = [0, 1, 2].map(|k| column[4 * joints.len() + k]);
+        target[0] = one - request.from * above + request.to * below;
+        target[1] = above - below;
+    }
+    let mut missing = lift.of_rates(&forces);
+    missing.velocities.neg_mut();
+    missing.slips.neg_mut();
+    for (k, &live) in lift.conditions.live.iter().enumerate() {
+        missing.velocities[(1, k)] += live;
+        missing.velocities[(0, k)] -= sigma * live;
+    }
+    let velocities = lift.balance(&missing.velocities);
+    let slips = lift.balance(&missing.slips);
+    let rows = velocities.nrows();
+    let row = |row: usize| {
+        let of_row = velocities.row(row).iter().copied().collect::<Vec<_>>();
+        let slips = slips.row(row).iter().copied().collect::<Vec<_>>();
+        of_row.into_iter().chain(slips)
+    };
+    (0..rows).flat_map(row).collect()
+}

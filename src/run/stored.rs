@@ -1,0 +1,99 @@
+//! Certificates in files: which belong to a result, and what they prove of its scenes.
+
+use std::fmt;
+use std::path::Path;
+
+use super::results::CaseResult;
+use super::row::scene_name;
+use crate::answer::{Certificate, Outcome, Proved, Status, magnitude, prove};
+use crate::files::{Input, read_input};
+use crate::number::number;
+use crate::scene::{HeadJoints, Push, Scene};
+
+/// What one stored certificate is worth.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stored {
+    /// Name of the file.
+    pub file: String,
+    /// What it proves, or in words why it is refused.
+    pub verdict: Result<Proved, String>,
+}
+
+impl fmt::Display for Stored {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.verdict {
+            Ok(proved) => write!(f, "certificate {}: {proved}", self.file),
+            Err(why) => write!(f, "certificate {}: REFUSED: {why}", self.file),
+        }
+    }
+}
+
+/// Name of the file with the certificate of a scene.
+fn file_name(case: &str, head_joints: HeadJoints, push: Push) -> String {
+    let scene = scene_name(case, head_joints);
+    format!("{scene}.{}.bound", push.name())
+}
+
+/// The certificates of a result's answers, as files: names and bytes.
+pub fn certificates(result: &CaseResult) -> Vec<(String, Vec<u8>)> {
+    let mut files = Vec::new();
+    for row in &result.rows {
+        let stronger = row.stronger.iter().map(|side| (side.push, &*side.outcome));
+        for (push, outcome) in [(row.push, &row.outcome)].into_iter().chain(stronger) {
+            if let Some(certificate) = outcome.certificate.as_ref().filter(|_| is_proved(outcome)) {
+                let name = file_name(&row.case, row.head_joints, push);
+                files.push((name, certificate.to_bytes()));
+            }
+        }
+    }
+    files
+}
+
+fn is_proved(outcome: &Outcome) -> bool {
+    matches!(outcome.status, Status::Verified | Status::Bracketed)
+}
+
+/// What the certificates in a folder prove of a result's scenes, each by sparse products and without
+/// a solver. One that a verified state of the same scene contradicts is refused too.
+pub fn stored(result: &CaseResult, folder: &Path) -> Vec<Stored> {
+    let mut found = Vec::new();
+    for (head_joints, sides) in &result.scenes {
+        for scene in sides {
+            let file = file_name(&result.case.name, *head_joints, scene.push());
+            let path = folder.join(&file);
+            if path.exists() {
+                let verdict = verdict(result, *head_joints, scene, &path);
+                found.push(Stored { file, verdict });
+            }
+        }
+    }
+    found
+}
+
+fn verdict(
+    result: &CaseResult,
+    head_joints: HeadJoints,
+    scene: &Scene,
+    path: &Path,
+) -> Result<Proved, String> {
+    let bytes = read_input(path, Input::Certificate);
+    let bytes = bytes.map_err(|error| format!("cannot read it: {error}"))?;
+    let certificate = Certificate::from_bytes(&bytes).map_err(|why| why.to_string())?;
+    let proved = prove(scene, &certificate).map_err(|why| why.to_string())?;
+    let rows = result.rows.iter();
+    let of_scene = rows.filter(|row| row.head_joints == head_joints && row.push == scene.push());
+    let states = of_scene.flat_map(|row| row.outcome.states.iter().map(move |s| (row, s.lambda)));
+    let margin = 1e-6 * magnitude(proved.lower, scene.multiplier_unit());
+    let mut below = states.filter(|(row, lambda)| {
+        row.outcome.status == Status::Verified && *lambda < proved.lower - margin
+    });
+    match below.next() {
+        None => Ok(proved),
+        Some((row, lambda)) => Err(format!(
+            "it proves that no state is below {}, and {} verifies one at {}",
+            number(proved.lower, 6),
+            row.method,
+            number(lambda, 6)
+        )),
+    }
+}

@@ -1,0 +1,323 @@
+//! The lower bound: what it proves of scenes with known answers, that nothing contradicts it, and that
+//! a changed certificate proves nothing.
+
+use trilith::answer::{Certificate, Outcome, Refusal, Status, prove};
+use trilith::case::{self, Quantity, SourceKind};
+use trilith::judge::judge;
+use trilith::method::{self, Method, Settings};
+use trilith::scene::{
+    Block, HeadJoints, Load, Piece, Point, Polygon, Push, Scene, SceneParts, Vector, Wall,
+};
+
+fn bound() -> &'static dyn Method {
+    let methods = method::methods();
+    let named = methods.into_iter().find(|method| method.name() == "bound");
+    named.expect("it is one of the methods")
+}
+
+/// The judged answer.
+fn solve(scene: &Scene) -> Outcome {
+    let mut outcome = bound().solve(scene, &Settings::default());
+    judge(scene, &mut outcome);
+    outcome
+}
+
+/// Courses bottom to top: `1` a unit, `h` half a unit, `g` a gap.
+fn wall(unit: [f64; 2], courses: &[&str], friction: f64, head_joints: HeadJoints) -> Scene {
+    let piece = |letter| match letter {
+        'h' => Piece::Half,
+        'g' => Piece::Gap,
+        _ => Piece::Unit,
+    };
+    let wall = Wall {
+        unit_length: unit[0],
+        unit_height: unit[1],
+        thickness: 1.0,
+        unit_weight: 1.0,
+        courses: (courses.iter())
+            .map(|course| course.chars().map(piece).collect())
+            .collect(),
+        friction: friction.into(),
+        overburden: 0.0,
+        push: Push::Right,
+    };
+    wall.scene(head_joints).expect("it can be laid")
+}
+
+fn gap(outcome: &Outcome) -> f64 {
+    let bracket = outcome.bracket.expect("there is a bound and a state");
+    (bracket.upper - bracket.lower) / bracket.upper
+}
+
+/// Walls that a reference without certificates solves (a lift by HiGHS), with its lowest states.
+#[test]
+fn small_walls_are_enclosed() {
+    let walls: [(_, &[&str], _); 3] = [
+        ([4.0, 4.0], &["hh", "1", "hh"], 0.264706),
+        ([4.0, 4.0], &["h1h", "11", "h1h"], 0.318182),
+        ([4.0, 1.75], &["1hgh1", "h1g1h", "1111"], 0.600274),
+    ];
+    for (unit, courses, lowest) in walls {
+        let outcome = solve(&wall(unit, courses, 0.65, HeadJoints::Contact));
+        let bracket = outcome.bracket.expect("there is a bound and a state");
+        assert!(gap(&outcome) < 1e-4, "{courses:?}: {bracket:?}");
+        assert!((bracket.upper - lowest).abs() < 1e-6, "{courses:?}");
+        assert!(bracket.lower < lowest + 1e-6, "{courses:?}");
+        let proved = matches!(outcome.status, Status::Verified | Status::Bracketed);
+        assert!(proved, "{}", outcome.reason());
+        assert!(
+            outcome
+                .reason()
+                .contains("in which the push does work, proved")
+        );
+    }
+}
+
+/// Elementary statics, as the cases say. Where it is one number, the bound meets it.
+#[test]
+fn analytic_scenes_are_enclosed() {
+    let names = [
+        "block-slender",
+        "block-cube-rocks",
+        "block-cube-slides",
+        "block-flat",
+        "eccentric-load",
+        "line-load",
+        "overhang-rocks",
+        "point-load-low",
+        "point-load-top",
+        "slope-rocks",
+        "trapezoid-rocks",
+        "column-2",
+        "column-slides",
+        "stack",
+    ];
+    for name in names {
+        let case = case::find(name).expect("it is built in").remove(0);
+        let scene = case.sides(case.head_joints[0]).remove(0);
+        let outcome = solve(&scene);
+        let exact = (case.references.iter())
+            .find(|reference| {
+                reference.kind == SourceKind::Analytic && reference.quantity == Quantity::Lambda
+            })
+            .expect("it has an analytic answer")
+            .value;
+        let bracket = outcome
+            .bracket
+            .unwrap_or_else(|| panic!("{name}: {}", outcome.reason()));
+        assert!(bracket.lower <= exact * (1.0 + 1e-6), "{name}: {bracket:?}");
+        assert!(
+            (bracket.lower / exact - 1.0).abs() < 1e-3,
+            "{name}: {bracket:?}, {exact}"
+        );
+        assert!(gap(&outcome) < 1e-3, "{name}");
+    }
+}
+
+/// A stone between a fixed face and a block that the push takes away: it drops, and the push does no
+/// work on it, so that nothing is said of it; above all not that it stands.
+#[test]
+fn a_stone_that_drops_unpushed_is_not_said_to_stand() {
+    let shape = |x: [f64; 2], y: [f64; 2]| {
+        let corners = [(x[0], y[0]), (x[1], y[0]), (x[1], y[1]), (x[0], y[1])];
+        Polygon::new(corners.map(|(x, y)| Point::new(x, y)).to_vec()).unwrap()
+    };
+    let block = |shape: Polygon, weight: f64| Block {
+        loads: vec![Load {
+            point: shape.centroid(),
+            dead: Vector::new(0.0, -weight),
+            live: Vector::new(weight, 0.0),
+        }],
+        shape,
+    };
+    let blocks = vec![
+        block(shape([0.0, 1.0], [1.0, 2.0]), 0.2),
+        block(shape([1.0, 4.0], [0.0, 2.0]), 1.0),
+    ];
+    let supports = vec![
+        shape([-1.0, 0.0], [0.0, 3.0]),
+        shape([0.0, 5.0], [-1.0, 0.0]),
+    ];
+    let scene = Scene::new(SceneParts::new(blocks, supports, 0.6)).unwrap();
+    let outcome = solve(&scene);
+    assert_ne!(outcome.status, Status::Stands, "{}", outcome.reason());
+    assert_ne!(outcome.status, Status::Failed, "{}", outcome.reason());
+}
+
+/// Every number of a certificate matters, and so does the scene.
+#[test]
+fn a_changed_certificate_proves_nothing() {
+    let scene = wall([4.0, 4.0], &["hh", "1", "hh"], 0.65, HeadJoints::Contact);
+    let outcome = solve(&scene);
+    let certificate: &Certificate = outcome.certificate.as_ref().expect("it is certified");
+    assert!(prove(&scene, certificate).is_ok());
+    let refused = |change: &dyn Fn(&mut Certificate)| {
+        let mut changed = certificate.clone();
+        change(&mut changed);
+        prove(&scene, &changed).expect_err("it is changed")
+    };
+    let rows = 4 * scene.joints().len() + 1;
+    let largest = (certificate.slices[0].multipliers.iter())
+        .enumerate()
+        // Small changes are absorbed by the multipliers of 1 × rate, and prove as much.
+        .filter(|(at, _)| at / rows < rows - 1 && at / rows != at % rows)
+        .max_by(|a, b| a.1.total_cmp(b.1))
+        .map(|(at, _)| at)
+        .expect("there are multipliers");
+    let less = |refusal| matches!(refusal, Refusal::Less { .. });
+    assert!(less(refused(&|c| c.slices[0].multipliers[largest] += 1e3)));
+    assert!(less(refused(&|c| c.slices[0].balance[7] += 1e3)));
+    assert!(less(refused(&|c| c.slices[0].sigma += 1e-3)));
+    assert!(less(refused(&|c| c.slices[0].to *= 0.9)));
+    assert!(less(refused(&|c| c.lower *= 1.001)));
+    let negative = refused(&|c| c.slices[0].multipliers[largest] = -1e-3);
+    assert_eq!(negative, Refusal::Negative { slice: 0 });
+    assert_eq!(
+        refused(&|c| c.slices[0].multipliers[3] = f64::NAN),
+        Refusal::NotFinite
+    );
+    assert_eq!(
+        refused(&|c| c.slices[0].multipliers.truncate(9)),
+        Refusal::Size
+    );
+    assert_eq!(
+        refused(&|c| c.slices[0].from = 0.1),
+        Refusal::Apart { slice: 0 }
+    );
+    assert!(less(refused(&|c| c.slices.clear())));
+    assert_eq!(
+        refused(&|c| c.opening.iter_mut().for_each(|v| *v = -*v)),
+        Refusal::Locks { joint: 0 }
+    );
+    let rougher = wall([4.0, 4.0], &["hh", "1", "hh"], 0.66, HeadJoints::Contact);
+    assert_eq!(prove(&rougher, certificate), Err(Refusal::OtherScene));
+    // The scene by another name: what it proves is not what it is about.
+    let mut stolen = certificate.clone();
+    let other = solve(&rougher);
+    stolen
+        .scene
+        .clone_from(&other.certificate.expect("it is certified").scene);
+    assert!(less(prove(&rougher, &stolen).expect_err("another scene")));
+}
+
+/// Numbers from 0 to 1, the same in every run.
+struct Numbers(u64);
+
+impl Numbers {
+    fn next(&mut self) -> f64 {
+        self.0 = self
+            .0
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
+        (self.0 >> 11) as f64 / (1u64 << 53) as f64
+    }
+
+    fn below(&mut self, count: usize) -> usize {
+        ((self.next() * count as f64) as usize).min(count - 1)
+    }
+}
+
+/// A running-bond wall of 6 blocks and up to so many, some with an opening; `None` where it has another number.
+fn random_wall(numbers: &mut Numbers, most: usize) -> Option<(String, Scene)> {
+    let (units, count) = (1 + numbers.below(4), 2 + numbers.below(5));
+    let mut courses: Vec<String> = Vec::new();
+    let first = numbers.below(2);
+    for course in 0..count {
+        courses.push(if course % 2 == first {
+            "1".repeat(units)
+        } else {
+            format!("h{}h", "1".repeat(units - 1))
+        });
+    }
+    if numbers.next() < 0.3 && count > 2 {
+        let course = numbers.below(count - 1);
+        let ones: Vec<usize> = courses[course]
+            .match_indices('1')
+            .map(|(at, _)| at)
+            .collect();
+        if ones.len() > 1 {
+            let at = ones[numbers.below(ones.len())];
+            courses[course].replace_range(at..=at, "g");
+        }
+    }
+    let blocks = courses.concat().replace('g', "").len();
+    if !(6..=most).contains(&blocks) {
+        return None;
+    }
+    let unit = [4.0, 1.0 + 4.0 * numbers.next()];
+    let friction = 0.2 + 1.3 * numbers.next();
+    let head_joints = [HeadJoints::Contact, HeadJoints::Open][numbers.below(2)];
+    let names: Vec<&str> = courses.iter().map(String::as_str).collect();
+    let text = format!(
+        "{} unit 4 x {:.3} friction {friction:.3} {}",
+        courses.join(","),
+        unit[1],
+        head_joints.name()
+    );
+    Some((text, wall(unit, &names, friction, head_joints)))
+}
+
+/// Answers of so many random walls that have a state: what each is, and its time in seconds.
+fn random_walls(seed: u64, count: usize, most: usize) -> Vec<(String, Outcome, f64)> {
+    let mut numbers = Numbers(seed);
+    let mut answers = Vec::new();
+    while answers.len() < count {
+        let Some((text, scene)) = random_wall(&mut numbers, most) else {
+            continue;
+        };
+        let clock = cpu_time::ThreadTime::now();
+        let outcome = solve(&scene);
+        let seconds = clock.elapsed().as_secs_f64();
+        assert_ne!(
+            outcome.status,
+            Status::Failed,
+            "{text}: {}",
+            outcome.reason()
+        );
+        if let Some(bracket) = outcome.bracket {
+            println!("{text}: {bracket:?} {:?} {seconds:.1} s", outcome.status);
+            // Nobody else verifies a state below what is proved.
+            for method in method::methods() {
+                if ["interval", "sequential"].contains(&method.name()) {
+                    let mut other = method.solve(&scene, &Settings::default());
+                    judge(&scene, &mut other);
+                    if let (Status::Verified, Some(state)) = (other.status, other.bracket) {
+                        assert!(state.lower >= bracket.lower * (1.0 - 1e-6), "{text}");
+                    }
+                }
+            }
+            answers.push((text, outcome, seconds));
+        }
+    }
+    answers
+}
+
+#[test]
+fn nothing_contradicts_the_bounds_of_random_walls() {
+    // That nothing lies below is asserted there.
+    assert_eq!(random_walls(7, 2, 8).len(), 2);
+}
+
+#[test]
+#[ignore = "takes minutes"]
+fn fifty_of_sixty_random_walls_are_enclosed() {
+    let answers = random_walls(2026, 60, 15);
+    let narrow = answers
+        .iter()
+        .filter(|(_, outcome, _)| gap(outcome) <= 1e-3);
+    let narrow = narrow.count();
+    let widest = (answers.iter())
+        .max_by(|a, b| gap(&a.1).total_cmp(&gap(&b.1)))
+        .expect("there are walls");
+    let mut seconds: Vec<f64> = answers.iter().map(|answer| answer.2).collect();
+    seconds.sort_by(f64::total_cmp);
+    println!(
+        "within 0.1 %: {narrow} of {}; widest {:.2e}: {}; median {:.1} s, longest {:.1} s",
+        answers.len(),
+        gap(&widest.1),
+        widest.0,
+        seconds[30],
+        seconds[59]
+    );
+    assert!(narrow >= 50);
+}
