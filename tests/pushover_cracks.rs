@@ -5,7 +5,7 @@ use trilith::judge::judge;
 use trilith::method::limit::{Associative, Interval};
 use trilith::method::pushover::Pushover;
 use trilith::method::{Method, Settings};
-use trilith::scene::{HeadJoints, Piece, Push, Scene, Wall};
+use trilith::scene::{HeadJoints, OfBlocks, Piece, Push, Scene, Wall};
 
 /// Steele, Lea & Flood's SplitMix64: the same walls on every machine.
 struct Random(u64);
@@ -58,6 +58,7 @@ fn wall(seed: u64) -> Scene {
             false => 0.0,
         },
         push: Push::Right,
+        of_blocks: OfBlocks::default(),
     };
     wall.scene(HeadJoints::Open)
         .expect("whole units fill every course")
