@@ -47,7 +47,7 @@ pub fn compare(folder: &Path, name: &str, record: &str) -> io::Result<RecordChan
         }
     }
     let source = serde_json::Value::from(format!("trilith run --record: {name}"));
-    write_whole(&pending, &format!("---\nsource: {source}\n---\n{record}"))?;
+    write_whole(&pending, format!("---\nsource: {source}\n---\n{record}"))?;
     Ok(if known {
         RecordChange::Changed(pending)
     } else {
