@@ -2,7 +2,7 @@
 
 use super::conditions::{Conditions, Entry, chains};
 use super::sum::Sum;
-use super::{Certificate, Proved, Refusal, Slice};
+use super::types::{Certificate, Proved, Refusal, Slice};
 use crate::fingerprint::Fingerprint;
 use crate::scene::Scene;
 
