@@ -8,7 +8,7 @@ use flate2::Compression;
 use flate2::read::ZlibDecoder;
 use flate2::write::ZlibEncoder;
 
-use super::{Certificate, Slice};
+use super::types::{Certificate, Slice};
 
 /// What every file of a certificate begins with, before the number of its version.
 const TITLE: &str = "trilith lower bound, version ";

@@ -2,7 +2,7 @@
 
 use super::conditions::{Conditions, Entry, chains};
 use super::sum::Sum;
-use super::{Certificate, Proved, Refusal, Slice};
+use super::types::{Certificate, Proved, Refusal, Slice};
 use crate::fingerprint::Fingerprint;
 use crate::scene::Scene;
 
@@ -208,7 +208,8 @@ impl ForceBound {
             (sum, magnitude * f64::EPSILON * f64::from(count + 2))
         };
         let margin = |(index, joint): (usize, &super::conditions::JointRows)| {
-            let [one, other, slip] = (&joint.rates)
+            let [one, other, slip] = joint
+                .rates
                 .each_ref()
                 .map(|row| product(&mut row.iter().copied()));
             let opening = (one.0 - one.1).min(other.0 - other.1);

@@ -196,8 +196,8 @@ pub(super) fn solve(lift: &Lift, pattern: &Pattern, request: Request) -> Multipl
         let lengths = lengths(&at, &predicted, &free);
         let mut after = (at.scale[0] + lengths[0] * predicted.scale[0])
             * (at.scale[1] + lengths[1] * predicted.scale[1]);
-        for k in 0..product.len() {
-            if !free[k] {
+        for (k, free) in free.iter().enumerate() {
+            if !free {
                 after += (at.products[k] + lengths[0] * predicted.products[k])
                     * (at.multipliers[k] + lengths[1] * predicted.multipliers[k]);
             }
