@@ -173,7 +173,7 @@ fn relative(scene: &Scene, j: usize, block: usize, sign: f64) -> Vec<(usize, usi
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::{HeadJoints, Piece, Push, Wall};
+    use crate::scene::{HeadJoints, OfBlocks, Piece, Push, Wall};
 
     /// Kinematics: rates of any velocities give these velocities back, to rounding.
     #[test]
@@ -192,6 +192,7 @@ mod tests {
             friction: 0.65.into(),
             overburden: 0.0,
             push: Push::Right,
+            of_blocks: OfBlocks::default(),
         };
         let scene = wall.scene(HeadJoints::Contact).unwrap();
         let conditions = Conditions::of(&scene);
