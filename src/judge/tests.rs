@@ -68,7 +68,7 @@ fn stands_beside_a_verified_state() {
         assert_eq!(doubts.is_empty(), expected == Verdict::Holds, "{doubts:?}");
     }
     let stands = Outcome::of(Status::Stands);
-    let answers = [("one", &stands), ("bound", &bound(0.4))];
+    let answers = [("one", &stands), ("other", &bound(0.4))];
     assert!(verdicts(&scene, &answers, "one").is_empty());
 }
 

@@ -90,8 +90,12 @@ impl<'a> Hold<'a> {
         let (limit, patience) = if last {
             (parameters.collapse, parameters.patience)
         } else {
+            // What runs away by a quarter of the step takes so long.
+            let step = (loads[1] - loads[0]) as f64 / GRID;
+            let runs_away = (8.0 * parameters.runaway / step).sqrt();
             let patience = (TIMES_LONGEST * self.longest).max(LEAST_PATIENCE);
-            (parameters.runaway, patience.min(parameters.patience))
+            let patience = patience.max(runs_away).min(parameters.patience);
+            (parameters.runaway, patience)
         };
         // An unbalanced tenth of the smallest increment would reach this speed in a window.
         let resting_speed = 0.1 * finest as f64 / GRID * parameters.window;
