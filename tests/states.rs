@@ -7,7 +7,7 @@ use serde_json::Value;
 use trilith::answer::Status;
 use trilith::case;
 use trilith::external::{AnswerFile, External};
-use trilith::method::{Settings, methods};
+use trilith::method::{Settings, without_lower_bounds};
 use trilith::report::json_with_states;
 use trilith::run::{Plan, answer, run};
 use trilith::scene::{HeadJoints, Push, Scene};
@@ -30,7 +30,7 @@ fn rows(names: &[&str]) -> Vec<Value> {
     let mut settings = Settings::default();
     settings.interval.starts = 2;
     let plan = Plan {
-        methods: methods(),
+        methods: without_lower_bounds(),
         settings,
         head_joints: None,
     };

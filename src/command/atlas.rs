@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use trilith::method::methods;
+use trilith::method::without_lower_bounds;
 use trilith::run::{Keeps, Partial, Row, marked, run_rows};
 use trilith::study::atlas::{self, Atlas, CellVerdict, Grid};
 
@@ -28,7 +28,7 @@ pub(super) struct AtlasArguments {
 
 pub(super) fn atlas(arguments: &AtlasArguments) -> Result<u8, Stop> {
     let externals = externals(&arguments.external)?;
-    let methods = [methods().as_slice(), &externals].concat();
+    let methods = [without_lower_bounds().as_slice(), &externals].concat();
     let grids = atlas::grids(arguments.large);
     let atlas = Atlas::new(&grids, &methods);
     let journal = output::journal(&arguments.out, "atlas.journal", Keeps::Numbers)?;

@@ -17,6 +17,6 @@ pub use settings::{
 };
 pub use table::{
     Changes, Cost, Kind, Look, METHODS, Mark, MethodEntry, Rung, Scenes, defaults, entry, kind,
-    methods,
+    methods, without_lower_bounds,
 };
 pub(crate) use table::{expected_cost, method_look};

@@ -311,6 +311,14 @@ pub fn methods() -> Vec<&'static dyn Method> {
     METHODS.iter().map(|entry| entry.method).collect()
 }
 
+/// Every method but proofs of a lower bound, which take minutes on walls of twenty blocks.
+pub fn without_lower_bounds() -> Vec<&'static dyn Method> {
+    let wanted = METHODS
+        .iter()
+        .filter(|entry| entry.kind != Kind::LowerBound);
+    wanted.map(|entry| entry.method).collect()
+}
+
 /// The methods of a run that names none.
 pub fn defaults() -> Vec<&'static dyn Method> {
     let wanted = METHODS.iter().filter(|entry| entry.by_default);
