@@ -66,7 +66,7 @@ fn units_in_the_air_fall_and_are_named() {
         let outcome = judged(&Interval, &case.scene(head_joints));
         assert_eq!(outcome.status, Status::Falls, "{}", outcome.reason());
         match &outcome.facts[..] {
-            [Fact::Limit(LimitFact::MovesUnpushed { first })] => first.clone(),
+            [Fact::Limit(LimitFact::MovesUnpushed { first }), ..] => first.clone(),
             facts => panic!("{facts:?}"),
         }
     };
