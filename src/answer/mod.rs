@@ -24,7 +24,7 @@ mod work;
 pub use block_residual::BlockResidual;
 pub(crate) use block_residual::reach;
 pub use bracket::{Bracket, VERIFIED_WIDTH, is_same_multiplier, magnitude};
-pub use certificate::{Certificate, Proved, Refusal, Slice, Unreadable, prove};
+pub use certificate::{Assumption, Certificate, Factor, Proved, Refusal, Slice, Unreadable, prove};
 pub use claim::Claim;
 pub use crack::Crack;
 pub(crate) use crack::{VELOCITY_THRESHOLDS, crack_slope, crack_slope_by_gap};

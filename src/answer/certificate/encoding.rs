@@ -8,13 +8,13 @@ use flate2::Compression;
 use flate2::read::ZlibDecoder;
 use flate2::write::ZlibEncoder;
 
-use super::types::{Certificate, Slice};
+use super::types::{Assumption, Certificate, Factor, Slice};
 
 /// What every file of a certificate begins with, before the number of its version.
 const TITLE: &str = "trilith lower bound, version ";
 
 /// The version that is written, and the only one that is read.
-const VERSION: &str = "1";
+const VERSION: &str = "2";
 
 /// Most bytes that a certificate may have when it is not compressed: some 200 slices of 33 blocks.
 const LARGEST: u64 = 256 << 20;
@@ -57,6 +57,12 @@ impl Certificate {
         count(&mut plain, self.slices.len());
         for slice in &self.slices {
             numbers(&mut plain, &[slice.from, slice.to, slice.sigma]);
+            count(&mut plain, slice.assumed.len());
+            for assumed in &slice.assumed {
+                // Twice the product, and one more for the rate.
+                let of_rate = usize::from(assumed.zero == Factor::Rate);
+                count(&mut plain, 2 * assumed.pair + of_rate);
+            }
             list(&mut plain, &slice.multipliers);
             list(&mut plain, &slice.balance);
         }
@@ -146,6 +152,25 @@ impl<'a> Rest<'a> {
         Some((0..length).map(value).collect())
     }
 
+    fn assumed(&mut self) -> Option<Vec<Assumption>> {
+        let length = self.count()?;
+        // One that is not there ends it, whatever the length.
+        (0..length)
+            .map(|_| {
+                let code = self.count()?;
+                let zero = if code % 2 == 1 {
+                    Factor::Rate
+                } else {
+                    Factor::Force
+                };
+                Some(Assumption {
+                    pair: code / 2,
+                    zero,
+                })
+            })
+            .collect()
+    }
+
     fn certificate(&mut self) -> Option<Certificate> {
         let length = self.count()?;
         let scene = String::from_utf8(self.bytes(length)?.to_vec()).ok()?;
@@ -164,6 +189,7 @@ impl<'a> Rest<'a> {
                 from: self.number()?,
                 to: self.number()?,
                 sigma: self.number()?,
+                assumed: self.assumed()?,
                 multipliers: self.list()?,
                 balance: self.list()?,
             });
@@ -181,6 +207,9 @@ mod tests {
             from: 0.0,
             to: 0.5,
             sigma: 0.25,
+            assumed: [(3, Factor::Rate), (0, Factor::Force)]
+                .map(|(pair, zero)| Assumption { pair, zero })
+                .to_vec(),
             multipliers: vec![1.0, 0.0, -0.0, 1e-300],
             balance: vec![-3.5; 7],
         };
@@ -228,6 +257,6 @@ mod tests {
         other[TITLE.len()] = b'7';
         let refused = Certificate::from_bytes(&other).unwrap_err();
         assert_eq!(refused, Unreadable::Version("7".to_owned()));
-        assert!(refused.to_string().contains("reads version 1"));
+        assert!(refused.to_string().contains("reads version 2"));
     }
 }

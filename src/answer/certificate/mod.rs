@@ -19,7 +19,10 @@
 //!
 //! with R small. For a collapse state in the slice the left side is λ − σ and the first two sums
 //! are at least zero, so λ ≥ σ + ⟨R, s kᵀ⟩. With σ above b no state has its λ in the slice at all:
-//! that is a Farkas proof. The products are those of a first-level reformulation-linearisation
+//! that is a Farkas proof. A slice may assume that one factor of a zero product is zero: a corner without
+//! pressure or one that does not open. Then all its products are zero and their multipliers have any
+//! sign; every collapse state meets that assumption or the one about the other factor, so that two
+//! slices, one with each, prove it of all states. The products are those of a first-level reformulation-linearisation
 //! (Sherali and Adams, SIAM J. Discrete Math. 3 (1990) 411-430) of a linear program with
 //! complementarity constraints; nothing is ever asked of a solver here.
 //!
@@ -37,12 +40,17 @@
 
 mod conditions;
 mod encoding;
+mod forces;
 mod proof;
+mod rounding;
 mod sum;
+mod tree;
 mod types;
 
 pub(crate) use conditions::{Conditions, Entry};
 pub use encoding::Unreadable;
 pub use proof::prove;
 pub(crate) use proof::{Prover, SliceProof, scene_fingerprint};
-pub use types::{Certificate, Proved, Refusal, Slice};
+pub(crate) use tree::together;
+pub(crate) use types::Zeros;
+pub use types::{Assumption, Certificate, Factor, Proved, Refusal, Slice};

@@ -12,6 +12,9 @@ pub struct Slice {
     pub from: f64,
     /// Largest λ* of the slice, b.
     pub to: f64,
+    /// What it assumes of products that are zero, one after the other; empty where it speaks of every
+    /// collapse state in the slice.
+    pub assumed: Vec<Assumption>,
     /// What λ* is at least, but for rounding; more than `to` where no state is in the slice.
     pub sigma: f64,
     /// One row a force condition (four a joint in the scene's order, then 1, λ − a, b − λ), in it one
@@ -20,6 +23,68 @@ pub struct Slice {
     /// One row an equilibrium condition (three a block), in it one number a kinematic unknown
     /// (three velocities a block, then the forward slip of each joint).
     pub balance: Vec<f64>,
+}
+
+/// One of the two factors of a product that is zero in every collapse state.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Factor {
+    /// The force condition: a corner carries nothing, or friction is used up in one direction.
+    Force,
+    /// The rate: a corner does not open, or a joint does not slip in one direction.
+    Rate,
+}
+
+/// That one factor of a product is zero. A collapse state has the one or the other, so that two proofs,
+/// one with each, prove it of all states.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Assumption {
+    /// The product, by the common row of its force condition and its rate: four a joint.
+    pub pair: usize,
+    /// The factor that is zero.
+    pub zero: Factor,
+}
+
+/// Which products of a force condition and a rate are zero, in all collapse states or by assumption.
+#[derive(Clone, Debug)]
+pub(crate) struct Zeros {
+    forces: Vec<bool>,
+    rates: Vec<bool>,
+}
+
+impl Zeros {
+    /// Of so many joints.
+    pub(crate) fn of(joints: usize, assumed: &[Assumption]) -> Self {
+        let mut zeros = Self {
+            forces: vec![false; 4 * joints],
+            rates: vec![false; 4 * joints],
+        };
+        for assumed in assumed {
+            match assumed.zero {
+                Factor::Force => zeros.forces[assumed.pair] = true,
+                Factor::Rate => zeros.rates[assumed.pair] = true,
+            }
+        }
+        zeros
+    }
+
+    /// Whether a rate is zero by assumption.
+    pub(crate) fn rate(&self, rate: usize) -> bool {
+        self.rates.get(rate) == Some(&true)
+    }
+
+    /// Whether the product of a force condition and a rate is zero, by their rows.
+    pub(crate) fn is_zero(&self, force: usize, rate: usize) -> bool {
+        (force == rate && force < self.forces.len())
+            || self.forces.get(force) == Some(&true)
+            || self.rate(rate)
+    }
+}
+
+impl Slice {
+    /// The products that are zero for this slice, of so many joints.
+    pub(crate) fn zeros(&self, joints: usize) -> Zeros {
+        Zeros::of(joints, &self.assumed)
+    }
 }
 
 /// A proof that no collapse state of a scene in which the push does work has 0 ≤ λ < `lower`.
@@ -33,7 +98,8 @@ pub struct Certificate {
     pub cap: f64,
     /// Velocities of a motion that opens every joint by more than μ times its slip.
     pub opening: Vec<f64>,
-    /// Slices in ascending order, the first from 0, each from no more than what those before prove.
+    /// Slices. Those with the same assumptions stand in ascending order, each from no more than what
+    /// is proved before it: by those of the same assumptions, or of fewer.
     pub slices: Vec<Slice>,
 }
 
@@ -79,6 +145,11 @@ pub enum Refusal {
         /// Slice, from 0.
         slice: usize,
     },
+    /// Slices under the same assumptions differ in the product that they divide next.
+    Divided {
+        /// Slice, from 0.
+        slice: usize,
+    },
     /// It proves less than it claims.
     Less {
         /// λ that it claims.
@@ -107,6 +178,11 @@ impl fmt::Display for Refusal {
             Refusal::Apart { slice } => write!(
                 f,
                 "slice {} begins above what those before it prove",
+                slice + 1
+            ),
+            Refusal::Divided { slice } => write!(
+                f,
+                "slice {} assumes something of another product than those beside it",
                 slice + 1
             ),
             Refusal::Less { claimed, proved } => {

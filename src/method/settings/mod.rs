@@ -75,9 +75,9 @@ settings! {
         /// Relative distance from the lowest state at which the lower bound is good enough.
         bound_gap: f64 = 1e-4, Allowed::Number(0.0..=1.0), "of λ";
         /// Lifted programs of a lower bound at most.
-        lifts: usize = 32, Allowed::Whole(1..=10_000), "";
+        lifts: usize = 64, Allowed::Whole(1..=10_000), "";
         /// Interior-point steps of all these programs at most.
-        lift_steps: usize = 2_000, Allowed::Whole(1..=1_000_000), "";
+        lift_steps: usize = 4_000, Allowed::Whole(1..=1_000_000), "";
         /// Unknowns of a lifted program at most; time grows with their square, memory too.
         lift_unknowns: usize = 8_000, Allowed::Whole(1..=100_000), "";
         /// Largest sum of openings and slips, over the push's own displacement, of the motions that a

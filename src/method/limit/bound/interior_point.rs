@@ -12,10 +12,11 @@
 use nalgebra::DMatrix;
 
 use super::factor::Pattern;
-use super::lift::{Columns, Lift, is_zero_product};
+use super::lift::{Columns, Lift};
 use super::newton::Newton;
+use crate::answer::certificate::Zeros;
 
-/// A slice of λ*, and when to stop.
+/// A slice of λ*, and when to stop. What is assumed in it is given beside it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Request {
     /// a.
@@ -44,9 +45,13 @@ pub(super) struct Multipliers {
     pub(super) steps: usize,
 }
 
-/// Weight of the products that are zero: what they become is this share of what their multipliers
-/// change (measured: from 1e7 to 1e11 the steps and what is left of the identity are the same).
-const ZERO: f64 = 1e9;
+/// Weight of the products that are zero, times the width of the slice, and the largest: what they
+/// become is this share of what their multipliers change. Products with λ − a and b − λ are as small as
+/// the slice is narrow, so that those of 0 have to be smaller. Larger weights cost accuracy: at 1e9 the
+/// multipliers of a wide slice leave 1e-6 of the identity, at 1e5 1e-8; smaller ones do not converge: at
+/// 1e5 a slice of 0.004 is not done after 80 steps, at 1e7 and above after 30 (walls of 10 blocks).
+const ZERO: f64 = 1e6;
+const LARGEST_ZERO: f64 = 1e9;
 
 /// Step as a share of the one that makes a number zero.
 const SHORT: f64 = 0.995;
@@ -57,6 +62,14 @@ const CENTRE: f64 = 0.4;
 
 /// The gap at which the bound is as good as the optimum.
 const GAP: f64 = 1e-8;
+
+/// Share of what a slice gains that its bound may fall short of, where a lifted state lies further
+/// below its end than this share of its width.
+const ROUGH: f64 = 0.02;
+const NEAR: f64 = 0.05;
+
+/// What multipliers and products may leave there.
+const ROUGHLY_LEFT: f64 = 3e-6;
 
 /// What multipliers may leave of the identity at the end of the iteration; a last step takes more.
 const LEFT: f64 = 1e-8;
@@ -87,16 +100,20 @@ struct Residual {
 }
 
 /// Solves one slice.
-pub(super) fn solve(lift: &Lift, pattern: &Pattern, request: Request) -> Multipliers {
+pub(super) fn solve(
+    lift: &Lift,
+    pattern: &Pattern,
+    request: Request,
+    zeros: &Zeros,
+) -> Multipliers {
     let conditions = lift.force_conditions(request.from, request.to);
     let transposed = conditions.transpose();
-    let joints = lift.joints();
     let (rows, rates) = (conditions.nrows(), lift.conditions.rate_rows());
-    let is_free = |at: usize| is_zero_product(at % rows, at / rows, joints);
+    let is_free = |at: usize| zeros.is_zero(at % rows, at / rows);
     let free: Vec<bool> = (0..rows * rates).map(is_free).collect();
-    let count = (rows * rates - 4 * joints + 1) as f64;
+    let count = (free.iter().filter(|free| !**free).count() + 1) as f64;
     let start = DMatrix::from_fn(rows, rates, |i, j| {
-        f64::from(u8::from(!is_zero_product(i, j, joints)))
+        f64::from(u8::from(!zeros.is_zero(i, j)))
     });
     let live = lift.live();
     let lambda = lift.basis.row(1).transpose() - lift.basis.row(0).transpose() * request.most;
@@ -109,6 +126,8 @@ pub(super) fn solve(lift: &Lift, pattern: &Pattern, request: Request) -> Multipl
         multipliers: start,
         scale: [1.0, 1.0],
     };
+    let width = request.to - request.from;
+    let zero_weight = (ZERO / width).min(LARGEST_ZERO);
     let mut stalled = 0;
     let mut best: Option<(f64, Multipliers)> = None;
     for steps in 0..=request.steps {
@@ -141,14 +160,18 @@ pub(super) fn solve(lift: &Lift, pattern: &Pattern, request: Request) -> Multipl
             best = Some((merit, multipliers));
         }
         let excludes = sigma > request.enough && left < LEFT;
+        // A lifted state well inside the slice: where exactly the bound ends is of no use.
+        let inside =
+            above < request.enough - NEAR * width && above - sigma < ROUGH * (above - request.from);
         let optimal = above - sigma < GAP && left < LEFT && violated < LEFT;
-        if excludes || optimal || stalled > 8 || mean < 1e-13 || steps == request.steps {
+        let rough = inside && left < ROUGHLY_LEFT && violated < ROUGHLY_LEFT;
+        if excludes || optimal || rough || stalled > 8 || mean < 1e-13 || steps == request.steps {
             break;
         }
         let mut weights = at.multipliers.component_div(&at.products);
         for (weight, free) in weights.iter_mut().zip(&free) {
             if *free {
-                *weight = ZERO;
+                *weight = zero_weight;
             }
         }
         let newton = Newton::new(
@@ -164,7 +187,7 @@ pub(super) fn solve(lift: &Lift, pattern: &Pattern, request: Request) -> Multipl
             target -= weights.component_mul(&residual.products);
             for ((target, free), missing) in target.iter_mut().zip(&free).zip(&residual.products) {
                 if *free {
-                    *target = -missing * ZERO;
+                    *target = -missing * zero_weight;
                 }
             }
             let of_scale = scale / at.scale[0] - at.scale[1] / at.scale[0] * residual.scale;

@@ -177,8 +177,3 @@ impl Lift {
         balance
     }
 }
-
-/// Whether a force condition and a rate, by their rows, belong together so that their product is 0.
-pub(super) fn is_zero_product(force: usize, rate: usize, joints: usize) -> bool {
-    force == rate && force < 4 * joints
-}

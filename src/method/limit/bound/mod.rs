@@ -23,7 +23,9 @@
 //!
 //! Narrow slices [a, b] are tighter, because the products with λ − a and b − λ pin λ. A slice either
 //! has no state, or a bound inside it; slices side by side raise the bound from 0 to the lowest
-//! verified state. Any number of them is a valid answer.
+//! verified state. Where narrow ones gain nothing, a slice is divided by a product that must be zero:
+//! one part assumes that its force is zero, the other its rate. Any number
+//! of slices and branches is a valid answer.
 //!
 //! What is claimed: no collapse state in which the push does work has 0 ≤ λ < lower. States in which
 //! it does none (a stone that drops while the push only holds on) are none of these, and nothing is
@@ -32,6 +34,7 @@
 //! What proves it is not the interior point that found the multipliers but the identity that they
 //! satisfy; see [`crate::answer::Certificate`] and the rounding argument there.
 
+mod branches;
 mod dense;
 mod factor;
 mod interior_point;

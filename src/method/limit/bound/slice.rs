@@ -4,9 +4,9 @@ use nalgebra::DMatrix;
 
 use super::factor::Pattern;
 use super::interior_point::{Multipliers, Request};
-use super::lift::{Lift, is_zero_product};
+use super::lift::Lift;
 use super::newton::Newton;
-use crate::answer::certificate::Slice;
+use crate::answer::certificate::{Assumption, Slice, SliceProof, Zeros};
 
 /// Rounds of taking away what multipliers leave of the identity.
 const ROUNDS: usize = 3;
@@ -21,16 +21,20 @@ const OF_SIGMA: [f64; 2] = [1e-6, 1.0];
 /// Multipliers smaller than this share of the largest do not move.
 const SMALL: f64 = 1e-13;
 
-/// The slice of a certificate, made in three ways: multipliers cleaned so that they leave as little of
-/// the identity as double precision allows, each changed in proportion to its size. Those on their way to zero are
-/// kept or made zero, the bound moves little or freely: where some motion can be as fast as it likes, its
-/// multipliers must vanish, and what rounding left of them is all that remains.
-pub(super) fn slices(
+/// The slice of a certificate with the highest bound that `prove` finds, of up to three: multipliers
+/// cleaned so that they leave as little of the identity as double precision allows, each changed in
+/// proportion to its size. Those on their way to zero are kept or made zero, the bound moves little or
+/// freely: where some motion can be as fast as it likes, its multipliers must vanish, and what rounding
+/// left of them is all that remains.
+pub(super) fn best_proof(
     lift: &Lift,
     pattern: &Pattern,
     request: Request,
+    assumed: &[Assumption],
     multipliers: &Multipliers,
-) -> [Slice; 3] {
+    prove: impl Fn(&Slice) -> Option<SliceProof>,
+) -> Option<(Slice, SliceProof)> {
+    let zeros = &Zeros::of(lift.joints(), assumed);
     let conditions = lift.force_conditions(request.from, request.to);
     let transposed = conditions.transpose();
     let live = lift.live();
@@ -50,12 +54,12 @@ pub(super) fn slices(
             }
             let largest = now.0.amax();
             let weights = now.0.map_with_location(|force, rate, value| {
-                if is_zero_product(force, rate, lift.joints()) {
-                    largest * largest
+                if zeros.is_zero(force, rate) {
+                    largest
                 } else if value < SMALL * largest {
                     0.0
                 } else {
-                    value * value
+                    value
                 }
             });
             let of_slice = [&conditions, &transposed];
@@ -67,7 +71,7 @@ pub(super) fn slices(
                 change.component_mul_assign(&weights);
                 now.0 += change;
                 now.1 += of_sigma * (one.transpose() * &moved.velocities * &live)[(0, 0)];
-                clip(&mut now.0, lift.joints());
+                clip(&mut now.0, zeros);
                 let remaining = left(&now).largest();
                 if remaining < least.0 {
                     least = (remaining, now.clone());
@@ -81,36 +85,67 @@ pub(super) fn slices(
         least.1
     };
     let kept = multipliers.values.clone();
-    let dropped = kept.zip_map(&multipliers.products, |value, product| {
-        if value < product { 0.0 } else { value }
+    let dropped = kept.map_with_location(|force, rate, value| {
+        let is_leaving = value < multipliers.products[(force, rate)];
+        if is_leaving && !zeros.is_zero(force, rate) {
+            0.0
+        } else {
+            value
+        }
     });
-    [
+    let ways = [
         (kept, OF_SIGMA[0]),
         (dropped.clone(), OF_SIGMA[0]),
         (dropped, OF_SIGMA[1]),
-    ]
-    .map(|(values, of_sigma)| {
+    ];
+    let slice = |(values, of_sigma)| {
         let (mut values, sigma) = clean(values, of_sigma);
         values.apply(|value| *value = (*value / GRAIN).round() * GRAIN);
         Slice {
             from: request.from,
             to: request.to,
+            assumed: assumed.to_vec(),
             sigma,
             balance: balance(lift, request, sigma, &values),
             multipliers: values.transpose().as_slice().to_vec(),
         }
-    })
+    };
+    let mut best: Option<(Slice, SliceProof)> = None;
+    for way in ways {
+        let slice = slice(way);
+        let Some(proof) = prove(&slice) else {
+            continue;
+        };
+        if best
+            .as_ref()
+            .is_none_or(|(_, best)| proof.least > best.least)
+        {
+            best = Some((slice, proof));
+        }
+        let lost = |proof: &SliceProof| multipliers.sigma.min(request.enough) - proof.least;
+        if best
+            .as_ref()
+            .is_some_and(|(_, best)| lost(best) < LOST * (request.to - request.from))
+        {
+            break;
+        }
+    }
+    best
 }
+
+/// Share of a slice's width that may be lost on the way from multipliers to a proof, where no other
+/// way is tried.
+const LOST: f64 = 1e-4;
 
 /// Multipliers are whole multiples of this: what is finer is below what rounding leaves, and would only
 /// fill files.
 const GRAIN: f64 = 1.0 / (1u64 << 48) as f64;
 
 /// Makes negative multipliers zero, but for those of the zero products.
-fn clip(values: &mut DMatrix<f64>, joints: usize) {
+fn clip(values: &mut DMatrix<f64>, zeros: &Zeros) {
     for rate in 0..values.ncols() {
         for force in 0..values.nrows() {
-            if !is_zero_product(force, rate, joints) {
+            if !zeros.is_zero(force, rate) {
                 values[(force, rate)] = values[(force, rate)].max(0.0);
             }
         }

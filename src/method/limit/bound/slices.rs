@@ -2,11 +2,12 @@
 
 use nalgebra::DMatrix;
 
+use super::branches::{Leaf, Leaves, most_violated};
 use super::factor::Pattern;
 use super::interior_point::{Multipliers, Request, solve};
 use super::lift::Lift;
-use super::slice::slices;
-use crate::answer::certificate::{Prover, SliceProof, scene_fingerprint};
+use super::slice::best_proof;
+use crate::answer::certificate::{Prover, SliceProof, Zeros, scene_fingerprint, together};
 use crate::answer::{Certificate, Proved, Slice};
 use crate::method::settings::BoundSettings;
 use crate::scene::Scene;
@@ -22,7 +23,10 @@ const BEHIND: f64 = 0.1;
 const STEPS: usize = 80;
 
 /// Least share of the distance to the lowest state that a slice spans.
-const LEAST_SHARE: f64 = 1.0 / 256.0;
+const LEAST_SHARE: f64 = 0.2;
+
+/// Least share of its width that a slice gains, where a shorter one is worth while.
+const LEAST_GAIN: f64 = 0.15;
 
 /// States of a lift that are given to the search for collapse states.
 const STATES: usize = 8;
@@ -37,11 +41,12 @@ pub(super) struct Search<'a> {
 }
 
 /// The slices so far.
-#[derive(Default)]
 pub(super) struct Slices {
     /// No collapse state has its λ* below this.
     pub(super) lower: f64,
-    /// Those that raised it.
+    /// The branches that leave no state out.
+    pub(super) leaves: Leaves,
+    /// Slices that raised a leaf.
     slices: Vec<(Slice, SliceProof)>,
     /// Lifts solved, and their steps.
     pub(super) programs: usize,
@@ -52,24 +57,48 @@ pub(super) struct Slices {
     pub(super) normals: Vec<Vec<f64>>,
 }
 
+/// What one slice showed.
+struct Seen {
+    /// Share of its width by which it raises the bound.
+    gain: f64,
+    /// The product that the lifted state violates most, as a product of means.
+    violated: Option<usize>,
+}
+
+impl Default for Slices {
+    fn default() -> Self {
+        Self {
+            lower: 0.0,
+            leaves: Leaves::default(),
+            slices: Vec::new(),
+            programs: 0,
+            steps: 0,
+            out_of_budget: false,
+            normals: Vec::new(),
+        }
+    }
+}
+
 impl Search<'_> {
-    /// Solves slices until the bound meets the lowest state, no slice raises it any more, or the
-    /// budget is spent. A slice begins where the last one ended: the whole distance to the state at
-    /// first, half as far after one that gained less than half of its width, twice as far after one
-    /// without states.
+    /// Solves slices until the bound meets the lowest state or the budget is spent, always of the
+    /// branch with the lowest bound. A slice begins where the last one ended: the whole distance to
+    /// the state at first, half as far after one that gained less than half of its width, twice as far
+    /// after one without states. Where short ones gain nothing either, the branch is divided.
     pub(super) fn run(&mut self, slices: &mut Slices, state: f64) {
-        let mut share = 1.0;
         slices.out_of_budget = false;
-        while state - slices.lower > self.settings.bound_gap * state.max(1e-3) {
+        let tolerance = self.settings.bound_gap * state.max(1e-3);
+        while state - slices.lower > tolerance {
             let steps_left = self.settings.lift_steps.saturating_sub(slices.steps);
             if slices.programs >= self.settings.lifts || steps_left == 0 {
                 slices.out_of_budget = true;
                 return;
             }
-            let from = slices.lower;
+            let at = slices.leaves.lowest();
+            let Leaf {
+                lower: from, share, ..
+            } = slices.leaves[at];
             // The state itself is to be well inside a slice that reaches it: where it lies at the end,
             // the lift has hardly an interior, and its multipliers do not settle.
-            let tolerance = self.settings.bound_gap * state.max(1e-3);
             let (to, enough) = if share == 1.0 {
                 let to = state + BEHIND * (state - from) + 0.01 * tolerance;
                 (to, state - 0.005 * tolerance)
@@ -84,38 +113,52 @@ impl Search<'_> {
                 most: to + BEYOND[0] * to + BEYOND[1],
                 steps: STEPS.min(steps_left),
             };
-            let gain = self.solve(slices, request);
-            if slices.lower >= to.min(state) {
-                share = f64::min(1.0, 2.0 * share);
-            } else if gain < 0.5 {
-                share *= 0.5;
+            let seen = self.solve(slices, at, request);
+            let leaf = &mut slices.leaves[at];
+            if leaf.lower >= to.min(state) {
+                leaf.share = f64::min(1.0, 2.0 * share);
+            } else if seen.gain < 0.5 {
+                leaf.share *= 0.5;
             }
-            if share < LEAST_SHARE {
-                return;
+            if leaf.share < LEAST_SHARE || seen.gain < LEAST_GAIN {
+                let Some(pair) = seen.violated else {
+                    return;
+                };
+                slices.leaves.divide(at, pair);
             }
+            slices.lower = slices.leaves.lower();
         }
     }
 
-    /// Solves one slice; the share of its width by which it raises the bound.
-    fn solve(&self, found: &mut Slices, request: Request) -> f64 {
-        let multipliers = solve(self.lift, self.pattern, request);
+    /// Solves one slice of a leaf.
+    fn solve(&self, found: &mut Slices, leaf: usize, request: Request) -> Seen {
+        let assumed = found.leaves[leaf].assumed.clone();
+        let zeros = Zeros::of(self.lift.joints(), &assumed);
+        let multipliers = solve(self.lift, self.pattern, request, &zeros);
         found.programs += 1;
         found.steps += multipliers.steps;
-        let candidates = slices(self.lift, self.pattern, request, &multipliers);
-        let proved = candidates.into_iter().filter_map(|slice| {
-            let proof = match self.prover {
-                Some(prover) => prover.slice(&slice, self.settings.lift_cap, 0).ok()?,
-                None => SliceProof {
-                    least: slice.sigma,
-                    deficit: 0.0,
-                    rounding: 0.0,
-                },
-            };
-            Some((slice, proof))
-        });
-        let best = proved.max_by(|a, b| a.1.least.total_cmp(&b.1.least));
+        let prove = |slice: &Slice| match self.prover {
+            Some(prover) => prover.slice(slice, self.settings.lift_cap, 0).ok(),
+            None => Some(SliceProof {
+                least: slice.sigma,
+                deficit: 0.0,
+                rounding: 0.0,
+            }),
+        };
+        let best = best_proof(
+            self.lift,
+            self.pattern,
+            request,
+            &assumed,
+            &multipliers,
+            prove,
+        );
+        let violated = most_violated(self.lift, request, &zeros, &multipliers);
         let Some((slice, proof)) = best else {
-            return 0.0;
+            return Seen {
+                gain: 0.0,
+                violated,
+            };
         };
         if proof.least <= request.to {
             found.normals = normals(self.lift, &multipliers);
@@ -123,10 +166,10 @@ impl Search<'_> {
         let reached = proof.least.min(request.to);
         let gain = (reached - request.from) / (request.to - request.from);
         if gain > 0.0 {
-            found.lower = reached;
+            found.leaves[leaf].lower = reached;
             found.slices.push((slice, proof));
         }
-        gain
+        Seen { gain, violated }
     }
 }
 
@@ -139,12 +182,9 @@ impl Slices {
         cap: f64,
         opening: Vec<f64>,
     ) -> (Certificate, Proved) {
-        let mut proved = Proved::default();
-        for (index, (slice, proof)) in self.slices.iter().enumerate() {
-            proved = proved
-                .and(slice, *proof, cap, index)
-                .expect("each slice begins where the one before ends");
-        }
+        let parts = self.slices.iter().map(|(slice, proof)| (slice, *proof));
+        let parts: Vec<_> = parts.collect();
+        let mut proved = together(&parts, cap).expect("each slice begins where others end");
         // Another machine may round the scene's geometry otherwise.
         proved.lower = (proved.lower * scene.multiplier_unit()) * (1.0 - 1e-9);
         let certificate = Certificate {

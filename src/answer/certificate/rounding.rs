@@ -1,0 +1,166 @@
+//! What rounding leaves of a certificate's identity, and what it can cost.
+
+use super::conditions::{Conditions, Entry};
+use super::forces::{ForceBound, OUTWARD};
+use super::sum::Sum;
+use super::types::Slice;
+
+/// What rounding leaves of the identity: one number at most a force and a kinematic unknown.
+pub(super) struct Rounding {
+    /// By kinematic unknown, then by force: 1, λ, and three a joint.
+    columns: Vec<Vec<f64>>,
+}
+
+impl Rounding {
+    pub(super) fn of(conditions: &Conditions, slice: &Slice) -> Self {
+        let (forces, motions) = (conditions.forces(), conditions.motions());
+        let velocities = conditions.velocities();
+        let mut columns = vec![vec![Sum::default(); forces]; motions];
+        for (c, &live) in conditions.live.iter().enumerate() {
+            columns[c][1].add(live);
+            columns[c][0].add_product(-slice.sigma, live);
+        }
+        for rate in 0..conditions.rate_rows() {
+            let multiple = force_combination(conditions, slice, rate);
+            for (c, value) in rate_entries(conditions, rate) {
+                for (sum, part) in columns[c].iter_mut().zip(&multiple) {
+                    sum.add_multiple(-value, *part);
+                }
+            }
+        }
+        for (c, column) in columns.iter_mut().enumerate() {
+            let balance = |row: usize| -slice.balance[row * motions + c];
+            for row in 0..velocities {
+                column[0].add_product(balance(row), conditions.dead[row]);
+                column[1].add_product(balance(row), conditions.live[row]);
+            }
+            for (j, joint) in conditions.joints.iter().enumerate() {
+                for (kind, entries) in joint.rates.iter().enumerate() {
+                    for &(row, value) in entries {
+                        column[2 + 3 * j + kind].add_product(balance(row), value);
+                    }
+                }
+            }
+        }
+        // No entry is a sum of more than this: the power's column of every joint and the loads.
+        let steps = 64.0 * (conditions.rate_rows() + velocities) as f64;
+        let largest = |column: Vec<Sum>| column.iter().map(|sum| sum.largest(steps)).collect();
+        Self {
+            columns: columns.into_iter().map(largest).collect(),
+        }
+    }
+
+    pub(super) fn largest(&self) -> f64 {
+        self.columns.iter().flatten().copied().fold(0.0, f64::max)
+    }
+
+    /// The largest that one kinematic unknown's column can be, times any forces.
+    fn over_forces(
+        &self,
+        motion: usize,
+        conditions: &Conditions,
+        slice: &Slice,
+        forces: &ForceBound,
+    ) -> f64 {
+        let column = &self.columns[motion];
+        let of_lambda = slice.from.abs().max(slice.to.abs());
+        let joints = conditions.joints.iter().zip(&forces.margin).enumerate();
+        let of_joint = joints.map(|(j, (joint, margin))| {
+            let at = 2 + 3 * j;
+            (column[at].max(column[at + 1]) + joint.friction * column[at + 2]) / margin
+        });
+        let of_joints = of_joint.fold(0.0, f64::max);
+        (column[0] + of_lambda * column[1] + forces.total(slice.to) * of_joints) * OUTWARD
+    }
+}
+
+/// Σ over the force conditions of multiplier · condition, for one rate: 1, λ and three a joint.
+fn force_combination(conditions: &Conditions, slice: &Slice, rate: usize) -> Vec<Sum> {
+    let rates = conditions.rate_rows();
+    let multiplier = |force: usize| slice.multipliers[force * rates + rate];
+    let mut parts = vec![Sum::default(); conditions.forces()];
+    for (j, joint) in conditions.joints.iter().enumerate() {
+        let [one, other, forward, backward] = [0, 1, 2, 3].map(|k| multiplier(4 * j + k));
+        for (kind, own) in [one, other].into_iter().enumerate() {
+            let part = &mut parts[2 + 3 * j + kind];
+            part.add(own);
+            part.add_product(joint.friction, forward);
+            part.add_product(joint.friction, backward);
+        }
+        let part = &mut parts[2 + 3 * j + 2];
+        part.add(forward);
+        part.add(-backward);
+    }
+    let [one, above, below] = [0, 1, 2].map(|k| multiplier(4 * conditions.joints.len() + k));
+    parts[0].add(one);
+    parts[0].add_product(-slice.from, above);
+    parts[0].add_product(slice.to, below);
+    parts[1].add(above);
+    parts[1].add(-below);
+    parts
+}
+
+/// A rate as a combination of the kinematic unknowns.
+fn rate_entries(conditions: &Conditions, rate: usize) -> Vec<Entry> {
+    let (joint, kind) = (rate / 4, rate % 4);
+    let Some(rows) = conditions.joints.get(joint) else {
+        return conditions.live.iter().copied().enumerate().collect();
+    };
+    let forward = (conditions.velocities() + joint, 1.0);
+    match kind {
+        0 | 1 => rows.rates[kind].clone(),
+        2 => vec![forward],
+        _ => {
+            let slip = rows.rates[2].iter().map(|&(k, value)| (k, -value));
+            slip.chain([forward]).collect()
+        }
+    }
+}
+
+/// How much more a unit of some rate can cost by rounding than the multipliers of that rate absorb:
+/// the bound is lower by this times the sum of all rates; 0 where they absorb all.
+pub(super) fn deficit(
+    conditions: &Conditions,
+    slice: &Slice,
+    rounding: &Rounding,
+    forces: &ForceBound,
+    chains: &[Vec<(usize, usize, [f64; 3])>],
+) -> f64 {
+    let over = |motion| rounding.over_forces(motion, conditions, slice, forces);
+    let velocities = conditions.velocities();
+    let mut needed = vec![0.0; 4 * conditions.joints.len()];
+    for (block, chain) in chains.iter().enumerate() {
+        let of_block = [0, 1, 2].map(|k| over(3 * block + k));
+        for &(joint, kind, share) in chain {
+            let parts = share.iter().zip(&of_block);
+            let cost: f64 = parts.map(|(share, of)| share.abs() * of).sum();
+            needed[4 * joint + kind] += cost;
+            if kind == 2 {
+                needed[4 * joint + 3] += cost;
+            }
+        }
+    }
+    for joint in 0..conditions.joints.len() {
+        needed[4 * joint + 2] += over(velocities + joint);
+    }
+    let rates = conditions.rate_rows();
+    let of_joints = 4 * conditions.joints.len();
+    let zeros = slice.zeros(conditions.joints.len());
+    let moving = needed.iter().enumerate();
+    // A rate that is zero costs nothing, and its multipliers, of any sign, absorb nothing.
+    let moving = moving.filter(|(rate, _)| !zeros.rate(*rate));
+    let deficits = moving.map(|(rate, needed)| {
+        let [one, above, below] =
+            [0, 1, 2].map(|k| slice.multipliers[(of_joints + k) * rates + rate]);
+        let absorbed = one + (slice.to - slice.from).max(0.0) * above.min(below);
+        needed * OUTWARD - absorbed * (1.0 - 1e-9)
+    });
+    // A NaN must not be passed over.
+    deficits.fold(0.0, |most: f64, deficit| {
+        if deficit.is_nan() {
+            f64::INFINITY
+        } else {
+            most.max(deficit)
+        }
+    })
+}

@@ -1,0 +1,215 @@
+//! Branches: what slices assume of products that are zero in every collapse state.
+//!
+//! Where narrow slices gain nothing, the lift mixes states, some with pressure on a corner and some in
+//! which it opens. Such a slice is divided: in one part that corner carries nothing, in the other it
+//! does not open (or friction is not used up in one direction, or there is no slip in it). This is the
+//! branching on complementary pairs of mixed-integer programming, without its large constants.
+
+use std::ops::{Index, IndexMut};
+
+use super::interior_point::{Multipliers, Request};
+use super::lift::Lift;
+use crate::answer::certificate::{Assumption, Factor, Zeros};
+
+/// A branch: what it assumes, and how far it is.
+#[derive(Clone, Debug)]
+pub(super) struct Leaf {
+    pub(super) assumed: Vec<Assumption>,
+    /// No state that meets the assumptions has its λ* below this.
+    pub(super) lower: f64,
+    /// Share of the distance to the lowest state that the next slice spans.
+    pub(super) share: f64,
+}
+
+/// All branches together; they leave no state out.
+pub(super) struct Leaves(Vec<Leaf>);
+
+impl Default for Leaves {
+    fn default() -> Self {
+        Self(vec![Leaf {
+            assumed: Vec::new(),
+            lower: 0.0,
+            share: 1.0,
+        }])
+    }
+}
+
+impl Index<usize> for Leaves {
+    type Output = Leaf;
+
+    fn index(&self, at: usize) -> &Leaf {
+        &self.0[at]
+    }
+}
+
+impl IndexMut<usize> for Leaves {
+    fn index_mut(&mut self, at: usize) -> &mut Leaf {
+        &mut self.0[at]
+    }
+}
+
+impl Leaves {
+    /// The leaf with the lowest bound, the first of equals.
+    pub(super) fn lowest(&self) -> usize {
+        let leaves = 0..self.0.len();
+        let lowest = leaves.min_by(|&a, &b| self.0[a].lower.total_cmp(&self.0[b].lower));
+        lowest.expect("there is always one")
+    }
+
+    /// No state has its λ* below this.
+    pub(super) fn lower(&self) -> f64 {
+        self.0[self.lowest()].lower
+    }
+
+    /// Divides a leaf: in one part the force of a product is zero, in the other its rate.
+    pub(super) fn divide(&mut self, leaf: usize, pair: usize) {
+        let part = |zero: Factor, leaf: &Leaf| {
+            let mut assumed = leaf.assumed.clone();
+            assumed.push(Assumption { pair, zero });
+            Leaf {
+                assumed,
+                lower: leaf.lower,
+                share: 1.0,
+            }
+        };
+        let other = part(Factor::Rate, &self.0[leaf]);
+        self.0[leaf] = part(Factor::Force, &self.0[leaf]);
+        self.0.push(other);
+    }
+}
+
+/// The product of a joint that is zero in every state and of which the lifted state has both factors
+/// most in the mean; `None` where none is left.
+pub(super) fn most_violated(
+    lift: &Lift,
+    request: Request,
+    zeros: &Zeros,
+    multipliers: &Multipliers,
+) -> Option<usize> {
+    let rates = lift.rates(&multipliers.unknowns);
+    let conditions = lift.force_conditions(request.from, request.to);
+    let products = conditions * rates;
+    let power = products.ncols() - 1;
+    let one = 4 * lift.joints();
+    let both = |pair: usize| products[(pair, power)] * products[(one, pair)];
+    let pairs = (0..one).filter(|&pair| !zeros.is_zero(pair, power) && !zeros.is_zero(one, pair));
+    pairs
+        .filter(|&pair| both(pair) > 0.0)
+        .max_by(|&a, &b| both(a).total_cmp(&both(b)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::opening;
+    use super::super::slices::{Search, Slices};
+    use super::*;
+    use crate::answer::certificate::{Conditions, Prover};
+    use crate::answer::{Certificate, Refusal, Work, prove};
+    use crate::method::Settings;
+    use crate::method::limit::bound::factor::Pattern;
+    use crate::scene::{HeadJoints, OfBlocks, Piece, Push, Scene, Wall};
+
+    /// hh,1,hh of science's table: its lowest state is at 0.264706.
+    fn wall() -> Scene {
+        use Piece::{Half, Unit};
+        let wall = Wall {
+            unit_length: 4.0,
+            unit_height: 4.0,
+            thickness: 1.0,
+            unit_weight: 1.0,
+            courses: vec![vec![Half, Half], vec![Unit], vec![Half, Half]],
+            friction: 0.65.into(),
+            overburden: 0.0,
+            push: Push::Right,
+            of_blocks: OfBlocks::default(),
+        };
+        wall.scene(HeadJoints::Contact).unwrap()
+    }
+
+    /// The certificate of slices that are divided by these products from the start.
+    fn divided(scene: &Scene, pairs: &[usize]) -> (Certificate, f64) {
+        let conditions = Conditions::of(scene);
+        let opening = opening(scene, &mut Work::default()).unwrap();
+        let prover = Prover::new(scene, conditions.clone(), &opening).unwrap();
+        let lift = Lift::new(conditions).unwrap();
+        let blocks = scene.blocks().len();
+        let pattern = Pattern::new(
+            blocks,
+            (0..blocks).flat_map(|a| (0..a).map(move |b| (a, b))),
+        );
+        let settings = Settings::default().bound;
+        let mut slices = Slices::default();
+        for (leaf, &pair) in pairs.iter().enumerate() {
+            slices.leaves.divide(leaf, pair);
+        }
+        let mut search = Search {
+            lift: &lift,
+            pattern: &pattern,
+            prover: Some(&prover),
+            settings: &settings,
+        };
+        search.run(&mut slices, 0.264_706);
+        let lower = slices.lower;
+        (
+            slices
+                .certificate(scene, &prover, settings.lift_cap, opening)
+                .0,
+            lower,
+        )
+    }
+
+    /// Whatever they are divided by, branches prove the same together, and a certificate says so.
+    #[test]
+    fn branches_prove_what_one_slice_does() {
+        let scene = wall();
+        for pairs in [&[][..], &[0], &[9], &[2, 15], &[4, 5, 31]] {
+            let (certificate, lower) = divided(&scene, pairs);
+            assert!((lower - 0.264_706).abs() < 3e-5, "{pairs:?}: {lower}");
+            let proved = prove(&scene, &certificate).unwrap();
+            assert!(
+                proved.lower > 0.264_706 * (1.0 - 1e-4),
+                "{pairs:?}: {proved:?}"
+            );
+            assert_eq!(proved.slices, certificate.slices.len());
+        }
+    }
+
+    /// A branch that is gone, or turned into the other one, proves no more than what is left.
+    #[test]
+    fn a_changed_branch_proves_nothing() {
+        let scene = wall();
+        let (certificate, _) = divided(&scene, &[9]);
+        let refused = |change: &dyn Fn(&mut Certificate)| {
+            let mut changed = certificate.clone();
+            change(&mut changed);
+            prove(&scene, &changed).expect_err("it is changed")
+        };
+        let is_of = |zero: Factor| {
+            let mut slices = certificate.slices.iter();
+            slices.position(|slice| {
+                slice
+                    .assumed
+                    .first()
+                    .is_some_and(|first| first.zero == zero)
+            })
+        };
+        let [force, rate] = [Factor::Force, Factor::Rate].map(|zero| is_of(zero).unwrap());
+        let gone = refused(&|c| {
+            c.slices.remove(force);
+        });
+        assert!(matches!(gone, Refusal::Less { .. }), "{gone:?}");
+        for (slice, other) in [(force, Factor::Rate), (rate, Factor::Force)] {
+            refused(&|c| c.slices[slice].assumed[0].zero = other);
+            refused(&|c| c.slices[slice].assumed[0].pair += 1);
+            // Without its assumption it would speak of all states.
+            refused(&|c| c.slices[slice].assumed.clear());
+            let twice = |c: &mut Certificate| {
+                let first = c.slices[slice].assumed[0];
+                c.slices[slice].assumed.push(first);
+            };
+            assert_eq!(refused(&twice), Refusal::Size);
+            let far = refused(&|c| c.slices[slice].assumed[0].pair = usize::MAX);
+            assert_eq!(far, Refusal::Size);
+        }
+    }
+}
