@@ -35,17 +35,6 @@ pub struct Hold<'a> {
     longest: f64,
 }
 
-/// Part of the time that the first push took to come to rest, over which every further step of λ is
-/// applied: that time tells how slowly a scene sways, and one that sways slowly would be thrown over
-/// by a step that a stiff one does not feel.
-const RAMP: f64 = 0.25;
-
-/// Times the longest rest so far that a load may take, where a shorter step can follow.
-const TIMES_LONGEST: f64 = 8.0;
-
-/// The least time that every load has, in √(H_c/g).
-const LEAST_PATIENCE: f64 = 20.0;
-
 impl<'a> Hold<'a> {
     /// For a model and its parameters.
     pub fn new(model: &'a Model, parameters: &'a Parameters) -> Self {
@@ -93,7 +82,8 @@ impl<'a> Hold<'a> {
             // What runs away by a quarter of the step takes so long.
             let step = (loads[1] - loads[0]) as f64 / GRID;
             let runs_away = (8.0 * parameters.runaway / step).sqrt();
-            let patience = (TIMES_LONGEST * self.longest).max(LEAST_PATIENCE);
+            let rests = parameters.rests_allowed * self.longest;
+            let patience = rests.max(parameters.least_patience);
             let patience = patience.max(runs_away).min(parameters.patience);
             (parameters.runaway, patience)
         };
@@ -126,7 +116,7 @@ impl<'a> Hold<'a> {
         let from: Vec<BodyState> = engine.states();
         let steps = (parameters.window / engine.dt()).ceil() as usize;
         let windows = (patience / parameters.window).ceil() as usize;
-        let ramp = parameters.ramp.max(RAMP * self.first);
+        let ramp = parameters.ramp.max(parameters.ramp_of_rest * self.first);
         let ramp = (ramp / engine.dt()).ceil().max(1.0);
         // Largest speed of the window before.
         let mut peak_before = f64::INFINITY;

@@ -25,6 +25,8 @@ mod search;
 mod single;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod tuned;
 mod verify;
 
 pub use parameters::Parameters;

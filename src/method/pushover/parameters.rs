@@ -1,4 +1,5 @@
-//! Every tuned number of a pushover in one table, without dimensions: lengths in course heights H_c,
+//! Every tuned number of one pushover in one table (the test `tuned` halves and doubles each, and
+//! answers must stay within their stated error), without dimensions: lengths in course heights H_c,
 //! g = 1, so times are in √(H_c/g) and speeds in √(g·H_c).
 
 use super::model::{GRID, Model};
@@ -145,6 +146,17 @@ parameters! { of:
     window: f64 = of.window(), "window", TIME;
     /// Time after which a state that neither rests nor collapses is unclear.
     patience: f64 = 200.0, "patience", TIME;
+    /// The least part of the time that the first push took to come to rest, over which every further
+    /// step of λ is applied: that time tells how slowly a scene sways, and one that sways slowly would
+    /// be thrown over by a step that a stiff one does not feel.
+    ramp_of_rest: f64 = 0.25, "ramp at least", "of the first rest";
+    /// Times the longest rest so far that a load may take, where a shorter step can follow.
+    rests_allowed: f64 = 8.0, "time of a step", "longest rests";
+    /// The least time that every load has.
+    least_patience: f64 = 20.0, "time of a step at least", TIME;
+    /// Steps in a row, each half as long as the one before, that may neither rest nor run away in time,
+    /// before any push has come to rest and later: contacts that let a scene sway so long are too soft.
+    slow_steps: [usize; 2] = [1, 3];
     /// Kinetic damping: blocks are stopped when their kinetic energy has fallen to this part of
     /// its last peak. Stopping at every dip follows a step most gently, but keeps the slow modes of
     /// a wall that sways from ever settling.

@@ -51,13 +51,6 @@ pub enum SearchEnd {
     Falls(PushoverFact),
 }
 
-/// Steps in a row, each half as long as the one before, that may neither rest nor run away in time:
-/// contacts that let a scene sway so long are too soft for it.
-const MOST_SLOW: usize = 3;
-
-/// The same before any push has come to rest.
-const MOST_SLOW_AT_FIRST: usize = 1;
-
 /// Raises λ from rest to rest: by doubling until a step runs away, then to where the runaways
 /// extrapolate the limit. That is only a hint of where to look: the bracket is a proved rest and a
 /// collapse from it by a step no longer than the tolerance. A longer step overshoots, so its
@@ -151,11 +144,8 @@ pub fn search(
             }
             Held::Unclear => {
                 slow += 1;
-                let most = if lower == 0 {
-                    MOST_SLOW_AT_FIRST
-                } else {
-                    MOST_SLOW
-                };
+                let [at_first, later] = parameters.slow_steps;
+                let most = if lower == 0 { at_first } else { later };
                 if slow > most {
                     let lambda = engine.multiplier * model.multiplier;
                     return SearchEnd::Undecided(PushoverFact::Unclear { lambda });
