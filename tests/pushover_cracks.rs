@@ -1,32 +1,14 @@
 //! Crack slopes of the pushover beside those of verified mechanisms, on random coursed walls.
 
+mod random;
+
+use random::Random;
 use trilith::answer::{Bracket, Crack, Status};
 use trilith::judge::judge;
 use trilith::method::limit::{Associative, Interval};
 use trilith::method::pushover::Pushover;
 use trilith::method::{Method, Settings};
 use trilith::scene::{HeadJoints, OfBlocks, Piece, Push, Scene, Wall};
-
-/// Steele, Lea & Flood's SplitMix64: the same walls on every machine.
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, count: usize) -> usize {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        ((z ^ (z >> 31)) % count as u64) as usize
-    }
-
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.below(1_000) as f64 / 999.0
-    }
-
-    fn one_in(&mut self, count: usize) -> bool {
-        self.below(count) == 0
-    }
-}
 
 /// A wall in running bond, with an opening or an overburden in every third.
 fn wall(seed: u64) -> Scene {

@@ -1,8 +1,10 @@
 //! Random walls as builders lay them, pushed and compared with verified states and bounds of the
 //! limit analysis, which shares no code with the pushover.
 
+mod random;
 mod scenes;
 
+use random::Random;
 use scenes::{ground, homogeneous, rectangle, scene};
 use trilith::answer::{Bracket, Outcome, Status};
 use trilith::judge::judge;
@@ -10,27 +12,6 @@ use trilith::method::limit::{Associative, Interval};
 use trilith::method::pushover::{Pushover, solve_with};
 use trilith::method::{Method, PushoverSettings, Settings};
 use trilith::scene::{Block, HeadJoints, Load, Scene, Vector};
-
-/// Steele, Lea & Flood's SplitMix64: the same walls on every machine.
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, count: usize) -> usize {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        ((z ^ (z >> 31)) % count as u64) as usize
-    }
-
-    fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.below(1_000) as f64 / 999.0
-    }
-
-    fn one_in(&mut self, count: usize) -> bool {
-        self.below(count) == 0
-    }
-}
 
 /// A wall in running bond: half-units are the grid. An opening has a lintel on it, and a cap lies on
 /// all of the top course or on a part of it.

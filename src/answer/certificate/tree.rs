@@ -39,8 +39,7 @@ impl Tree<'_> {
             (slices.iter()).partition(|&&index| self.slices[index].0.assumed.len() == depth);
         for index in own {
             let (slice, part) = self.slices[index];
-            // Written so that a NaN is refused.
-            if !(slice.from <= lower) {
+            if slice.from > lower {
                 return Err(Refusal::Apart { slice: index });
             }
             let reached = part.least.min(slice.to);
