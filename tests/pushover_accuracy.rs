@@ -2,9 +2,11 @@
 
 use trilith::answer::Status;
 use trilith::case;
+use trilith::judge::judge;
+use trilith::method::limit::Interval;
 use trilith::method::pushover::{Parameters, Pushover, solve_with};
 use trilith::method::{Accuracy, Method, PushoverSettings, Settings};
-use trilith::scene::HeadJoints;
+use trilith::scene::{HeadJoints, OfBlocks, Piece, Push, Wall};
 
 /// Verified open values by linear programs that share no code with the pushover: HiGHS through
 /// `oracle.py --start open`.
@@ -80,5 +82,51 @@ fn the_tall_wall_with_and_without_damping() {
             .bracket
             .unwrap_or_else(|| panic!("{}", outcome.reason()));
         assert!(bracket.error(0.5413, 1.0) <= 4e-3, "{bracket:?}");
+    }
+}
+
+/// Walls of paper-1's bond and of hundreds of blocks, so many units wide and courses high: both ends lie
+/// within the stated error of the lowest state that the limit analysis verifies.
+#[test]
+#[ignore = "minutes"]
+fn large_walls_are_within_their_stated_error() {
+    for (units, courses) in [(36, 20), (60, 30)] {
+        let even = [
+            vec![Piece::Half],
+            vec![Piece::Unit; units - 1],
+            vec![Piece::Half],
+        ]
+        .concat();
+        let rows = [even, vec![Piece::Unit; units]];
+        let wall = Wall {
+            unit_length: 4.0,
+            unit_height: 1.75,
+            thickness: 1.0,
+            unit_weight: 1.0,
+            courses: rows.iter().cycle().take(courses).cloned().collect(),
+            friction: 0.65.into(),
+            overburden: 0.0,
+            push: Push::Right,
+            of_blocks: OfBlocks::default(),
+        };
+        let scene = wall.scene(HeadJoints::Open).expect("it can be laid");
+        let mut lowest = Interval.solve(&scene, &Settings::default());
+        judge(&scene, &mut lowest);
+        assert_eq!(lowest.status, Status::Verified, "{}", lowest.reason());
+        let exact = lowest.bracket.expect("verified").lower;
+        let outcome = Pushover.solve(&scene, &Settings::default());
+        let bracket = outcome
+            .bracket
+            .unwrap_or_else(|| panic!("{}", outcome.reason()));
+        let stated = outcome.stated_error.expect("a pushover states its error");
+        let error = bracket.error(exact, 1.0);
+        println!(
+            "{units} × {courses}: {bracket:?}, stated {stated}, verified {exact}, error {error:.1e}"
+        );
+        assert!(
+            error <= stated,
+            "{units} × {courses}: {bracket:?}, verified {exact}"
+        );
+        assert!(stated <= 2e-3, "{units} × {courses}: {stated}");
     }
 }
