@@ -13,6 +13,7 @@ mod head_joints;
 mod import;
 mod interrupt;
 mod output;
+mod pages;
 mod plan;
 mod progress;
 mod records;
@@ -27,14 +28,19 @@ mod sweep;
 
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::{ArgAction, CommandFactory, Parser, Subcommand};
 
 /// Validation and regression harness for the limit analysis of dry-joint masonry walls.
 #[derive(Parser)]
 #[command(version, arg_required_else_help = true)]
+#[command(propagate_version = true, disable_version_flag = true)]
 struct Arguments {
     #[command(subcommand)]
     command: Command,
+    /// Print the version.
+    #[arg(short = 'V', visible_short_alias = 'v', long, global = true)]
+    #[arg(action = ArgAction::Version, display_order = 1000)]
+    version: Option<bool>,
 }
 
 #[derive(Subcommand)]
@@ -105,7 +111,19 @@ enum Command {
         #[arg(long, default_value = "wall")]
         kind: cases::KindArgument,
     },
+    /// Print completions for a shell.
+    #[command(after_help = COMPLETIONS)]
+    Completions(pages::CompletionsArguments),
+    /// Print the man page, as troff: `trilith man | man -l -`.
+    Man(pages::ManArguments),
 }
+
+/// Where completions go.
+const COMPLETIONS: &str = "\
+To have them in every new shell:
+  bash  trilith completions bash > ~/.local/share/bash-completion/completions/trilith
+  zsh   trilith completions zsh > DIR/_trilith, DIR a folder in $fpath
+  fish  trilith completions fish > ~/.config/fish/completions/trilith.fish";
 
 /// Parses the arguments, runs the command, and turns its end into an exit status.
 pub fn main() -> ExitCode {
@@ -139,6 +157,8 @@ pub fn main() -> ExitCode {
         Command::Convert(arguments) => convert::convert(&arguments),
         Command::Schema { of } => external::schema(of),
         Command::New { name, kind } => cases::new(&name, kind.into()),
+        Command::Completions(arguments) => pages::completions(&arguments, Arguments::command()),
+        Command::Man(arguments) => pages::man(&arguments, Arguments::command()),
     };
     match done {
         Ok(status) => ExitCode::from(status),
