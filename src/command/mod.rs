@@ -17,6 +17,7 @@ mod pages;
 mod plan;
 mod progress;
 mod records;
+mod reference;
 mod report;
 mod run;
 mod settings;
@@ -46,6 +47,7 @@ struct Arguments {
 #[derive(Subcommand)]
 enum Command {
     /// Run the methods on cases and print published beside computed.
+    #[command(after_long_help = reference::RUN)]
     Run(run::RunArguments),
     /// Check cases against their references and against each other; none named: the whole library.
     Check(check::CheckArguments),
@@ -57,8 +59,10 @@ enum Command {
     /// Merge the shards of a sweep that ran on several machines.
     Merge(sweep::MergeArguments),
     /// Draw speed against accuracy: every method over its ladder of settings.
+    #[command(after_long_help = reference::CHART)]
     Chart(chart::ChartArguments),
     /// Map where each method is right, inaccurate, without an answer, or wrong.
+    #[command(after_long_help = reference::ATLAS)]
     Atlas(atlas::AtlasArguments),
     /// Run the methods on cases and write one HTML file about it that needs nothing else.
     Report(report::ReportArguments),
@@ -73,6 +77,7 @@ enum Command {
         pushover: bool,
     },
     /// Print the scene of a case as JSON, as external methods read it.
+    #[command(after_long_help = reference::EXPORT)]
     Export {
         /// A case file, or the name of a built-in case.
         case: String,
@@ -95,6 +100,7 @@ enum Command {
         method: String,
     },
     /// Read a drawing (DXF): every closed outline becomes a block of a case, with a CSV beside it.
+    #[command(after_long_help = reference::IMPORT)]
     Import(import::ImportArguments),
     /// Write a case of any form as explicit blocks: a case file with a CSV beside it.
     Convert(convert::ConvertArguments),
