@@ -14,9 +14,9 @@ const FAINT: &str = "#5f5b53";
 const CRACK: &str = "#7a3e9d";
 const LOAD: &str = "#b3006b";
 /// Pixels for a unit of length, size of the picture, and where the wall's lower-left corner lies.
-const SCALE: f64 = 24.0;
-const SIZE: [f64; 2] = [760.0, 460.0];
-const CORNER: [f64; 2] = [150.0, 362.0];
+const SCALE: f64 = 18.0;
+const SIZE: [f64; 2] = [640.0, 352.0];
+const CORNER: [f64; 2] = [140.0, 270.0];
 
 type Pixel = [f64; 2];
 
@@ -164,11 +164,11 @@ fn crack(sketch: &mut Sketch, solved: &Solved) {
     );
     sketch.line(
         foot,
-        [foot[0], foot[1] - 128.0],
+        [foot[0], foot[1] - 104.0],
         INK,
         "stroke-dasharray=\"2 3\"",
     );
-    let (radius, beta) = (104.0, slope.atan());
+    let (radius, beta) = (84.0, slope.atan());
     let arc = (0..=12).map(|i| beta * f64::from(i) / 12.0);
     let arc: Vec<Pixel> = arc
         .map(|angle| {
@@ -180,8 +180,8 @@ fn crack(sketch: &mut Sketch, solved: &Solved) {
         .collect();
     sketch.path(&arc, false, &format!("fill=\"none\" stroke=\"{INK}\""));
     let middle = [
-        foot[0] - 86.0 * (beta / 2.0).sin(),
-        foot[1] - 86.0 * (beta / 2.0).cos(),
+        foot[0] - 67.0 * (beta / 2.0).sin(),
+        foot[1] - 67.0 * (beta / 2.0).cos(),
     ];
     sketch.text(middle, "middle", INK, "β");
     let [x, y] = at(right, 0.0);
@@ -287,7 +287,7 @@ fn sketch(solved: &Solved) -> String {
             solved.crack.tan_beta
         ),
     ];
-    for (line, y) in lines.iter().zip([416.0, 438.0]) {
+    for (line, y) in lines.iter().zip([CORNER[1] + 50.0, CORNER[1] + 70.0]) {
         sketch.text([middle, y], "middle", INK, line);
     }
     let title =
@@ -297,7 +297,7 @@ fn sketch(solved: &Solved) -> String {
         "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" \
          width=\"{width}\" height=\"{height}\" role=\"img\" aria-label=\"{title}\" \
          font-family=\"'Helvetica Neue',Helvetica,Arial,'Liberation Sans','DejaVu Sans',sans-serif\" \
-         font-size=\"14\" stroke-linejoin=\"round\">\n<title>{title}</title>\n\
+         font-size=\"13\" stroke-linejoin=\"round\">\n<title>{title}</title>\n\
          <rect width=\"100%\" height=\"100%\" rx=\"6\" fill=\"#fff\"/>\n{}</svg>\n",
         sketch.0
     )
