@@ -1,9 +1,12 @@
-//! The labelled sketch of a wall in README: paper-1 as it is solved, so that its crack, its tint and
-//! its numbers are true. The test holds `.github/wall.svg` equal to what is drawn here.
+//! What README shows and says is what the program draws and answers.
+//!
+//! The labelled sketch of a wall is paper-1 as it is solved, so that its crack, its tint and its
+//! numbers are true; `.github/wall.svg` is held equal to what is drawn here.
 
 use std::fmt::Write;
 use std::fs;
 use std::path::Path;
+use std::process::Command;
 
 use trilith::answer::{Crack, Mechanism, Status};
 use trilith::scene::{HeadJoints, Point, RegularWall, Scene};
@@ -303,14 +306,100 @@ fn sketch(solved: &Solved) -> String {
     )
 }
 
-#[test]
-fn the_sketch_in_readme_is_the_wall_as_it_is_solved() {
-    let drawn = sketch(&solved());
+/// Holds a picture of README equal to what is drawn today.
+fn assert_kept(name: &str, drawn: &str) {
     let package = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let kept = fs::read_to_string(package.join(".github/wall.svg")).unwrap_or_default();
+    let kept = fs::read_to_string(package.join(".github").join(name)).unwrap_or_default();
     if kept != drawn {
-        let new = package.join("target/wall.svg");
-        fs::write(&new, &drawn).expect("target can be written to");
-        panic!("the sketch changed: look at target/wall.svg, and copy it to .github/wall.svg");
+        let new = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+        fs::write(&new, drawn).expect("cargo's folder can be written to");
+        let new = new.display();
+        panic!("{name} changed: look at {new}, and copy it to .github/{name}");
+    }
+}
+
+#[test]
+fn the_sketch_is_the_wall_as_it_is_solved() {
+    assert_kept("wall.svg", &sketch(&solved()));
+}
+
+fn trilith(folder: &Path, arguments: &[&str]) -> String {
+    let mut program = Command::new(env!("CARGO_BIN_EXE_trilith"));
+    let output = program.args(arguments).current_dir(folder).output();
+    let output = output.expect("the program starts");
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(0), "{arguments:?}: {errors}");
+    assert_eq!(errors, "", "{arguments:?}");
+    String::from_utf8(output.stdout).expect("output is UTF-8")
+}
+
+#[test]
+fn the_drawing_of_wall_2_is_what_draw_writes() {
+    let folder = tempfile::tempdir().unwrap();
+    let drawn = trilith(
+        folder.path(),
+        &["draw", "paper-2", "--side-by-side", "-o", "-"],
+    );
+    assert_kept("paper-2.svg", &drawn);
+}
+
+const README: &str = include_str!("../README.md");
+
+/// The text of the first fenced block that begins so.
+fn block(begin: &str) -> &str {
+    let (_, rest) = README.split_once(begin).expect("README has the block");
+    rest.split_once("\n```").expect("the block ends").0
+}
+
+#[test]
+fn the_wall_of_your_own_has_the_verdict_that_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("garden.toml"), block("```toml\n")).unwrap();
+    for head_joints in ["contact", "open"] {
+        // Not the search, which takes seconds: it ends where λ_A with open head joints lies.
+        let arguments = ["run", "garden.toml", "--head-joints", head_joints];
+        let methods = ["--method", "sequential", "associative", "--format", "csv"];
+        let out = trilith(folder.path(), &[&arguments[..], &methods[..]].concat());
+        let lambda = |line: &str| line.split(',').nth(4).and_then(|field| field.parse().ok());
+        let found: Vec<f64> = out.lines().filter_map(lambda).collect();
+        let told = if head_joints == "open" {
+            [0.44811, 0.4481]
+        } else {
+            [0.48201, 0.4481]
+        };
+        for (found, told) in found.iter().zip(told) {
+            assert!(
+                (found - told).abs() < 6e-5,
+                "{head_joints}: {found} for {told}"
+            );
+        }
+        assert_eq!(found.len(), 2, "{out}");
+    }
+    assert!(README.contains("λ = 0.448."));
+}
+
+#[test]
+fn every_command_is_named_and_every_named_command_is_there() {
+    let help = trilith(Path::new("."), &["--help"]);
+    let listed = help.lines().skip_while(|line| *line != "Commands:").skip(1);
+    let listed = listed.take_while(|line| !line.is_empty());
+    let names = listed.filter(|line| line.starts_with("  ") && !line.starts_with("   "));
+    let names: Vec<&str> = names
+        .filter_map(|line| line.split_whitespace().next())
+        .collect();
+    for name in names.iter().filter(|name| **name != "help") {
+        assert!(
+            README.contains(&format!("`{name}`")),
+            "README does not name {name}"
+        );
+    }
+    let typed = README
+        .match_indices("`trilith ")
+        .map(|(at, _)| &README[at + 9..]);
+    for typed in typed {
+        let end = typed.find(|c: char| !c.is_ascii_alphanumeric());
+        let word = &typed[..end.unwrap_or(typed.len())];
+        let known = word == "COMMAND" || names.contains(&word);
+        assert!(known, "README types `trilith {word}`");
     }
 }
