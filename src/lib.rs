@@ -56,3 +56,8 @@ pub mod report;
 pub mod run;
 pub mod scene;
 pub mod study;
+
+/// The example of README compiles and runs.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

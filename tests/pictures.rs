@@ -176,6 +176,32 @@ fn swept(ys: usize, zs: usize) -> SweepTable {
     SweepTable::parse("swept", text.as_bytes()).unwrap()
 }
 
+/// Published values stand on the curves of the wall that they are of, and on no other's: not where a key of
+/// one value changes the wall, nor where a file has the name of a built-in case.
+#[test]
+fn published_values_stand_on_the_curves_of_their_own_wall() {
+    let marked = |key: &str, value: &str, [blocks, joints, friction]: [&str; 3]| {
+        let mut text = format!("case,method,lower,upper,overburden{key},blocks,joints,friction\n");
+        for overburden in 0..=10 {
+            text.push_str(&format!(
+                "paper-1,associative,0.6,0.6,{overburden}{value},{blocks},{joints},{friction}\n"
+            ));
+        }
+        let table = SweepTable::parse("swept", text.as_bytes()).unwrap();
+        let picture = sweep_picture(&table).unwrap();
+        picture.contains("published or by another code")
+    };
+    assert!(marked("", "", ["33", "83", "0.65"]));
+    assert!(!marked(",unit.height", ",2", ["33", "83", "0.65"]));
+    for other in [
+        ["34", "83", "0.65"],
+        ["33", "84", "0.65"],
+        ["33", "83", "0.4"],
+    ] {
+        assert!(!marked("", "", other), "{other:?}");
+    }
+}
+
 #[test]
 fn sweeps_of_one_and_two_variables_have_their_plots() {
     for (ys, zs, headings) in [(0, 0, 2), (3, 0, 6), (2, 3, 12)] {

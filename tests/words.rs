@@ -132,3 +132,61 @@ fn drawings_are_imported_run_and_exported() {
         "{out}"
     );
 }
+
+/// A wall of ten courses with a door, a lintel and one line more.
+fn wall_with_a_door(line: &str, course: &str) -> String {
+    format!(
+        "unit = {{ length = 0.4, height = 0.2, weight = 1.0 }}\npieces = {{ L = {{ units = 3 }} }}\n\
+         courses = [\n\"111gg111\",\n\"h11hggh11h\",\n\"111gg111\",\n\"11hLh11\",\n\"{course}\"\n]\n\
+         friction = 0.65\n{line}\n"
+    )
+}
+
+#[test]
+fn a_course_with_a_piece_too_few_is_warned_of() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("garden.toml");
+    let warned = |text: String| {
+        std::fs::write(&file, text).unwrap();
+        let output = trilith(folder.path(), &["show", "garden.toml"]);
+        assert!(output.status.success());
+        said(&output).1
+    };
+    let short = warned(wall_with_a_door("", "h1*6h"));
+    assert!(
+        short.contains("course 5 is 7 units long, and all others are 8")
+            && short.contains("garden.toml:8"),
+        "{short}"
+    );
+    for course in ["h1*7h", "1*7g"] {
+        assert_eq!(warned(wall_with_a_door("", course)), "", "{course}");
+    }
+    // Walls that step back have more courses of another length than one.
+    let steps = "unit = { length = 4, height = 2, weight = 1 }\nfriction = 0.6\n\
+                 courses = [\"111\", \"111\", \"11\", \"1\"]\n";
+    assert_eq!(warned(steps.to_owned()), "");
+}
+
+#[test]
+fn no_case_of_the_library_is_warned_of() {
+    for case in trilith::case::library() {
+        assert!(case.warnings.is_empty(), "{}", case.name);
+    }
+}
+
+#[test]
+fn who_looks_for_an_opening_or_a_file_is_told_where_it_is() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("garden.toml");
+    std::fs::write(&file, wall_with_a_door("lintel = 3", "h1*7h")).unwrap();
+    let (_, complaint) = said(&trilith(folder.path(), &["show", "garden.toml"]));
+    assert!(
+        complaint.contains("pieces = { L = { units = 3 } }"),
+        "{complaint}"
+    );
+    let (_, complaint) = said(&trilith(folder.path(), &["show", "garden"]));
+    assert!(
+        complaint.contains("did you mean the file `garden.toml`?"),
+        "{complaint}"
+    );
+}

@@ -13,9 +13,11 @@ mod head_joints;
 mod import;
 mod interrupt;
 mod output;
+mod pages;
 mod plan;
 mod progress;
 mod records;
+mod reference;
 mod report;
 mod run;
 mod settings;
@@ -27,19 +29,25 @@ mod sweep;
 
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::{ArgAction, CommandFactory, Parser, Subcommand};
 
 /// Validation and regression harness for the limit analysis of dry-joint masonry walls.
 #[derive(Parser)]
 #[command(version, arg_required_else_help = true)]
+#[command(propagate_version = true, disable_version_flag = true)]
 struct Arguments {
     #[command(subcommand)]
     command: Command,
+    /// Print the version.
+    #[arg(short = 'V', visible_short_alias = 'v', long, global = true)]
+    #[arg(action = ArgAction::Version, display_order = 1000)]
+    version: Option<bool>,
 }
 
 #[derive(Subcommand)]
 enum Command {
     /// Run the methods on cases and print published beside computed.
+    #[command(after_long_help = reference::RUN)]
     Run(run::RunArguments),
     /// Check cases against their references and against each other; none named: the whole library.
     Check(check::CheckArguments),
@@ -51,8 +59,10 @@ enum Command {
     /// Merge the shards of a sweep that ran on several machines.
     Merge(sweep::MergeArguments),
     /// Draw speed against accuracy: every method over its ladder of settings.
+    #[command(after_long_help = reference::CHART)]
     Chart(chart::ChartArguments),
     /// Map where each method is right, inaccurate, without an answer, or wrong.
+    #[command(after_long_help = reference::ATLAS)]
     Atlas(atlas::AtlasArguments),
     /// Run the methods on cases and write one HTML file about it that needs nothing else.
     Report(report::ReportArguments),
@@ -67,6 +77,7 @@ enum Command {
         pushover: bool,
     },
     /// Print the scene of a case as JSON, as external methods read it.
+    #[command(after_long_help = reference::EXPORT)]
     Export {
         /// A case file, or the name of a built-in case.
         case: String,
@@ -89,6 +100,7 @@ enum Command {
         method: String,
     },
     /// Read a drawing (DXF): every closed outline becomes a block of a case, with a CSV beside it.
+    #[command(after_long_help = reference::IMPORT)]
     Import(import::ImportArguments),
     /// Write a case of any form as explicit blocks: a case file with a CSV beside it.
     Convert(convert::ConvertArguments),
@@ -105,7 +117,19 @@ enum Command {
         #[arg(long, default_value = "wall")]
         kind: cases::KindArgument,
     },
+    /// Print completions for a shell.
+    #[command(after_help = COMPLETIONS)]
+    Completions(pages::CompletionsArguments),
+    /// Print the man page, as troff: `trilith man | man -l -`.
+    Man(pages::ManArguments),
 }
+
+/// Where completions go.
+const COMPLETIONS: &str = "\
+To have them in every new shell:
+  bash  trilith completions bash > ~/.local/share/bash-completion/completions/trilith
+  zsh   trilith completions zsh > DIR/_trilith, DIR a folder in $fpath
+  fish  trilith completions fish > ~/.config/fish/completions/trilith.fish";
 
 /// Parses the arguments, runs the command, and turns its end into an exit status.
 pub fn main() -> ExitCode {
@@ -139,6 +163,8 @@ pub fn main() -> ExitCode {
         Command::Convert(arguments) => convert::convert(&arguments),
         Command::Schema { of } => external::schema(of),
         Command::New { name, kind } => cases::new(&name, kind.into()),
+        Command::Completions(arguments) => pages::completions(&arguments, Arguments::command()),
+        Command::Man(arguments) => pages::man(&arguments, Arguments::command()),
     };
     match done {
         Ok(status) => ExitCode::from(status),

@@ -5,7 +5,7 @@ use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::Mutex;
 use std::sync::mpsc::{Receiver, channel};
 use std::thread;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use wait4::Wait4;
 
@@ -31,6 +31,7 @@ const MAX_MESSAGES: u64 = 1 << 16;
 const LINE_LENGTH: usize = 200;
 
 /// Time between two looks at a program that runs.
+#[cfg(unix)]
 const POLL_INTERVAL: Duration = Duration::from_millis(2);
 
 /// Time that pipes may stay open after the program's end, by children that left its group.
@@ -167,7 +168,10 @@ fn drain(pipe: Option<impl Read + Send + 'static>, most: u64) -> Receiver<Vec<u8
 /// Whether the program ends within the limit. It is not reaped, so its number stays its own.
 #[cfg(unix)]
 fn wait(child: &Child, limit: Duration) -> Result<bool, ProgramFailure> {
+    use std::time::Instant;
+
     use rustix::process::{WaitId, WaitIdOptions, waitid};
+
     let began = Instant::now();
     let options = WaitIdOptions::EXITED | WaitIdOptions::NOHANG | WaitIdOptions::NOWAIT;
     loop {

@@ -184,7 +184,8 @@ impl Wall {
         }
     }
 
-    fn course_width(&self, course: &Course) -> f64 {
+    /// Length of a course from the left end of the wall to its last piece or gap.
+    pub fn course_width(&self, course: &Course) -> f64 {
         course.iter().map(|&piece| self.width(piece)).sum()
     }
 

@@ -117,6 +117,10 @@ fn unknown(argument: &str) -> Complaint {
     } else {
         Complaint::new(format!("there is no case named `{shown}`"))
     };
+    let file = format!("{argument}.toml");
+    if !a_path && Path::new(&file).is_file() {
+        return complaint.help(format!("did you mean the file `{}`?", shorten(&file, 200)));
+    }
     complaint.help(match near {
         Some(near) => format!("did you mean the case `{near}`?"),
         None if a_path => "check the path; `trilith new NAME` writes a case to begin with".into(),

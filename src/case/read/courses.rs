@@ -25,6 +25,11 @@ pub(super) struct PlacedCourses {
 }
 
 impl PlacedCourses {
+    /// The course strings from bottom to top; they may be laid several times.
+    pub fn strings(&self) -> &[Range<usize>] {
+        &self.strings
+    }
+
     /// The string of a course, which counts from 1 over all repeats.
     pub fn course_place(&self, course: usize) -> Option<Range<usize>> {
         let index = course.checked_sub(1)?;

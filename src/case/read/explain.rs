@@ -76,6 +76,11 @@ pub(super) fn missing_key(document: &Document, span: Range<usize>, key: &str) ->
         .help(format!("add `{example}`"))
 }
 
+/// What people look for who have a wall with a door or a window.
+const OPENINGS: &[&str] = &[
+    "opening", "openings", "door", "doors", "window", "windows", "lintel", "lintels", "gap", "gaps",
+];
+
 fn unknown_key(document: &Document, span: Range<usize>, message: &str) -> Complaint {
     // unknown field `a`, expected one of `b`, `c`: every second piece is a word.
     let words: Vec<&str> = message.split('`').skip(1).step_by(2).collect();
@@ -87,6 +92,10 @@ fn unknown_key(document: &Document, span: Range<usize>, message: &str) -> Compla
     }
     let help = if CASE_KEYS.contains(key) {
         format!("move `{key}` up, above the first line that begins with `[`")
+    } else if OPENINGS.contains(key) {
+        "openings are gaps in the courses, `g` one unit wide; a lintel is a piece of its own length, as in \
+         `pieces = { L = { units = 3 } }` and `courses = [\"11gg11\", \"1hLh1\"]`"
+            .into()
     } else if let Some(near) = nearest(key, known.iter().copied()) {
         format!("did you mean `{near}`?")
     } else {

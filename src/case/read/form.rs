@@ -13,8 +13,8 @@ use super::wall::wall;
 use crate::case::complaint::{Complaint, Document};
 use crate::case::geometry::Geometry;
 
-/// The one geometry of a file, and warnings about files beside it: the first key that belongs to one form decides which, and a key of
-/// another is refused.
+/// The one geometry of a file, and warnings about its courses and about files beside it: the first key
+/// that belongs to one form decides which, and a key of another is refused.
 pub(super) fn geometry(
     document: &Document,
     file: &CaseFile,
@@ -40,7 +40,7 @@ pub(super) fn geometry(
             )));
     }
     match form {
-        Form::Wall => wall(document, file).map(Geometry::Wall),
+        Form::Wall => wall(document, file, warnings).map(Geometry::Wall),
         Form::Blocks => assembly(document, file, read_file, warnings).map(Geometry::Blocks),
         Form::Arch => arch(document, file).map(Geometry::Arch),
     }

@@ -12,6 +12,7 @@ use super::friction::friction;
 use super::own_blocks::own_blocks;
 use super::pieces::legend;
 use crate::case::complaint::{Complaint, Document};
+use crate::number::short;
 use crate::scene::{Course, OfBlocks, Push, Wall, WallError};
 
 /// Units longer or higher than this times the other side would fall under the joint search's
@@ -19,7 +20,11 @@ use crate::scene::{Course, OfBlocks, Push, Wall, WallError};
 const MOST_SLENDER: f64 = 1000.0;
 
 /// The wall of a file.
-pub(super) fn wall(document: &Document, file: &CaseFile) -> Result<Wall, Complaint> {
+pub(super) fn wall(
+    document: &Document,
+    file: &CaseFile,
+    warnings: &mut Vec<Complaint>,
+) -> Result<Wall, Complaint> {
     let Some(unit) = &file.unit else {
         return Err(missing_key(document, 0..0, "unit"));
     };
@@ -43,8 +48,39 @@ pub(super) fn wall(document: &Document, file: &CaseFile) -> Result<Wall, Complai
                 .help(help)
         })?;
     }
+    warnings.extend(one_of_another_length(document, &laid, &wall));
     own_blocks(document, file, &mut wall, laid.weights)?;
     Ok(wall)
+}
+
+/// A warning where one course string is longer or shorter than all others, which are alike: a piece
+/// that was forgotten. Walls that step back or out have more than one such course.
+fn one_of_another_length(
+    document: &Document,
+    laid: &PlacedCourses,
+    wall: &Wall,
+) -> Option<Complaint> {
+    let strings = laid.strings().len();
+    let lengths = wall.courses[..strings].iter();
+    let lengths: Vec<f64> = lengths.map(|course| wall.course_width(course)).collect();
+    let alike = |a: f64, b: f64| (a - b).abs() < 1e-6 * wall.unit_length;
+    // Of three strings and more, one of the first two has the length of the others.
+    let common = *lengths.iter().take(2).find(|&&length| {
+        let others = lengths.iter().filter(|&&other| alike(length, other));
+        strings > 2 && others.count() == strings - 1
+    })?;
+    let odd = lengths.iter().position(|&length| !alike(length, common))?;
+    let units = |length: f64| short(length / wall.unit_length, 3);
+    let title = format!(
+        "course {} is {} units long, and all others are {}",
+        odd + 1,
+        units(lengths[odd]),
+        units(common)
+    );
+    let place = laid.course_place(odd + 1)?;
+    let warning = document.complain(place, title, "a piece too many or too few?");
+    let help = "count the pieces; a gap at the end, `g`, says that nothing is there on purpose";
+    Some(warning.help(help).into_warning())
 }
 
 fn sized(

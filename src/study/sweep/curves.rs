@@ -2,8 +2,9 @@
 
 use super::known::of_overburden;
 use super::points::{SweepTable, Variable};
+use crate::case::find;
 use crate::method::{Look, Mark, method_look};
-use crate::number::number;
+use crate::number::{number, short};
 use crate::picture::palette::INK;
 use crate::picture::{Between, Filling, Line, Marks, Plot, PlotAxis, PlotPoint, Ticks};
 use crate::scene::HeadJoints;
@@ -61,7 +62,7 @@ pub fn curves(
             }
         }
     }
-    plot.marks.extend(known(scene, chosen, x));
+    plot.marks.extend(known(table, scene, x, rows));
     plot
 }
 
@@ -129,12 +130,27 @@ fn split(scene: &str) -> (&str, HeadJoints) {
     }
 }
 
-/// Values of others, where the overburden alone varies.
-fn known(scene: &str, chosen: &[(&str, &str)], x: &Variable) -> Option<Marks> {
-    if x.name != "overburden" || !chosen.is_empty() {
+/// Values of others, where nothing but the overburden is changed, on a wall of a built-in case: a key of
+/// one value may change it as well, and so may a file that has the name of one.
+fn known(table: &SweepTable, scene: &str, x: &Variable, rows: &[&Vec<String>]) -> Option<Marks> {
+    if x.name != "overburden" || !table.keys().eq(["overburden"]) {
         return None;
     }
     let (case, head_joints) = split(scene);
+    let wall = find(case).ok()?.first()?.scene(head_joints);
+    let mut frictions = wall.joints().iter().map(|joint| short(joint.friction, 9));
+    let wall = [
+        ("blocks", wall.blocks().len().to_string()),
+        ("joints", wall.joints().len().to_string()),
+        ("friction", frictions.next()?),
+    ];
+    let differs = |row: &&Vec<String>| {
+        wall.iter()
+            .any(|(name, value)| table.cell(row, name) != value)
+    };
+    if rows.iter().any(differs) {
+        return None;
+    }
     let last = x.numbers()?.into_iter().fold(0.0, f64::max);
     let points = of_overburden(case, head_joints).into_iter();
     let points = points.filter(|point| point.overburden <= last);

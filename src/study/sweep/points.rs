@@ -116,14 +116,18 @@ impl SweepTable {
         value.is_finite().then_some(value)
     }
 
+    /// The keys that the sweep's file varies, also those of one value.
+    pub fn keys(&self) -> impl Iterator<Item = &str> {
+        let end = self.column(SCENE).unwrap_or(self.columns.len());
+        let names = self.columns[..end].iter().map(String::as_str);
+        names.filter(|name| !RESULTS.contains(name))
+    }
+
     /// What varies: keys with all their values, in the order of the table. Keys that vary together, as
     /// those of one table of a sweep's file do, are one: the first speaks for all.
     pub fn variables(&self) -> Vec<Variable> {
-        let end = self.column(SCENE).unwrap_or(self.columns.len());
-        let names = self.columns[..end].iter();
-        let names = names.filter(|name| !RESULTS.contains(&name.as_str()));
         let mut found: Vec<Variable> = Vec::new();
-        for name in names {
+        for name in self.keys() {
             let of_row = |row: &Vec<String>| self.cell(row, name).to_owned();
             let mut values: Vec<String> = Vec::new();
             for value in self.rows.iter().map(of_row) {
@@ -143,7 +147,7 @@ impl SweepTable {
             });
             if !together {
                 found.push(Variable {
-                    name: name.clone(),
+                    name: name.to_owned(),
                     values,
                 });
             }
