@@ -8,7 +8,8 @@ use trilith::files::write_together;
 
 use super::cases::quoted;
 use super::plan::warn;
-use super::stop::{Stop, print};
+use super::screen::print;
+use super::stop::Stop;
 
 #[derive(Args)]
 pub(super) struct ConvertArguments {

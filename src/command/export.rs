@@ -11,7 +11,8 @@ use trilith::scene::Push;
 
 use super::convert::one_case;
 use super::head_joints::HeadJointsArgument;
-use super::stop::{Stop, print};
+use super::screen::print;
+use super::stop::Stop;
 
 /// Writes a case as a drawing, with the mechanism and the thrust of a method's answer.
 pub(super) fn export(
