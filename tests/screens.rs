@@ -108,8 +108,10 @@ fn a_run_fits_and_its_numbers_are_those_of_the_csv() {
 fn checks_and_lists_fit() {
     let check = ["check", "stack", "block-both", "--method", "associative"];
     let show = ["show", "paper-3", "--pushover"];
+    let stored = concat!(env!("CARGO_MANIFEST_DIR"), "/cases/certificates");
+    let certified = [&check[..], &["--certificates", stored]].concat();
     for width in WIDTHS {
-        for command in [&check[..], &show, &["list"]] {
+        for command in [&check[..], &certified, &show, &["list"]] {
             assert_fits(&screen(width, command).0, width);
         }
     }

@@ -222,7 +222,7 @@ pub(super) fn new(name: &str, template: Template) -> Result<u8, Stop> {
     Case::read(&file, text.as_bytes()).map_err(|e| Stop::bad_input(e.to_string()))?;
     write_whole(path, &text)
         .map_err(|e| Stop::bad_input(format!("error: cannot write {file}: {e}")))?;
-    print(&format!(
+    print_lines(&format!(
         "wrote {file}; next: trilith run {}\n",
         quoted(&file)
     ))?;

@@ -11,7 +11,7 @@ use trilith::run::{CaseResult, Partial, stored};
 use super::output;
 use super::plan::PlanArguments;
 use super::run::{files, refuted};
-use super::screen::{layout, print};
+use super::screen::{layout, print, print_lines};
 use super::solve::solve;
 use super::stop::{REFUTED, Stop};
 
@@ -60,7 +60,7 @@ pub(super) fn check(arguments: &CheckArguments) -> Result<u8, Stop> {
             if stored.verdict.is_err() {
                 refused.store(true, Ordering::SeqCst);
             }
-            print(&format!("{stored}\n"))?;
+            print_lines(&format!("{stored}\n"))?;
         }
         Ok(())
     };

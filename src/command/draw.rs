@@ -12,7 +12,7 @@ use trilith::scene::HeadJoints;
 
 use super::output;
 use super::plan::PlanArguments;
-use super::screen::print;
+use super::screen::{print, print_lines};
 use super::solve::solve;
 use super::stop::Stop;
 
@@ -110,7 +110,7 @@ pub(super) fn draw(arguments: &DrawArguments) -> Result<u8, Stop> {
         .map_err(|why| Stop::bad_input(format!("error: cannot write {}: {why}", path.display())))?;
     write_whole(path, contents)
         .map_err(|e| Stop::bad_input(format!("error: cannot write {}: {e}", path.display())))?;
-    print(&format!("wrote {}\n", path.display()))?;
+    print_lines(&format!("wrote {}\n", path.display()))?;
     Ok(0)
 }
 

@@ -12,7 +12,7 @@ use super::cases::quoted;
 use super::convert::in_files;
 use super::drawing::{DrawingArguments, is_drawing};
 use super::head_joints::HeadJointsArgument;
-use super::screen::print;
+use super::screen::print_lines;
 use super::stop::Stop;
 
 #[derive(Args)]
@@ -74,7 +74,7 @@ pub(super) fn import(arguments: &ImportArguments) -> Result<u8, Stop> {
             quoted(&shown)
         ),
     };
-    print(&format!("wrote {shown} and {}; {next}\n", csv.display()))?;
+    print_lines(&format!("wrote {shown} and {}; {next}\n", csv.display()))?;
     Ok(0)
 }
 

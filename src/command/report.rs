@@ -13,7 +13,7 @@ use trilith::study::sweep::SweepTable;
 use super::output;
 use super::plan::PlanArguments;
 use super::run::{files, refuted};
-use super::screen::print;
+use super::screen::print_lines;
 use super::solve::solve;
 use super::stop::{REFUTED, Stop};
 
@@ -57,7 +57,7 @@ pub(super) fn report(arguments: &ReportArguments) -> Result<u8, Stop> {
         |results, partial| {
             let path = hand_out(arguments, results, &settings, &sweeps, partial)?;
             let said = partial.map_or(String::new(), |partial| format!("{partial}\n"));
-            print(&format!("{said}wrote {path}\n"))
+            print_lines(&format!("{said}wrote {path}\n"))
         },
     )?;
     Ok(if refuted(&results) { REFUTED } else { 0 })

@@ -18,7 +18,7 @@ use trilith::text::{ended, grid, numbers, words};
 
 use super::output;
 use super::plan::externals;
-use super::screen::{layout, print};
+use super::screen::{layout, print, print_lines};
 use super::slurm;
 use super::stop::{REFUTED, Stop};
 use super::study::run_study;
@@ -136,7 +136,7 @@ pub(super) fn sweep(arguments: &SweepArguments) -> Result<u8, Stop> {
             (Some(_), Some(_)) => Ok(0),
             (Some(shard), None) => {
                 let path = shard.write(&folder, &rows).map_err(not_written)?;
-                print(&format!(
+                print_lines(&format!(
                     "shard {shard} of {}: {} points in {}\n",
                     sweep.name,
                     rows.len(),
