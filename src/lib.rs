@@ -10,7 +10,7 @@
 //! ```
 //!
 //! The modules are floors of a house. Each uses only those before it, and no two files use each
-//! other (a test holds both): number, files; scene; answer; method; case; external; judge; run;
+//! other (a test holds both): number, text, files; scene; answer; method; case; external; judge; run;
 //! record; picture; study; report. The command line stands on top.
 //!
 //! A case read, solved and judged:
@@ -56,6 +56,7 @@ pub mod report;
 pub mod run;
 pub mod scene;
 pub mod study;
+pub mod text;
 
 /// The example of README compiles and runs.
 #[cfg(doctest)]

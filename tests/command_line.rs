@@ -164,7 +164,7 @@ fn records_of_a_users_wall_are_compared_and_reviewed() {
     ];
     let first = trilith(folder.path(), &run);
     assert_eq!(first.status.code(), Some(1));
-    assert!(text(&first.stderr).starts_with("new: snapshots/mine.snap.new"));
+    assert!(text(&first.stderr).starts_with("the record snapshots/mine.snap.new is new"));
     let snapshots = folder.path().join("snapshots");
     fs::rename(snapshots.join("mine.snap.new"), snapshots.join("mine.snap")).unwrap();
     assert_eq!(trilith(folder.path(), &run).status.code(), Some(0));
@@ -177,7 +177,7 @@ fn records_of_a_users_wall_are_compared_and_reviewed() {
     fs::write(&file, wall.replace(friction, "friction = 0.2")).unwrap();
     let changed = trilith(folder.path(), &run);
     assert_eq!(changed.status.code(), Some(1));
-    assert!(text(&changed.stderr).starts_with("changed: snapshots/mine.snap.new"));
+    assert!(text(&changed.stderr).starts_with("the record snapshots/mine.snap.new is changed"));
     assert!(snapshots.join("mine.snap.new").exists());
 }
 
@@ -210,14 +210,14 @@ fn a_record_whose_case_is_gone_is_named_and_pruned() {
     // What is there and did not run is not gone.
     assert_eq!(run("walls/one.toml", &[]), (Some(0), String::new()));
     fs::remove_file(folder.join("walls/two.toml")).unwrap();
-    let gone = "gone: the case of records/two.snap (`--prune` removes the record)\n";
+    let gone = "the case of records/two.snap is gone; `--prune` removes the record\n";
     for cases in ["walls", "walls/one.toml"] {
         assert_eq!(run(cases, &[]), (Some(1), gone.to_owned()));
     }
     assert!(records.join("two.snap").exists());
     let (status, said) = run("walls", &["--prune"]);
     assert_eq!(status, Some(0), "{said}");
-    assert!(said.starts_with("removed: records/two.snap"), "{said}");
+    assert!(said.starts_with("records/two.snap was removed"), "{said}");
     assert!(records.join("one.snap").exists() && !records.join("two.snap").exists());
     assert_eq!(run("walls", &[]), (Some(0), String::new()));
 }

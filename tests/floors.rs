@@ -11,7 +11,7 @@ use trilith::method::METHODS;
 
 /// Rooms from the ground up; those of one line do not use each other.
 const FLOORS: [&[&str]; 13] = [
-    &["number", "files", "fingerprint"],
+    &["number", "text", "files", "fingerprint"],
     &["scene"],
     &["answer"],
     &["method"],

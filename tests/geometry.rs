@@ -188,7 +188,8 @@ fn the_weaker_of_both_sides_is_the_answer() {
                     both.outcome.mechanism, one[weaker].outcome.mechanism,
                     "{name}"
                 );
-                assert!(both.outcome.reason().starts_with("weaker when pushed "));
+                let reason = both.outcome.reason();
+                assert!(reason.starts_with("the wall is weaker when pushed to the "));
             }
         }
     }

@@ -65,7 +65,7 @@ fn a_violated_value_and_a_deviation_are_listed_with_their_errors() {
             .unwrap_or_else(|| panic!("no {title} in\n{out}"))
             .to_string()
     };
-    assert!(section("violated").contains("analytic 0.4: error 25.00 %"));
+    assert!(section("violated").contains("25.00 % off the analytic value 0.4"));
     assert!(section("known deviations").contains("printed for another friction"));
     assert!(out.ends_with("1 violated, 0 failed\n"), "{out}");
 }

@@ -10,6 +10,7 @@ use trilith::report::{csv, library_case, library_closing, table};
 use trilith::run::{CaseResult, Plan, Row, Subject, Task, run, run_rows};
 use trilith::scene::{HeadJoints, Scene};
 use trilith::study::sweep;
+use trilith::text::Layout;
 
 /// λ_A, but on one block alone.
 struct PanicsOnStacks;
@@ -56,11 +57,14 @@ fn assert_one_failed<'a>(rows: impl Iterator<Item = &'a Row>, count: usize) {
 
 #[test]
 fn in_run_check_and_report() {
-    let results = results();
+    let (results, layout) = (results(), Layout::default());
     assert_eq!(results.len(), 3);
     assert_one_failed(results.iter().flat_map(|result| &result.rows), 6);
-    let checked: String = results.iter().map(library_case).collect();
-    let checked = checked + &library_closing(&results);
+    let checked: String = results
+        .iter()
+        .map(|result| library_case(result, layout))
+        .collect();
+    let checked = checked + &library_closing(&results, layout);
     assert!(
         checked.contains("\nfailed\n") && checked.contains("1 failed"),
         "{checked}"
@@ -71,7 +75,12 @@ fn in_run_check_and_report() {
         sweeps: &[],
         partial: None,
     });
-    for text in [table(&results), csv(&results).unwrap(), checked, page] {
+    for text in [
+        table(&results, layout),
+        csv(&results).unwrap(),
+        checked,
+        page,
+    ] {
         assert!(text.contains("sliding-block"));
         assert!(text.contains(MESSAGE), "{text}");
         assert!(text.contains("rocking-block"));

@@ -9,6 +9,7 @@ use trilith::method::{Settings, methods};
 use trilith::report::case_table;
 use trilith::run::{CaseResult, Plan, run};
 use trilith::scene::HeadJoints;
+use trilith::text::Layout;
 
 fn read(toml: &str, csv: &str) -> Case {
     let beside = |_: &str| Ok(csv.as_bytes().to_vec());
@@ -245,7 +246,7 @@ fn thrust_runs_inside_the_arch_and_adds_up_in_a_pier() {
 
 #[track_caller]
 fn assert_says(case: &Case, words: &[&str]) {
-    let table = case_table(&result(case, &["interval"]));
+    let table = case_table(&result(case, &["interval"]), Layout::default());
     for word in words {
         assert!(table.contains(word), "no `{word}` in\n{table}");
     }
@@ -266,19 +267,19 @@ fn answers_are_given_in_the_terms_of_engineers() {
     assert_says(
         &block("[[0, 0], [2, 0], [2, 1], [0, 1]]"),
         &[
-            "tilt 16.70 degrees",
-            "base shear 0.6",
-            "sliding to the right on the base",
-            "first to move A",
+            "tilt by 16.70 degrees",
+            "base shear is 0.6",
+            "the block slides to the right on the base",
+            "A moves first",
         ],
     );
     // One of 1 x 5 rocks about (1, 0) at 0.2.
     assert_says(
         &block("[[0, 0], [1, 0], [1, 5], [0, 5]]"),
         &[
-            "tilt 11.31 degrees",
-            "base shear 1",
-            "rocking about the toe at (1, 0), on the base",
+            "tilt by 11.31 degrees",
+            "base shear is 1",
+            "rocks about the toe at (1, 0), on the base",
         ],
     );
     // The upper half of a pier with a slippery bed slides on course 2.
@@ -291,11 +292,11 @@ fn answers_are_given_in_the_terms_of_engineers() {
     assert_says(
         &pier,
         &[
-            "1 of 2 blocks: sliding to the right on course 1",
-            "base shear 0.1",
+            "1 of 2 blocks slides to the right on course 1",
+            "base shear is 0.1",
         ],
     );
-    let table = case_table(&result(&pier, &["interval"]));
+    let table = case_table(&result(&pier, &["interval"]), Layout::default());
     assert!(!table.contains("tilt"), "the push is no tilt:\n{table}");
     let [arch, _] = arch(1);
     assert_says(&arch, &["4 hinges ("]);

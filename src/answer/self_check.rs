@@ -83,41 +83,50 @@ impl fmt::Display for SelfCheck {
             write!(f, "{variation}: ")?;
         }
         let supports_miss = format_args!(
-            "the supports miss {value:.1e} of the weight in carrying the loads, at most {limit:.0e}"
+            "the supports miss the loads by {value:.1e} of the weight, and at most {limit:.0e} is \
+             allowed"
         );
         match &self.what {
             Checked::UnseenJoints { of } => {
                 let seen = *of as f64 - value;
                 write!(f, "the engine sees {seen} of {of} joints")
             }
-            Checked::Settlement => write!(f, "settled by {value:.1e} H_c, at most {limit:.1e}"),
+            Checked::Settlement => write!(
+                f,
+                "under its own weight the scene settled by {value:.1e} course heights, and at most \
+                 {limit:.1e} is allowed"
+            ),
             Checked::SettledSpeed => write!(
                 f,
-                "settled at a speed of {value:.1e} √(g·H_c), at most {limit:.0e}"
+                "after settling the scene still moves at {value:.1e} √(g·H_c), and at most {limit:.0e} is \
+                 allowed"
             ),
-            Checked::SettledBalance => write!(f, "settled, {supports_miss}"),
-            Checked::LastBalance => write!(f, "at the last rest {supports_miss}"),
+            Checked::SettledBalance => write!(f, "after settling {supports_miss}"),
+            Checked::LastBalance => write!(f, "at the last load at rest {supports_miss}"),
             Checked::OpenJoints => write!(
                 f,
-                "open joints carry {value:.1e} of the weight, at most {limit:.0e}"
+                "bodies that share no joint press on each other with {value:.1e} of the weight, and at most \
+                 {limit:.0e} is allowed"
             ),
             Checked::Drift => write!(
                 f,
-                "drift up to the last load at rest: {value:.1e} H_c, at most {limit:.2}"
+                "up to the last load at rest the scene moved by {value:.1e} course heights, and at most \
+                 {limit:.2} is allowed"
             ),
             Checked::Repetition {
                 with,
                 answer: Ok(Bracket { lower, upper }),
             } => write!(
                 f,
-                "{with}: [{}, {}], {value:.1e} of λ away, at most {limit:.0e}",
+                "{with} the pushover gives {} to {}, which is {value:.1e} of λ away, and at most {limit:.0e} \
+                 is allowed",
                 number(*lower, 5),
                 number(*upper, 5)
             ),
             Checked::Repetition {
                 with,
                 answer: Err(reason),
-            } => write!(f, "{with}: {reason}"),
+            } => write!(f, "{with} the pushover has no answer: {reason}"),
         }
     }
 }
@@ -125,9 +134,9 @@ impl fmt::Display for SelfCheck {
 impl fmt::Display for Repetition {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Repetition::HalfSubstep => "half the substep",
-            Repetition::Mirrored => "mirrored",
-            Repetition::Undamped => "undamped",
+            Repetition::HalfSubstep => "with half the substep",
+            Repetition::Mirrored => "on the mirrored scene",
+            Repetition::Undamped => "without damping",
         })
     }
 }
@@ -135,11 +144,11 @@ impl fmt::Display for Repetition {
 impl fmt::Display for Variation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let side = if self.mirrored {
-            "mirrored"
+            "on the mirrored scene"
         } else {
-            "as it is"
+            "on the scene as it is"
         };
-        write!(f, "stiffness × {}, {side}", self.stiffness)
+        write!(f, "{side} with contact stiffness × {}", self.stiffness)
     }
 }
 
@@ -167,8 +176,8 @@ mod tests {
         };
         assert_eq!(
             balance.to_string(),
-            "stiffness × 0.5, mirrored: settled, the supports miss 1.2e-6 of the weight in carrying \
-             the loads, at most 1e-4"
+            "on the mirrored scene with contact stiffness × 0.5: after settling the supports miss the \
+             loads by 1.2e-6 of the weight, and at most 1e-4 is allowed"
         );
         assert!(balance.passed() && !check(Checked::Drift, f64::NAN, 0.1).passed());
     }

@@ -34,6 +34,9 @@ pub(crate) struct Document {
 /// Longest title and help line; a value of any length can stand in them.
 const LONGEST: usize = 400;
 
+/// Columns that a line of a file is cut to, with the offending part inside.
+const SOURCE_WIDTH: usize = 80;
+
 impl Complaint {
     /// A complaint that no text can be shown for.
     pub(crate) fn new(title: impl Into<String>) -> Self {
@@ -97,7 +100,7 @@ impl fmt::Display for Complaint {
         if let Some(help) = &self.help {
             report = report.element(Level::HELP.message(printable(help)));
         }
-        f.write_str(&Renderer::plain().render(&[report]))
+        f.write_str(&Renderer::plain().term_width(SOURCE_WIDTH).render(&[report]))
     }
 }
 

@@ -51,6 +51,19 @@ pub enum Quantity {
 }
 
 impl Quantity {
+    /// What it is, in words.
+    pub fn words(self) -> &'static str {
+        match self {
+            Quantity::Lambda => "λ",
+            Quantity::Lower => "the lower λ",
+            Quantity::Upper => "the upper λ",
+            Quantity::TanBeta => "tan β",
+            Quantity::C => "the width c",
+            Quantity::E => "the width e",
+            Quantity::AtRest => "the rest under its own weight",
+        }
+    }
+
     /// Every quantity.
     pub(crate) const ALL: [Quantity; 7] = [
         Quantity::Lambda,

@@ -9,19 +9,20 @@ use trilith::study::atlas::{self, Atlas, CellVerdict, Grid};
 
 use super::output;
 use super::plan::externals;
-use super::stop::{REFUTED, Stop, print};
+use super::screen::{layout, print};
+use super::stop::{REFUTED, Stop};
 use super::study::run_study;
 
 #[derive(Args)]
 pub(super) struct AtlasArguments {
-    /// All cells instead of the small atlas that the tests run; takes minutes.
+    /// Run all cells, which takes minutes, instead of the small atlas of the tests.
     #[arg(long)]
     large: bool,
     /// Also run programs of your own: a .toml file that names them, or NAME=COMMAND.
     #[arg(long, value_name = "FILE.toml|NAME=COMMAND")]
     external: Vec<String>,
-    /// Folder for atlas.csv and a picture a grid, and for the journal from which the same command goes
-    /// on.
+    /// Folder for atlas.csv and one picture for each grid, and for the journal with which the same command
+    /// goes on where it was stopped.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
 }
@@ -65,7 +66,7 @@ fn hand_out(
         files.push((format!("{}.svg", grid.name), picture));
     }
     let said = partial.map_or(String::new(), |partial| format!("{partial}\n"));
-    let printed = print(&format!("{said}{}", atlas::table(grids, &cells)));
+    let printed = print(&format!("{said}{}", atlas::table(grids, &cells, layout())));
     output::write(folder, files)?;
     printed?;
     let wrong = cells.iter().any(|cell| cell.verdict == CellVerdict::Wrong);

@@ -9,9 +9,11 @@ use trilith::files::write_whole;
 use trilith::method::{METHODS, PushoverSettings, pushover};
 use trilith::scene::{Forces, Friction, Push};
 use trilith::study::sweep::{self, Sweep};
+use trilith::text::{GridColumn, grid, words};
 
 use super::plan::warn;
-use super::stop::{Stop, print};
+use super::screen::{layout, print, print_lines};
+use super::stop::Stop;
 
 #[derive(Clone, Copy, ValueEnum)]
 pub(super) enum KindArgument {
@@ -33,22 +35,35 @@ impl From<KindArgument> for Template {
     }
 }
 
+/// Columns of the lists of cases and of sweeps: where there is no room, the files go.
+const NAMED: [GridColumn; 3] = [words("name"), words("file").spare(1), words("title")];
+
 pub(super) fn list() -> Result<u8, Stop> {
-    let mut text = String::from("cases built in:\n");
-    for ((path, _), case) in case::embedded().zip(case::library()) {
-        let _ = writeln!(text, "  {:<24} {:<44} {}", case.name, path, case.title);
-    }
-    text.push_str("\nsweeps built in:\n");
+    let cases = case::embedded()
+        .zip(case::library())
+        .map(|((path, _), case)| [case.name, path.to_owned(), case.title].to_vec());
+    let mut sweeps = Vec::new();
     for (path, _) in sweep::embedded() {
         let sweep =
             Sweep::find(path).map_err(|complaint| Stop::bad_input(complaint.to_string()))?;
-        let _ = writeln!(text, "  {:<16} {:<32} {}", sweep.name, path, sweep.title);
+        sweeps.push(vec![sweep.name, path.to_owned(), sweep.title]);
     }
-    text.push_str("\nmethods:\n");
-    for entry in METHODS {
-        let _ = writeln!(text, "  {:<12} {}", entry.name(), entry.summary);
-    }
-    print(&text)?;
+    let methods = METHODS.iter().map(|entry| {
+        let by_default = if entry.by_default { "yes" } else { "" };
+        [entry.name(), by_default, entry.summary]
+            .map(str::to_owned)
+            .to_vec()
+    });
+    let table = |columns: &[GridColumn], rows: &[Vec<String>]| grid(layout(), 2, columns, rows);
+    print(&format!(
+        "cases built in:\n{}\nsweeps built in:\n{}\nmethods:\n{}",
+        table(&NAMED, &cases.collect::<Vec<_>>()),
+        table(&NAMED, &sweeps),
+        table(
+            &[words("name"), words("by default"), words("what it is")],
+            &methods.collect::<Vec<_>>()
+        ),
+    ))?;
     Ok(0)
 }
 
@@ -56,12 +71,12 @@ pub(super) fn show(argument: &str, pushover: bool) -> Result<u8, Stop> {
     let cases = case::find(argument).map_err(|complaint| Stop::bad_input(complaint.to_string()))?;
     warn(&cases);
     for case in &cases {
-        print(&description(case))?;
+        print_lines(&description(case))?;
         for &head_joints in case.head_joints.iter().filter(|_| pushover) {
             let scene = case.scene(head_joints);
             let lines = pushover::parameters(&scene, &PushoverSettings::default())
-                .unwrap_or_else(|reason| format!("not run: {reason}\n"));
-            print(&format!(
+                .unwrap_or_else(|reason| format!("It is not run: {reason}.\n"));
+            print_lines(&format!(
                 "pushover, {} head joints\n{lines}",
                 head_joints.name()
             ))?;
@@ -139,9 +154,9 @@ fn geometry(geometry: &Geometry) -> String {
 
 fn forces(forces: &Forces) -> String {
     let weight = if forces.weight_is_live {
-        "live load: weights sideways"
+        "the live load is every weight sideways"
     } else {
-        "live load: loads alone"
+        "the live load is the loads alone"
     };
     match forces.extra.len() {
         0 => weight.into(),
@@ -152,9 +167,9 @@ fn forces(forces: &Forces) -> String {
 
 fn pushes(pushes: &[Push]) -> &'static str {
     match pushes {
-        [Push::Right] => "right",
-        [Push::Left] => "left",
-        _ => "right and left, the weaker side counts",
+        [Push::Right] => "to the right",
+        [Push::Left] => "to the left",
+        _ => "to the right and to the left, and the weaker side counts",
     }
 }
 
@@ -207,7 +222,7 @@ pub(super) fn new(name: &str, template: Template) -> Result<u8, Stop> {
     Case::read(&file, text.as_bytes()).map_err(|e| Stop::bad_input(e.to_string()))?;
     write_whole(path, &text)
         .map_err(|e| Stop::bad_input(format!("error: cannot write {file}: {e}")))?;
-    print(&format!(
+    print_lines(&format!(
         "wrote {file}; next: trilith run {}\n",
         quoted(&file)
     ))?;

@@ -9,23 +9,24 @@ use trilith::study::chart::{self, Chart};
 use super::head_joints::HeadJointsArgument;
 use super::output;
 use super::plan::{collect, externals};
-use super::stop::{Stop, print};
+use super::screen::{layout, print, tell};
+use super::stop::Stop;
 use super::study::run_study;
 
 #[derive(Args)]
 pub(super) struct ChartArguments {
-    /// Case files, folders of them, or names of built-in cases; none: the paper's walls and the two
-    /// with openings.
+    /// Case files, folders of them, or names of built-in cases; where none is named, the walls of the paper
+    /// and two with openings.
     #[arg(value_name = "CASE")]
     cases: Vec<String>,
-    /// Head joints instead of what the case says.
+    /// What head joints carry, instead of what the case says.
     #[arg(long)]
     head_joints: Option<HeadJointsArgument>,
     /// Also run programs of your own: a .toml file that names them, or NAME=COMMAND.
     #[arg(long, value_name = "FILE.toml|NAME=COMMAND")]
     external: Vec<String>,
-    /// Folder for chart.csv, chart.svg, price.svg and summary.csv, and for the journal from which the same command
-    /// goes on.
+    /// Folder for chart.csv, chart.svg, price.svg and summary.csv, and for the journal with which the same
+    /// command goes on where it was stopped.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
 }
@@ -45,7 +46,7 @@ pub(super) fn chart(arguments: &ChartArguments) -> Result<u8, Stop> {
     for case in &cases {
         let measured = |&head| chart::reference(case, head).is_some();
         if !case.head_joints.iter().any(measured) {
-            eprintln!(
+            tell!(
                 "{} has no reference to measure errors against: left out",
                 case.name
             );
@@ -100,7 +101,10 @@ fn hand_out(chart: &Chart, rows: &[Row], why: Option<&str>, folder: &Path) -> Re
     let price = chart::price_picture(&prices);
     files.extend(price.map(|picture| ("price.svg".to_owned(), picture)));
     let said = partial.map_or(String::new(), |partial| format!("{partial}\n"));
-    let printed = print(&format!("{said}{}", chart::summary_table(&summaries)));
+    let printed = print(&format!(
+        "{said}{}",
+        chart::summary_table(&summaries, layout())
+    ));
     output::write(folder, files)?;
     printed
 }

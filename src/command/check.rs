@@ -11,12 +11,13 @@ use trilith::run::{CaseResult, Partial, stored};
 use super::output;
 use super::plan::PlanArguments;
 use super::run::{files, refuted};
+use super::screen::{layout, print, print_lines};
 use super::solve::solve;
-use super::stop::{REFUTED, Stop, print};
+use super::stop::{REFUTED, Stop};
 
 #[derive(Args)]
 pub(super) struct CheckArguments {
-    /// Case files, folders of them, or names of built-in cases; none: the whole library.
+    /// Case files, folders of them, or names of built-in cases; where none is named, the whole library.
     #[arg(value_name = "CASE")]
     cases: Vec<String>,
     #[command(flatten)]
@@ -24,7 +25,8 @@ pub(super) struct CheckArguments {
     /// Also write results.csv, results.json and one record a case into this folder.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
-    /// Keep finished results in a journal in this folder, and go on from it [default: that of --out].
+    /// Keep finished results in a journal in this folder, and go on from there [default: the folder of
+    /// --out].
     #[arg(long, value_name = "DIR")]
     resume: Option<PathBuf>,
     /// Write the certificates of lower bounds into this folder, one file a scene and direction of the
@@ -35,8 +37,8 @@ pub(super) struct CheckArguments {
     /// cases/certificates, where there is one].
     #[arg(long, value_name = "DIR")]
     certificates: Option<PathBuf>,
-    /// Also put the scene, forces, velocities, rays and ceilings of every answer into results.json,
-    /// in the formats of outside programs.
+    /// Also put the scene and the forces and velocities of every answer into results.json, in the formats
+    /// of outside programs (`trilith schema`).
     #[arg(long, requires = "out")]
     states: bool,
 }
@@ -51,14 +53,14 @@ pub(super) fn check(arguments: &CheckArguments) -> Result<u8, Stop> {
     }
     let stored_in = stored_in(arguments)?;
     let refused = AtomicBool::new(false);
-    print(&report::library_heading())?;
+    print(&report::library_heading(layout()))?;
     let show = |result: &CaseResult| {
-        print(&report::library_case(result))?;
+        print(&report::library_case(result, layout()))?;
         for stored in stored_in.iter().flat_map(|folder| stored(result, folder)) {
             if stored.verdict.is_err() {
                 refused.store(true, Ordering::SeqCst);
             }
-            print(&format!("{stored}\n"))?;
+            print_lines(&format!("{stored}\n"))?;
         }
         Ok(())
     };
@@ -80,7 +82,10 @@ fn hand_out(
     partial: Option<&Partial>,
 ) -> Result<(), Stop> {
     let said = partial.map_or(String::new(), |partial| format!("\n{partial}\n"));
-    let printed = print(&format!("{said}{}", report::library_closing(results)));
+    let printed = print(&format!(
+        "{said}{}",
+        report::library_closing(results, layout())
+    ));
     if let Some(folder) = &arguments.out {
         output::write(folder, files(results, arguments.states, partial)?)?;
     }

@@ -8,7 +8,8 @@ use trilith::files::write_together;
 
 use super::cases::quoted;
 use super::plan::warn;
-use super::stop::{Stop, print};
+use super::screen::print_lines;
+use super::stop::Stop;
 
 #[derive(Args)]
 pub(super) struct ConvertArguments {
@@ -42,7 +43,7 @@ pub(super) fn convert(arguments: &ConvertArguments) -> Result<u8, Stop> {
         },
     )?;
     let (shown, csv) = (path.display().to_string(), csv.display());
-    print(&format!(
+    print_lines(&format!(
         "wrote {shown} and {csv}; next: trilith run {}\n",
         quoted(&shown)
     ))?;

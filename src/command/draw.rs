@@ -12,8 +12,9 @@ use trilith::scene::HeadJoints;
 
 use super::output;
 use super::plan::PlanArguments;
+use super::screen::{print, print_lines};
 use super::solve::solve;
-use super::stop::{Stop, print};
+use super::stop::Stop;
 
 #[derive(Args)]
 pub(super) struct DrawArguments {
@@ -21,14 +22,14 @@ pub(super) struct DrawArguments {
     case: String,
     #[command(flatten)]
     plan: PlanArguments,
-    /// Macro-block, interval and pushover beside each other, unless `--method` names others.
+    /// Draw macro-block, interval and pushover beside each other, or the methods that `--method` names.
     #[arg(long)]
     side_by_side: bool,
     /// Also draw the contact forces of each method that gives them.
     #[arg(long)]
     forces: bool,
-    /// The file to write, SVG; `-` for standard output; PNG or PDF where the program is built with
-    /// `--features print`.
+    /// The SVG file to write; `-` prints it. A program that is built with `--features print` also writes
+    /// PNG and PDF.
     #[arg(short, long, value_name = "FILE.svg")]
     output: PathBuf,
 }
@@ -109,7 +110,7 @@ pub(super) fn draw(arguments: &DrawArguments) -> Result<u8, Stop> {
         .map_err(|why| Stop::bad_input(format!("error: cannot write {}: {why}", path.display())))?;
     write_whole(path, contents)
         .map_err(|e| Stop::bad_input(format!("error: cannot write {}: {e}", path.display())))?;
-    print(&format!("wrote {}\n", path.display()))?;
+    print_lines(&format!("wrote {}\n", path.display()))?;
     Ok(0)
 }
 

@@ -7,6 +7,7 @@ use trilith::case::{Case, DrawingOptions, Imported};
 use trilith::files::{Input, read_input};
 use trilith::scene::Push;
 
+use super::screen::tell;
 use super::stop::Stop;
 
 /// Remarks that a run prints; `import` prints all of them.
@@ -15,10 +16,11 @@ const SHOWN: usize = 20;
 #[derive(Args)]
 #[command(next_help_heading = "Drawings (.dxf)")]
 pub(super) struct DrawingArguments {
-    /// Layer of the outlines that never move [default: `support` or `ground`, else the lowest wide one].
+    /// Layer of the outlines that never move [default: `support` or `ground`, else the lowest wide
+    /// outline].
     #[arg(long, value_name = "LAYER")]
     support: Option<String>,
-    /// Layers that are not read.
+    /// Leave these layers out.
     #[arg(long, value_name = "LAYER", value_delimiter = ',')]
     without: Vec<String>,
     /// Coefficient of friction of every joint of the drawing.
@@ -27,10 +29,10 @@ pub(super) struct DrawingArguments {
     /// Which way the drawing is pushed.
     #[arg(long, value_name = "WAY")]
     push: Option<Ways>,
-    /// Unit of length of the drawing, instead of what its header says.
+    /// Unit of length of the drawing, instead of the one that its header names.
     #[arg(long, value_name = "UNIT")]
     units: Option<Unit>,
-    /// Chords are nearer to their arc than this part of its radius.
+    /// Arcs become chords that are nearer to them than this part of the radius.
     #[arg(long, value_name = "PART")]
     chord: Option<f64>,
 }
@@ -100,7 +102,7 @@ impl DrawingArguments {
             within("friction", Some(friction), 0.0, 0.0, 1e12)?;
             if (10.5..90.0).contains(&friction) {
                 let tangent = friction.to_radians().tan();
-                eprintln!(
+                tell!(
                     "warning: --friction {friction}: is this an angle? It is taken as tan φ; write \
                      {tangent:.3} for {friction} degrees"
                 );
@@ -140,10 +142,10 @@ impl DrawingArguments {
             .map_err(|complaint| Stop::bad_input(complaint.to_string()))?;
         let most = if all { usize::MAX } else { SHOWN };
         for remark in imported.remarks.iter().take(most) {
-            eprintln!("{argument}: {remark}");
+            tell!("{argument}: {remark}");
         }
         if let Some(more @ 1..) = imported.remarks.len().checked_sub(most) {
-            eprintln!("{argument}: and {more} more; `trilith import {argument}` says all");
+            tell!("{argument}: and {more} more; `trilith import {argument}` says all");
         }
         Ok(imported)
     }

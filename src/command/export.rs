@@ -11,7 +11,8 @@ use trilith::scene::Push;
 
 use super::convert::one_case;
 use super::head_joints::HeadJointsArgument;
-use super::stop::{Stop, print};
+use super::screen::print_lines;
+use super::stop::Stop;
 
 /// Writes a case as a drawing, with the mechanism and the thrust of a method's answer.
 pub(super) fn export(
@@ -56,6 +57,6 @@ pub(super) fn export(
     let text = dxf(scene, row.outcome.mechanism.as_ref(), thrust.as_ref());
     write_whole(path, &text)
         .map_err(|e| Stop::bad_input(format!("error: cannot write {}: {e}", path.display())))?;
-    print(&format!("wrote {}\n", path.display()))?;
+    print_lines(&format!("wrote {}\n", path.display()))?;
     Ok(0)
 }

@@ -7,7 +7,8 @@ use trilith::scene::Push;
 
 use super::head_joints::HeadJointsArgument;
 use super::plan::warn;
-use super::stop::{Stop, print};
+use super::screen::{print, tell};
+use super::stop::Stop;
 
 #[derive(Clone, Copy, ValueEnum)]
 pub(super) enum SchemaOf {
@@ -58,7 +59,7 @@ pub(super) fn export(
     };
     if let ([first, _], None) = (case.pushes.as_slice(), push) {
         let way = first.name();
-        eprintln!(
+        tell!(
             "{} is pushed both ways; this is its push to the {way}",
             case.name
         );

@@ -6,11 +6,11 @@ use trilith::scene::HeadJoints;
 
 #[derive(Clone, Copy, ValueEnum)]
 pub(super) enum HeadJointsArgument {
-    /// Friction.
+    /// They carry pressure and friction.
     Contact,
-    /// Nothing.
+    /// They carry nothing.
     Open,
-    /// One after the other.
+    /// Both, one after the other.
     Both,
 }
 

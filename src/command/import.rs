@@ -12,7 +12,8 @@ use super::cases::quoted;
 use super::convert::in_files;
 use super::drawing::{DrawingArguments, is_drawing};
 use super::head_joints::HeadJointsArgument;
-use super::stop::{Stop, print};
+use super::screen::print_lines;
+use super::stop::Stop;
 
 #[derive(Args)]
 pub(super) struct ImportArguments {
@@ -25,8 +26,8 @@ pub(super) struct ImportArguments {
     /// What head joints carry.
     #[arg(long)]
     head_joints: Option<HeadJointsArgument>,
-    /// Edges that face each other within this part of the smaller block's extent are made to touch, up to
-    /// 0.01; 0 heals nothing [default: 0.005].
+    /// Edges that face each other are made to touch where they are within this part of the smaller block's
+    /// extent, up to 0.01; 0 moves nothing [default: 0.005].
     #[arg(long, value_name = "PART")]
     tolerance: Option<f64>,
     #[command(flatten)]
@@ -73,7 +74,7 @@ pub(super) fn import(arguments: &ImportArguments) -> Result<u8, Stop> {
             quoted(&shown)
         ),
     };
-    print(&format!("wrote {shown} and {}; {next}\n", csv.display()))?;
+    print_lines(&format!("wrote {shown} and {}; {next}\n", csv.display()))?;
     Ok(0)
 }
 

@@ -20,6 +20,8 @@ use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::flag;
 use trilith::external::stop_all;
 
+use super::screen::tell;
+
 /// Time for which further signals do nothing.
 const DELAY: Duration = Duration::from_secs(2);
 
@@ -63,7 +65,7 @@ pub(super) fn watch() {
             at_once.and_then(|_| flag::register_usize(signal, watch.came.clone(), signal as usize));
         // Without a handler the signal ends the program as it does any other.
         if let Err(error) = told {
-            eprintln!("warning: {name} will not leave finished results behind: {error}");
+            tell!("warning: {name} will not leave finished results behind: {error}");
         }
     }
 }

@@ -20,6 +20,7 @@ mod records;
 mod reference;
 mod report;
 mod run;
+mod screen;
 mod settings;
 mod slurm;
 mod solve;
@@ -33,9 +34,11 @@ use clap::{ArgAction, CommandFactory, Parser, Subcommand};
 
 /// Validation and regression harness for the limit analysis of dry-joint masonry walls.
 #[derive(Parser)]
-#[command(version, arg_required_else_help = true)]
+#[command(version, arg_required_else_help = true, term_width = 80)]
 #[command(propagate_version = true, disable_version_flag = true)]
 struct Arguments {
+    #[command(flatten)]
+    screen: screen::ScreenArguments,
     #[command(subcommand)]
     command: Command,
     /// Print the version.
@@ -46,25 +49,26 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum Command {
-    /// Run the methods on cases and print published beside computed.
+    /// Run the methods on cases and print what each answers and what it all comes to.
     #[command(after_long_help = reference::RUN)]
     Run(run::RunArguments),
-    /// Check cases against their references and against each other; none named: the whole library.
+    /// Check the answers against published values and against each other; where no case is named, for the
+    /// whole library.
     Check(check::CheckArguments),
-    /// Draw a wall with its mechanism, as SVG.
+    /// Draw a wall and how it collapses, as SVG.
     Draw(draw::DrawArguments),
-    /// Run a sweep over ranges of a case's values; interrupted and started again, it goes on.
+    /// Vary values of a case over ranges; a sweep that is interrupted goes on when it is started again.
     #[command(after_help = sweep::FORMAT)]
     Sweep(sweep::SweepArguments),
-    /// Merge the shards of a sweep that ran on several machines.
+    /// Merge the parts of a sweep that ran on several machines.
     Merge(sweep::MergeArguments),
-    /// Draw speed against accuracy: every method over its ladder of settings.
+    /// Draw speed against accuracy: every method with settings from fast to accurate.
     #[command(after_long_help = reference::CHART)]
     Chart(chart::ChartArguments),
-    /// Map where each method is right, inaccurate, without an answer, or wrong.
+    /// Map where each method is right, inaccurate, without an answer or wrong.
     #[command(after_long_help = reference::ATLAS)]
     Atlas(atlas::AtlasArguments),
-    /// Run the methods on cases and write one HTML file about it that needs nothing else.
+    /// Run the methods on cases and write a report, one HTML file that needs nothing else.
     Report(report::ReportArguments),
     /// List the cases and sweeps that are built in, and the methods.
     List,
@@ -72,7 +76,7 @@ enum Command {
     Show {
         /// A case file, or the name of a built-in case.
         case: String,
-        /// Also every parameter with which the pushover runs the case, with its unit.
+        /// Also print every parameter that the pushover runs the case with, and its unit.
         #[arg(long)]
         pushover: bool,
     },
@@ -81,13 +85,13 @@ enum Command {
     Export {
         /// A case file, or the name of a built-in case.
         case: String,
-        /// Head joints instead of the first that the case runs with.
+        /// What head joints carry, instead of the first setting that the case runs with.
         #[arg(long)]
         head_joints: Option<head_joints::HeadJointsArgument>,
-        /// Direction of the push instead of the first that the case is pushed in.
+        /// Direction of the push, instead of the first one of the case.
         #[arg(long)]
         push: Option<external::PushArgument>,
-        /// Write a drawing instead: blocks, mechanism and thrust on layers of a DXF.
+        /// Write a DXF drawing instead, with blocks, mechanism and thrust on layers.
         #[arg(long, value_name = "FILE.dxf")]
         dxf: Option<std::path::PathBuf>,
         /// The method whose mechanism and thrust are drawn.
@@ -99,10 +103,10 @@ enum Command {
         )]
         method: String,
     },
-    /// Read a drawing (DXF): every closed outline becomes a block of a case, with a CSV beside it.
+    /// Make a case from a DXF drawing: every closed outline becomes a block.
     #[command(after_long_help = reference::IMPORT)]
     Import(import::ImportArguments),
-    /// Write a case of any form as explicit blocks: a case file with a CSV beside it.
+    /// Write a case of any form as explicit blocks, a case file with a CSV beside it.
     Convert(convert::ConvertArguments),
     /// Print the JSON schema of what external methods read or write.
     Schema {
@@ -134,7 +138,9 @@ To have them in every new shell:
 /// Parses the arguments, runs the command, and turns its end into an exit status.
 pub fn main() -> ExitCode {
     interrupt::watch();
-    let done = match Arguments::parse().command {
+    let arguments = Arguments::parse();
+    arguments.screen.settle();
+    let done = match arguments.command {
         Command::Run(arguments) => run::run(&arguments),
         Command::Check(arguments) => check::check(&arguments),
         Command::Draw(arguments) => draw::draw(&arguments),
@@ -169,7 +175,7 @@ pub fn main() -> ExitCode {
     match done {
         Ok(status) => ExitCode::from(status),
         Err(stop) => {
-            eprintln!("{}", stop.text.trim_end());
+            screen::tell_text(stop.text.trim_end());
             ExitCode::from(stop.status)
         }
     }

@@ -6,6 +6,7 @@ use trilith::files::{test_folder, write_together, write_whole};
 use trilith::method::{Kind, kind};
 use trilith::run::{CaseResult, Journal, Keeps, Task, certificates};
 
+use super::screen::tell;
 use super::stop::Stop;
 
 /// Tells before the work whether files can be written into a folder.
@@ -45,8 +46,9 @@ pub(super) fn write_certificates(folder: &Path, results: &[CaseResult]) -> Resul
                 && row.bracket().is_some()
                 && row.outcome.certificate.is_none()
             {
-                eprintln!(
-                    "no certificate of {}: it is an estimate, or a journal kept the answer without it",
+                tell!(
+                    "there is no certificate for {}: its bound is an estimate, or a journal kept the answer \
+                     without the certificate",
                     row.scene_name()
                 );
             }
@@ -61,8 +63,8 @@ pub(super) fn journal(folder: &Path, name: &str, keeps: Keeps) -> Result<Journal
     let journal = Journal::open(&folder.join(name), keeps);
     let journal = journal.map_err(|complaint| Stop::bad_input(complaint.to_string()))?;
     if journal.damaged() > 0 {
-        eprintln!(
-            "lines of {} that are not as they were written: {}; what they held is computed again",
+        tell!(
+            "{} holds damaged lines: {}; what they held is computed again",
             journal.path().display(),
             journal.damaged()
         );
@@ -75,7 +77,7 @@ pub(super) fn tell_known(journal: &Journal, tasks: &[Task]) {
     let known = tasks.iter().filter(|task| journal.get(task.id()).is_some());
     let known = known.count();
     if known > 0 {
-        eprintln!("{known} of {} results are finished already", tasks.len());
+        tell!("{known} of {} results are finished already", tasks.len());
     }
 }
 
@@ -84,6 +86,6 @@ pub(super) fn finish(journal: Journal) {
     let path = journal.path().to_owned();
     // The results are there; a journal that stays costs room and nothing else.
     if let Err(error) = journal.remove() {
-        eprintln!("warning: cannot remove {}: {error}", path.display());
+        tell!("warning: cannot remove {}: {error}", path.display());
     }
 }

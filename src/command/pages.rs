@@ -8,7 +8,8 @@ use clap_complete::Shell;
 use clap_mangen::Man;
 
 use super::output;
-use super::stop::{Stop, print};
+use super::screen::print;
+use super::stop::Stop;
 
 #[derive(Args)]
 pub(super) struct CompletionsArguments {

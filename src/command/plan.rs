@@ -8,15 +8,16 @@ use trilith::run::Plan;
 
 use super::drawing::{DrawingArguments, is_drawing};
 use super::head_joints::HeadJointsArgument;
+use super::screen::tell;
 use super::settings::SettingArguments;
 use super::stop::Stop;
 
 #[derive(Args)]
 pub(super) struct PlanArguments {
-    /// Only these methods; `trilith list` names them.
+    /// Run only these methods; `trilith list` names all of them.
     #[arg(long, value_name = "NAME", num_args = 1.., value_delimiter = ',')]
     method: Vec<String>,
-    /// Head joints instead of what the case says.
+    /// What head joints carry, instead of what the case says.
     #[arg(long)]
     head_joints: Option<HeadJointsArgument>,
     #[command(flatten)]
@@ -111,7 +112,7 @@ pub(super) fn programs(arguments: &[String]) -> Result<Vec<&'static External>, S
 /// Tells on standard error what may be a slip in the files of cases.
 pub(super) fn warn(cases: &[Case]) {
     for warning in cases.iter().flat_map(|case| &case.warnings) {
-        eprintln!("{warning}\n");
+        tell!("{warning}\n");
     }
 }
 

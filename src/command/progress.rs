@@ -1,47 +1,115 @@
 //! Progress of long work, with the time left: on standard error, and only where that is a terminal.
 
-use std::time::Duration;
+use std::fmt::Write;
+use std::sync::{Arc, Mutex};
+use std::time::{Duration, Instant};
 
-use indicatif::{ProgressBar, ProgressStyle};
-use trilith::run::{Progress, Row, Task};
+use indicatif::{ProgressBar, ProgressState, ProgressStyle};
+use trilith::run::{Progress, Remaining, Row, Task};
 
-/// A bar that fills with the seconds expected of what is done: tasks differ much in length. In a
-/// pipe, nothing is ever printed.
-pub(super) struct Bar(ProgressBar);
+/// A bar that fills with the seconds expected of the work: tasks differ much in length. In a pipe,
+/// nothing is ever printed.
+pub(super) struct Bar {
+    bar: ProgressBar,
+    known: Arc<Mutex<Known>>,
+}
+
+/// What the bar is drawn from.
+struct Known {
+    began: Instant,
+    remaining: Remaining,
+}
+
+impl Known {
+    fn now(&self) -> f64 {
+        self.began.elapsed().as_secs_f64()
+    }
+}
+
+/// Cells of the bar.
+const CELLS: usize = 24;
 
 impl Bar {
     /// An empty bar.
     pub(super) fn new() -> Self {
-        let bar = ProgressBar::new(0);
-        let template = "{bar:30} {percent}% {elapsed} (left: {eta}) {wide_msg}";
-        let style = ProgressStyle::with_template(template);
-        bar.set_style(style.expect("the template is valid"));
+        let known = Arc::new(Mutex::new(Known {
+            began: Instant::now(),
+            remaining: Remaining::new(std::thread::available_parallelism().map_or(1, Into::into)),
+        }));
+        let template = "{filled} {elapsed}, about {left} left {wide_msg}";
+        let style = ProgressStyle::with_template(template).expect("the template is valid");
+        let (of_filled, of_left) = (known.clone(), known.clone());
+        let style = style
+            .with_key("filled", move |_: &ProgressState, text: &mut dyn Write| {
+                let known = of_filled.lock().expect("no other thread panicked");
+                let share = known.remaining.share_done(known.now());
+                let full = (share * CELLS as f64) as usize;
+                let (full, rest) = ("█".repeat(full), "░".repeat(CELLS - full));
+                let _ = write!(text, "{full}{rest} {:>2.0} %", 99.0 * share);
+            })
+            .with_key("left", move |_: &ProgressState, text: &mut dyn Write| {
+                let known = of_left.lock().expect("no other thread panicked");
+                let _ = write!(text, "{}", in_words(known.remaining.left(known.now())));
+            });
+        let bar = ProgressBar::new_spinner();
+        bar.set_style(style);
         bar.enable_steady_tick(Duration::from_millis(200));
-        Self(bar)
+        Self { bar, known }
     }
 
     /// Does something that prints, with the bar off the screen.
     pub(super) fn aside<T>(&self, work: impl FnOnce() -> T) -> T {
-        self.0.suspend(work)
+        self.bar.suspend(work)
     }
 
     /// Takes the bar off the screen, before anything else is printed.
     pub(super) fn clear(&self) {
-        self.0.finish_and_clear();
+        self.bar.finish_and_clear();
+    }
+
+    fn known(&self) -> std::sync::MutexGuard<'_, Known> {
+        self.known.lock().expect("no other thread panicked")
     }
 }
 
 impl Progress for Bar {
     fn expected(&self, seconds: f64) {
-        self.0.inc_length(milliseconds(seconds));
+        self.known().remaining.expect(seconds);
     }
 
-    fn done(&self, task: &Task, _row: &Row) {
-        self.0.set_message(task.describe());
-        self.0.inc(milliseconds(task.expected_seconds()));
+    fn begun(&self, task: &Task) {
+        let mut known = self.known();
+        let now = known.now();
+        known
+            .remaining
+            .begin(task.id(), task.expected_seconds(), now);
+    }
+
+    fn done(&self, task: &Task, row: &Row) {
+        let expected = task.expected_seconds();
+        self.known().remaining.end(task.id(), expected, row.seconds);
+        self.bar
+            .set_message(format!("({} is done)", task.describe()));
     }
 }
 
-fn milliseconds(seconds: f64) -> u64 {
-    (seconds * 1e3).ceil() as u64
+/// Seconds as people say them.
+fn in_words(seconds: f64) -> String {
+    let whole = seconds.ceil() as u64;
+    match whole {
+        0..120 => format!("{whole} s"),
+        120..7200 => format!("{} min", whole.div_ceil(60)),
+        _ => format!("{} h", whole.div_ceil(3600)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::in_words;
+
+    #[test]
+    fn times_are_said_in_one_unit() {
+        let said = [0.0, 0.2, 119.0, 121.0, 7100.0, 7300.0].map(in_words);
+        assert_eq!(said, ["0 s", "1 s", "119 s", "3 min", "119 min", "3 h"]);
+    }
 }

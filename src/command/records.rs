@@ -6,6 +6,7 @@ use trilith::case;
 use trilith::record::{RecordChange, compare as compare_record, record, records_beside};
 use trilith::run::CaseResult;
 
+use super::screen::tell;
 use super::stop::Stop;
 
 /// Whether any record differs from the accepted one, or the case of one is gone; `prune` removes
@@ -26,7 +27,7 @@ pub(super) fn compare(
             RecordChange::Changed(path) => ("changed", path),
         };
         let path = path.display();
-        eprintln!("{word}: {path} (see it with `cargo insta review`)");
+        tell!("the record {path} is {word}; `cargo insta review` shows it");
         changed = true;
     }
     let names: Vec<&str> = results.iter().map(|r| r.case.name.as_str()).collect();
@@ -37,9 +38,9 @@ pub(super) fn compare(
         let shown = path.display();
         if prune {
             std::fs::remove_file(&path).map_err(failed)?;
-            eprintln!("removed: {shown}, whose case is gone");
+            tell!("{shown} was removed, because its case is gone");
         } else {
-            eprintln!("gone: the case of {shown} (`--prune` removes the record)");
+            tell!("the case of {shown} is gone; `--prune` removes the record");
             changed = true;
         }
     }

@@ -13,20 +13,23 @@ use trilith::study::sweep::SweepTable;
 use super::output;
 use super::plan::PlanArguments;
 use super::run::{files, refuted};
+use super::screen::print_lines;
 use super::solve::solve;
-use super::stop::{REFUTED, Stop, print};
+use super::stop::{REFUTED, Stop};
 
 #[derive(Args)]
 pub(super) struct ReportArguments {
-    /// Case files, folders of them, or names of built-in cases; none: the paper's three walls.
+    /// Case files, folders of them, or names of built-in cases; where none is named, the three walls of the
+    /// paper.
     #[arg(value_name = "CASE")]
     cases: Vec<String>,
     #[command(flatten)]
     plan: PlanArguments,
-    /// Also plot this sweep's `sweep.csv`; the overburden's is the paper's Fig. 7.
+    /// Also plot this `sweep.csv`; that of the sweep fig-7 is the paper's Fig. 7.
     #[arg(long, value_name = "FILE.csv")]
     sweep: Vec<PathBuf>,
-    /// Write the verification manual instead, a page a case; none named: the whole library.
+    /// Write the verification manual instead, a page for each case; where none is named, for the whole
+    /// library.
     #[arg(long, conflicts_with = "sweep")]
     manual: bool,
     /// Folder for report.html or manual.html, results.csv, results.json and one record a case.
@@ -54,7 +57,7 @@ pub(super) fn report(arguments: &ReportArguments) -> Result<u8, Stop> {
         |results, partial| {
             let path = hand_out(arguments, results, &settings, &sweeps, partial)?;
             let said = partial.map_or(String::new(), |partial| format!("{partial}\n"));
-            print(&format!("{said}wrote {path}\n"))
+            print_lines(&format!("{said}wrote {path}\n"))
         },
     )?;
     Ok(if refuted(&results) { REFUTED } else { 0 })

@@ -13,12 +13,14 @@ use trilith::run::{CaseResult, Partial, marked};
 use super::output;
 use super::plan::PlanArguments;
 use super::records::compare;
+use super::screen::{layout, print};
 use super::solve::solve;
-use super::stop::{REFUTED, Stop, print};
+use super::stop::{REFUTED, Stop};
 
 #[derive(Args)]
 pub(super) struct RunArguments {
-    /// Case files, folders of them, or names of built-in cases; none: the paper's three walls.
+    /// Case files, folders of them, or names of built-in cases; where none is named, the three walls of the
+    /// paper.
     #[arg(value_name = "CASE")]
     cases: Vec<String>,
     #[command(flatten)]
@@ -26,7 +28,8 @@ pub(super) struct RunArguments {
     /// Also write results.csv, results.json and one record a case into this folder.
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
-    /// Keep finished results in a journal in this folder, and go on from it [default: that of --out].
+    /// Keep finished results in a journal in this folder, and go on from there [default: the folder of
+    /// --out].
     #[arg(long, value_name = "DIR")]
     resume: Option<PathBuf>,
     /// Write the certificates of lower bounds into this folder, one file a scene and direction of the
@@ -36,15 +39,15 @@ pub(super) struct RunArguments {
     /// How results are printed.
     #[arg(long, default_value = "table")]
     format: Format,
-    /// Also put the scene, forces, velocities, rays and ceilings of every answer into the JSON, in the
-    /// formats of outside programs.
+    /// Also put the scene and the forces and velocities of every answer into the JSON, in the formats of
+    /// outside programs (`trilith schema`).
     #[arg(long)]
     states: bool,
-    /// Compare records with the .snap files in this folder; write .snap.new and exit 1 on change, and
-    /// where the case of a .snap file is gone.
+    /// Compare records with the .snap files in this folder; where one differs, write a .snap.new file
+    /// beside it and end with exit status 1.
     #[arg(long, value_name = "DIR")]
     record: Option<PathBuf>,
-    /// Remove the .snap files whose case is gone.
+    /// Remove the .snap files of cases that are gone.
     #[arg(long, requires = "record")]
     prune: bool,
 }
@@ -98,7 +101,7 @@ impl Format {
 
     fn case(self, result: &CaseResult) -> Result<String, Stop> {
         match self {
-            Format::Table => Ok(report::case_table(result)),
+            Format::Table => Ok(report::case_table(result, layout())),
             Format::Csv => {
                 let text = csv(std::slice::from_ref(result))?;
                 let rows = text.split_once('\n').map(|(_, rows)| rows);
@@ -118,7 +121,7 @@ impl Format {
         match self {
             Format::Table => {
                 let said = partial.map_or(String::new(), |partial| format!("{partial}\n\n"));
-                Ok(said + &report::legend())
+                Ok(said + &report::legend(layout()))
             }
             Format::Csv => {
                 let commas = csv(&[])?.matches(',').count();

@@ -7,6 +7,7 @@ use trilith::case::Case;
 use trilith::run::{CaseResult, CaseRuns, Journal, Keeps, Partial, Plan};
 
 use super::progress::Bar;
+use super::screen::tell;
 use super::stop::Stop;
 use super::{interrupt, output};
 
@@ -82,10 +83,10 @@ pub(super) fn solve(
 /// Says on standard error what became of results that are not all there.
 fn tell(why: &str, runs: &CaseRuns, journal: Option<&Journal>, handed_out: Result<(), Stop>) {
     if let Err(stop) = handed_out {
-        eprintln!("{}", stop.text.trim_end());
+        tell!("{}", stop.text.trim_end());
     }
     let [finished, of] = runs.counts();
-    eprintln!("{why}: {finished} of {of} results are finished");
+    tell!("{why}: {finished} of {of} results are finished");
     let missing = runs.missing();
     if !missing.is_empty() {
         let more = missing.len().saturating_sub(NAMED);
@@ -95,10 +96,10 @@ fn tell(why: &str, runs: &CaseRuns, journal: Option<&Journal>, handed_out: Resul
             String::new()
         };
         let named: Vec<&str> = missing.iter().take(NAMED).map(String::as_str).collect();
-        eprintln!("missing: {}{more}", named.join(", "));
+        tell!("missing: {}{more}", named.join(", "));
     }
     if let Some(journal) = journal {
         let path = journal.path().display();
-        eprintln!("run the same command again to go on from {path}");
+        tell!("run the same command again to go on from {path}");
     }
 }

@@ -20,15 +20,3 @@ impl Stop {
         }
     }
 }
-
-/// Prints to standard output; a closed pipe ends the program quietly, as `head` expects.
-pub(super) fn print(text: &str) -> Result<(), Stop> {
-    use std::io::Write;
-    let mut out = std::io::stdout().lock();
-    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
-        Err(e) if e.kind() != std::io::ErrorKind::BrokenPipe => {
-            Err(Stop::bad_input(format!("error: cannot write results: {e}")))
-        }
-        _ => Ok(()),
-    }
-}

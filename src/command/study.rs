@@ -9,6 +9,7 @@ use trilith::run::{Journal, Progress, Row, Task};
 
 use super::interrupt;
 use super::progress::Bar;
+use super::screen::tell;
 use super::stop::Stop;
 
 /// A bar that also keeps the finished rows.
@@ -79,9 +80,9 @@ pub(super) fn run_study<T>(
 /// Says on standard error what became of results that are not all there.
 pub(super) fn tell(why: &str, finished: usize, journal: &Path, handed_out: Result<(), Stop>) {
     if let Err(stop) = handed_out {
-        eprintln!("{}", stop.text.trim_end());
+        tell!("{}", stop.text.trim_end());
     }
-    eprintln!(
+    tell!(
         "{why}: {finished} results are finished; run the same command again to go on from {}",
         journal.display()
     );

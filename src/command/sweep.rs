@@ -14,38 +14,45 @@ use trilith::run::{Keeps, Partial, Row, Task, marked, run_rows};
 use trilith::study::sweep::{
     self, MOST_SHARDS, Shard, Sweep, SweepCheck, SweepTable, sweep_picture,
 };
+use trilith::text::{ended, grid, numbers, words};
 
 use super::output;
 use super::plan::externals;
+use super::screen::{layout, print, print_lines};
 use super::slurm;
-use super::stop::{REFUTED, Stop, print};
+use super::stop::{REFUTED, Stop};
 use super::study::run_study;
 
 /// What a sweep file looks like, below the help.
-pub(super) const FORMAT: &str = r#"A sweep file names a case and what varies in it:
+pub(super) const FORMAT: &str = r#"A sweep file names a case and says what varies in it:
 
   title = "Friction under an overburden"
-  case = "paper-1"                # a name, a path beside this file, a list, or a table [case]
-  head_joints = "both"            # instead of what the case says: contact, open, both
-  methods = ["associative", "interval"]         # if left out, all
-  neighbours = "overburden"       # the interval also starts from the walls before and after
+  case = "paper-1"         # a name, a path beside this file, a list of these,
+                           # or a table [case]
+  head_joints = "both"     # instead of what the case says: contact, open, both
+  methods = ["associative", "interval"]      # where this is left out, all
+  neighbours = "overburden"       # the interval also starts from the answers
+                                  # for the values before and after
 
-  [settings]                      # those of `trilith run --help`
+  [settings]               # those of `trilith run --help`
   starts = 4
 
-  [[vary]]                        # a key of the case's file: values one by one, or a range
-  overburden = { from = 0, to = 10, count = 21 }        # spacing = "logarithmic" may be added
+  [[vary]]                 # a key of the case's file: values, or a range
+  overburden = { from = 0, to = 10, count = 21 }
+                           # spacing = "logarithmic" may be added
 
-  [[vary]]                        # tables multiply; the keys of one table vary together
+  [[vary]]                 # tables multiply; keys of one table vary together
   friction = [0.4, 0.65]
-  "unit.length" = [3.0, 4.0]      # a key within a table, in quotes; also "settings.starts"
+  "unit.length" = [3.0, 4.0]      # a key within a table stands in quotes;
+                                  # "settings.starts" is one too
 
-`aspect` varies the unit's length over its height at constant height; `refine = [1, 2]` cuts each
-unit of a bond into n by n: more courses in a wall of the same size.
+`aspect` varies the length of the unit over its height, at constant height.
+`refine = [1, 2]` cuts each unit of a bond into n by n: the wall keeps its size
+and has more courses.
 
-Rows go to a journal as they finish: the same command goes on where it was stopped. At the end
-sweep.csv holds every point in order, times.csv what each took, sweep.svg has plots where not too
-much varies."#;
+Finished points go to a journal, so that the same command goes on where it was
+stopped. At the end sweep.csv holds every point in order, times.csv says what
+each took, and sweep.svg has plots where not too much varies."#;
 
 #[derive(Args)]
 pub(super) struct SweepArguments {
@@ -58,7 +65,7 @@ pub(super) struct SweepArguments {
     /// Run only the K-th of N parts, for `trilith merge`.
     #[arg(long, value_name = "K/N")]
     shard: Option<Shard>,
-    /// Print a script that runs N shards as a Slurm job array and then merges them.
+    /// Print a script that runs N parts as a Slurm job array and then merges them.
     #[arg(long, value_name = "N", conflicts_with = "shard",
           value_parser = clap::value_parser!(u64).range(1..=MOST_SHARDS as u64))]
     slurm: Option<u64>,
@@ -69,10 +76,10 @@ pub(super) struct SweepArguments {
 
 #[derive(Args)]
 pub(super) struct MergeArguments {
-    /// The sweep whose shards have run.
+    /// The sweep whose parts have run.
     #[arg(value_name = "FILE")]
     file: String,
-    /// Folder that the shards were told [default: target/sweeps/NAME].
+    /// The folder that the parts were written into [default: target/sweeps/NAME].
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// The programs of your own that the shards ran.
@@ -129,7 +136,7 @@ pub(super) fn sweep(arguments: &SweepArguments) -> Result<u8, Stop> {
             (Some(_), Some(_)) => Ok(0),
             (Some(shard), None) => {
                 let path = shard.write(&folder, &rows).map_err(not_written)?;
-                print(&format!(
+                print_lines(&format!(
                     "shard {shard} of {}: {} points in {}\n",
                     sweep.name,
                     rows.len(),
@@ -220,7 +227,9 @@ fn compared(checks: &[SweepCheck]) -> String {
         let of_verdict = checks.iter().filter(|one| one.check.verdict == verdict);
         let of_verdict: Vec<&SweepCheck> = of_verdict.collect();
         for SweepCheck { wall, check } in of_verdict.iter().take(SHOWN) {
-            let _ = writeln!(text, "{:<9} {wall}: {}", verdict.name(), check.text);
+            let words = format!("{wall}: {}", ended(&check.text));
+            let lead = format!("{:<9} ", verdict.name());
+            text.push_str(&layout().paragraph(&lead, trilith::report::of_verdict(verdict), &words));
         }
         if let Some(more) = of_verdict.len().checked_sub(SHOWN).filter(|&more| more > 0) {
             let _ = writeln!(text, "{:<9} and {more} more", verdict.name());
@@ -241,14 +250,7 @@ fn status(rows: &[Row]) -> u8 {
 fn summary(rows: &[Row]) -> String {
     let group = |row: &Row| (row.scene_name(), row.method.clone());
     let groups: IndexSet<(String, String)> = rows.iter().map(group).collect();
-    let mut text = String::new();
-    let width = groups.iter().map(|(case, _)| case.chars().count()).max();
-    let width = width.unwrap_or(0).max(4);
-    let _ = writeln!(
-        text,
-        "{:<width$}  {:<11}  {:>9}  {:>9}  points",
-        "case", "method", "lowest λ", "highest λ"
-    );
+    let mut lines = Vec::new();
     for (case, method) in groups {
         let of_group = || {
             rows.iter()
@@ -266,13 +268,15 @@ fn summary(rows: &[Row]) -> String {
             (count > 0).then(|| format!("{count} {}", status.name()))
         });
         let ended: Vec<String> = ended.collect();
-        let _ = writeln!(
-            text,
-            "{case:<width$}  {method:<11}  {:>9}  {:>9}  {}",
-            shown(lowest),
-            shown(highest),
-            ended.join(", ")
-        );
+        let ends = [shown(lowest), shown(highest)];
+        lines.push([vec![case, method], ends.to_vec(), vec![ended.join(", ")]].concat());
     }
-    text
+    let columns = [
+        words("case"),
+        words("method"),
+        numbers("lowest λ"),
+        numbers("highest λ"),
+        words("points"),
+    ];
+    grid(layout(), 0, &columns, &lines)
 }

@@ -18,6 +18,15 @@ pub enum Verdict {
 }
 
 impl Verdict {
+    /// Every verdict.
+    pub const ALL: [Verdict; 5] = [
+        Verdict::Holds,
+        Verdict::Marked,
+        Verdict::NotDecided,
+        Verdict::Deviates,
+        Verdict::Violated,
+    ];
+
     /// A check without shades.
     pub(super) fn of(holds: bool) -> Self {
         if holds {

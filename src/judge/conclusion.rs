@@ -167,35 +167,41 @@ impl fmt::Display for Conclusion {
             }
         });
         match self.basis {
-            Basis::Falls => write!(f, "falls under its own weight ({by})"),
+            Basis::Falls => write!(f, "it falls under its own weight ({by})"),
             Basis::LowestState => {
-                write!(f, "λ = {lambda} {status}, the lowest state found ({by}")?;
+                write!(
+                    f,
+                    "λ = {lambda} is {status}: it is the lowest collapse state found ({by})"
+                )?;
                 match self.highest_state {
-                    Some(highest) => write!(f, "; others up to {})", number(highest, 5)),
-                    None => write!(f, ")"),
+                    Some(highest) => {
+                        let highest = number(highest, 5);
+                        write!(f, ", and others were found up to {highest}")
+                    }
+                    None => Ok(()),
                 }
             }
-            Basis::Stands => write!(f, "stands: no push is too large ({by})"),
+            Basis::Stands => write!(f, "it stands: no push is too large for it ({by})"),
             Basis::UpperBound => {
                 let upper = self.bracket.map_or(f64::NAN, |bracket| bracket.upper);
                 let upper = number(upper, 5);
                 write!(
                     f,
-                    "λ at most {upper} {status} ({by}); no collapse state is verified"
+                    "λ is at most {upper}, which is {status} ({by}); no collapse state is verified"
                 )
             }
             Basis::Observed => write!(
                 f,
-                "λ = {lambda} {status}, as seen ({by}); nothing is proved"
+                "λ = {lambda} is {status}, as the simulation shows ({by}); nothing is proved"
             ),
-            Basis::Estimate => write!(f, "λ = {lambda} {status} ({by}); nothing is proved"),
-            Basis::Nothing if self.methods.is_empty() => write!(f, "no answer"),
-            Basis::Nothing => write!(f, "no answer ({by})"),
+            Basis::Estimate => write!(f, "λ = {lambda} is an {status} ({by}); nothing is proved"),
+            Basis::Nothing if self.methods.is_empty() => write!(f, "there is no answer"),
+            Basis::Nothing => write!(f, "there is no answer ({by})"),
         }?;
         if let Some((by, floor)) = &self.floor {
             write!(
                 f,
-                "; no collapse state below {}, proved ({by})",
+                "; it is proved that no collapse state lies below {} ({by})",
                 number(*floor, 5)
             )?;
         }
@@ -218,21 +224,21 @@ impl fmt::Display for Difference {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let method = &self.method;
         let (Some(lambda), Some(relative)) = (self.associative, self.relative) else {
-            return write!(f, "{method} stands, {}", self.explanation);
+            return write!(f, "{method} stands, which is {}", self.explanation);
         };
         if relative.abs() <= ALIKE {
-            return write!(f, "{method} meets it");
+            return write!(f, "{method} gives the same");
         }
         let lambda = number(lambda, 5);
         if relative > 0.0 {
             let above = percent(relative);
             write!(
                 f,
-                "{method} {lambda} is {above} above, {}",
+                "{method} gives {lambda}, which is {above} higher and {}",
                 self.explanation
             )
         } else {
-            write!(f, "{method} {lambda}")
+            write!(f, "{method} gives {lambda}")
         }
     }
 }
@@ -241,7 +247,9 @@ impl fmt::Display for Explanation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Explanation::Dilatancy => "explained by its dilatancy",
-            Explanation::SeveralStates => "explained: states are verified up to there",
+            Explanation::SeveralStates => {
+                "explained, because collapse states are verified up to there"
+            }
         })
     }
 }
@@ -254,24 +262,24 @@ impl fmt::Display for Doubt {
                 let (by, below) = (&lower.by, percent(lower.below));
                 write!(
                     f,
-                    "{by} {lambda} lies {below} below: a lower state may exist"
+                    "{by} gives {lambda}, which is {below} lower, so that a lower state may exist"
                 )
             }
             Doubt::Above { by, lambda, above } => {
                 let (lambda, above) = (number(*lambda, 4), percent(*above));
                 write!(
                     f,
-                    "{by} {lambda} lies {above} above what no collapse multiplier exceeds"
+                    "{by} gives {lambda}, which is {above} above what no collapse multiplier exceeds"
                 )
             }
             Doubt::Impossible { by, lambda } => {
-                write!(f, "{by} {lambda:.1e} can be no multiplier")
+                write!(f, "{by} gives {lambda:.1e}, which can be no multiplier")
             }
             Doubt::Bound { by, lambda } => {
                 write!(f, "{by} proves that none is above {}", number(*lambda, 5))
             }
-            Doubt::Stands { by } => write!(f, "{by} stands"),
-            Doubt::Falls { by } => write!(f, "{by} falls under its own weight"),
+            Doubt::Stands { by } => write!(f, "{by} says that it stands"),
+            Doubt::Falls { by } => write!(f, "{by} says that it falls under its own weight"),
         }
     }
 }

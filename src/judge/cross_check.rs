@@ -103,12 +103,14 @@ fn stands_beside_state(name: &str, stands: &Outcome, state: &Answered) -> (Strin
     let (state, lambda) = (state.name, number(state.bracket.lower, 5));
     if stands.claim == Claim::Associative {
         let text = format!(
-            "{name} stands, {state} collapses at {lambda}: joints that would wedge with dilatancy \
-             slip without it"
+            "{name} says that it stands, and {state} finds a collapse at {lambda}: joints that wedge with \
+             dilatancy slip without it"
         );
         (text, Verdict::Holds)
     } else {
-        let text = format!("{name} stands, although {state} verifies a collapse state at {lambda}");
+        let text = format!(
+            "{name} says that it stands, although {state} verifies a collapse state at {lambda}"
+        );
         (text, Verdict::Violated)
     }
 }
@@ -122,7 +124,7 @@ fn above_floor(claims: &Claims, floor: &Answered, state: &Answered) -> Option<(S
         if claims.is_below(lambda, claims.proof_slack(least), least) {
             let (lambda, least) = (number(lambda, 6), number(least, 6));
             let text = format!(
-                "{by} proves that no state is below {least}, {name} verifies one at {lambda}"
+                "{by} proves that no state is below {least}, although {name} verifies one at {lambda}"
             );
             (text, Verdict::Violated)
         } else {
@@ -165,12 +167,15 @@ fn converged_below_bound(claims: &Claims, bound: &Answered, state: &Answered) ->
         let text = format!("{state} is {} above {bound}", percent(excess));
         (text, Verdict::Violated)
     } else if excess <= UNSTATED_ERROR {
-        let text = format!("{state} is above {bound} by no more than 0.01 %: bias of c0");
+        let text = format!(
+            "{state} is above {bound} by no more than 0.01 %, which comes from the shear c0 that it gives \
+             every joint"
+        );
         (text, Verdict::Marked)
     } else {
         let text = format!(
-            "{state} is {} above {bound}, no more than its joints carry beyond Coulomb's law: bias \
-             of c0",
+            "{state} is {} above {bound}, which comes from the shear c0 that it lets \
+             joints carry beyond Coulomb's law",
             percent(excess)
         );
         (text, Verdict::Marked)
@@ -225,11 +230,14 @@ fn among_found(claims: &Claims, state: &Answered, states: &Answered) -> (String,
     };
     let inside = !below && !claims.is_above(s.lower, error, i.upper);
     let (word, verdict) = if inside {
-        ("lies in", Verdict::Holds)
+        ("lies within", Verdict::Holds)
     } else {
         ("lies outside", Verdict::Marked)
     };
-    let text = format!("{} {word} the verified {} found", state.name, states.name);
+    let text = format!(
+        "{} {word} the range of collapse states that {} found",
+        state.name, states.name
+    );
     (text, verdict)
 }
 
@@ -243,7 +251,10 @@ fn range_contains(range: &Answered, answer: &Answered) -> (String, Verdict) {
     } else {
         ("does not contain", Verdict::Marked)
     };
-    let text = format!("{} range ({width:.0} % wide) {word} {name}", range.name);
+    let text = format!(
+        "the range of {} ({width:.0} % wide) {word} {name}",
+        range.name
+    );
     (text, verdict)
 }
 
@@ -262,9 +273,13 @@ fn seen_among_known(claims: &Claims, seen: &Answered) -> Option<(String, Verdict
     let below = -claims.excess(pushover.upper, lowest) > error;
     let above = claims.excess(pushover.lower, bound.bracket.upper) > error;
     let text = format!(
-        "{} {} [{}, {}], lowest known to {} widened by {} %{}",
+        "{} {} the range {} to {}, from the lowest multiplier known to {}, widened by {} %{}",
         seen.name,
-        if below || above { "misses" } else { "meets" },
+        if below || above {
+            "lies outside"
+        } else {
+            "meets"
+        },
         number(low, 4),
         number(high, 4),
         bound.name,
@@ -291,7 +306,7 @@ fn lower_state(lowest: &Answered, lower: &LowerState) -> (String, Verdict) {
         "a lower state may exist"
     };
     let text = format!(
-        "{what}: {} {} lies {} below the lowest that {} verifies",
+        "{what}: {} gives {}, which is {} below the lowest state that {} verifies",
         lower.by,
         number(lower.lambda, lower.decimals),
         percent(lower.below),

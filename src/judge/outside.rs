@@ -17,7 +17,7 @@ pub(super) fn plausible(claims: &Claims, answer: &Answered) -> Option<(String, V
     let error = error.max(claims.proof_slack(0.0));
     if claims.excess(lambda, 0.0) < -error {
         let text = format!(
-            "{name} gives {}: no multiplier is negative",
+            "{name} gives {}, and no multiplier is negative",
             short(lambda, 5)
         );
         return Some((text, Verdict::Violated));
@@ -34,7 +34,7 @@ pub(super) fn plausible(claims: &Claims, answer: &Answered) -> Option<(String, V
         return None;
     }
     let (word, least) = (if is_below { "is" } else { "is not" }, number(least, 5));
-    let text = format!("{name} {word} below {least}, which {by} proves to be least");
+    let text = format!("{name} {word} below {least}, the least multiplier that {by} proves");
     Some((text, Verdict::of(!is_below)))
 }
 

@@ -138,15 +138,22 @@ fn not_compared(reference: &Reference, answers: &Answers) -> String {
         Some(near) => format!("did the case mean `{near}`?"),
         None => format!("add `--external {name}=COMMAND`"),
     };
-    let label = label(reference);
-    format!("{label}: not compared, as no program of this name ran; {help}")
+    format!(
+        "{} is not compared with {}, because no program of this name ran; {help}",
+        subject(reference),
+        label(reference)
+    )
 }
 
+/// What the reference is about.
+fn subject(reference: &Reference) -> String {
+    format!("{} of {}", reference.quantity.words(), reference.method)
+}
+
+/// What stands beside it.
 fn label(reference: &Reference) -> String {
     format!(
-        "{} {} {} {}",
-        reference.method,
-        reference.quantity.name(),
+        "the {} value {}",
         reference.kind.name(),
         crate::number::short(reference.value, 6)
     )
@@ -154,19 +161,22 @@ fn label(reference: &Reference) -> String {
 
 fn in_words(comparison: &Comparison, status: Status) -> String {
     let reference = comparison.reference;
-    let label = label(reference);
+    let (subject, label) = (subject(reference), label(reference));
     let Some(error) = comparison.error else {
-        return format!("{label}: no value, {}", status.name());
+        return format!(
+            "{subject} is not there to compare with {label}, because the answer is {}",
+            status.name()
+        );
     };
     let text = format!(
-        "{label}: error {} % ({})",
+        "{subject} is {} % off {label} ({})",
         crate::number::number(100.0 * error, 2),
         reference.source
     );
     match (&reference.deviation, comparison.verdict) {
         (Some(why), Verdict::Deviates) => format!("{text}: {why}"),
         (Some(_), Verdict::Marked) => {
-            format!("{text}: met, although the case calls it a deviation")
+            format!("{text}, so that it is met, although the case calls it a deviation")
         }
         _ => text,
     }

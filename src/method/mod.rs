@@ -1,5 +1,6 @@
 //! The methods: one file or folder each, one table that says all about them, one small trait.
 
+mod at_once;
 mod auto;
 mod contract;
 pub mod limit;
@@ -8,6 +9,7 @@ pub mod pushover;
 mod settings;
 mod table;
 
+pub(crate) use at_once::borrowed;
 pub use auto::Auto;
 pub use contract::Method;
 pub use macro_block::MacroBlock;

@@ -48,7 +48,6 @@ pub(crate) use plot::{Band, Between, Line, Marks, Note, Plot, PlotAxis, PlotPoin
 pub(crate) use plotted::{dashed_line, plots, solid_line};
 pub(crate) use ranges::{KNOWN, RangeMark, Ranges, ranges};
 pub(crate) use replay::{Replay, replay};
-pub(crate) use words::lines;
 
 pub use dxf::dxf;
 pub use figure::figure;

@@ -8,15 +8,15 @@ mod table;
 
 pub use snapshot::{RecordChange, compare, records_beside};
 pub(crate) use table::{LEGEND, fixed_width};
-pub use table::{heading, lines};
+pub use table::{Note, heading, lines, notes};
 
 use crate::judge::{Check, Conclusion, Verdict};
 use crate::number::short;
 use crate::run::CaseResult;
 use crate::scene::{HeadJoints, JointClass, Scene};
 
-/// The whole record of a case: geometry, one line a method, one line a check, one line
-/// a head-joint setting for what it all comes to.
+/// The whole record of a case: geometry, one line a method, what is to be known of the answers, one line
+/// a check, one line a head-joint setting for what it all comes to.
 pub fn record(result: &CaseResult) -> String {
     let mut text = title(result);
     if let Some(partial) = result.partial() {
@@ -31,6 +31,14 @@ pub fn record(result: &CaseResult) -> String {
     text.push('\n');
     for line in lines(result) {
         text.push_str(&line);
+        text.push('\n');
+    }
+    let notes = notes(result);
+    if !notes.is_empty() {
+        text.push_str("\nnotes\n");
+    }
+    for note in notes {
+        text.push_str(&note_line(&note));
         text.push('\n');
     }
     text.push_str("\nchecks\n");
@@ -72,8 +80,15 @@ pub fn fingerprint(head_joints: HeadJoints, scene: &Scene) -> String {
     )
 }
 
+/// One note as a line.
+fn note_line(note: &Note) -> String {
+    let joints: Vec<&str> = note.head_joints.iter().map(|h| h.name()).collect();
+    let (method, joints) = (&note.method, joints.join(", "));
+    format!("  {method:<12} {joints:<14} {}", note.text)
+}
+
 /// One check as a line.
-pub fn check_line(check: &Check) -> String {
+fn check_line(check: &Check) -> String {
     format!(
         "  {:<12} {:<8} {}",
         check.verdict.name(),
@@ -83,7 +98,7 @@ pub fn check_line(check: &Check) -> String {
 }
 
 /// What all answers about a scene come to, as a line.
-pub fn conclusion_line(conclusion: &Conclusion) -> String {
+fn conclusion_line(conclusion: &Conclusion) -> String {
     format!("  {:<8} {conclusion}", conclusion.head_joints.name())
 }
 

@@ -3,9 +3,10 @@
 use std::fmt::Display;
 
 use crate::run::{CaseResult, Row, values};
+use crate::scene::HeadJoints;
 
 /// Columns of the table: name, heading, width. The last one ends the line.
-const TABLE: [(&str, &str, usize); 12] = [
+const TABLE: [(&str, &str, usize); 11] = [
     ("method", "method", 12),
     ("head_joints", "joints", 8),
     ("status", "status", 15),
@@ -16,13 +17,13 @@ const TABLE: [(&str, &str, usize); 12] = [
     ("slope_reference", "reference", 10),
     ("width_c", "c", 6),
     ("width_e", "e", 6),
-    ("verdict", "verdict", 12),
-    ("note", "note", 0),
+    ("verdict", "verdict", 0),
 ];
 
 /// What the letters behind references mean.
-pub const LEGEND: &str = "references: p published, a analytic, i independent code; error: the farther \
-                          end of the bracket; c, e: widths of the crack's triangle along the top";
+pub const LEGEND: &str = "Reference: p is a published value, a an analytic one, i one of independent code. \
+                          Error: how far the farther end of the answer is from it. c and e: widths of \
+                          the crack's triangle along the top of the wall.";
 
 /// Column names, above the lines of [`lines`].
 pub fn heading() -> String {
@@ -37,6 +38,38 @@ pub fn lines(result: &CaseResult) -> Vec<String> {
 fn line(row: &Row) -> String {
     let cells = values(row, &TABLE.map(|(name, _, _)| name));
     padded(cells.iter().map(|cell| cell.shown()))
+}
+
+/// What is to be known of answers, in words.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Note {
+    /// The method.
+    pub method: String,
+    /// The head-joint settings of which it is said.
+    pub head_joints: Vec<HeadJoints>,
+    /// What is said.
+    pub text: String,
+}
+
+/// The notes of a case's rows, in their order: what is said of both head-joint settings is said once.
+pub fn notes(result: &CaseResult) -> Vec<Note> {
+    let mut notes: Vec<Note> = Vec::new();
+    for row in &result.rows {
+        let text = values(row, &["note"])[0].csv();
+        let same = notes
+            .iter_mut()
+            .find(|note| note.method == row.method && note.text == text);
+        match same {
+            _ if text.is_empty() => {}
+            Some(note) => note.head_joints.push(row.head_joints),
+            None => notes.push(Note {
+                method: row.method.clone(),
+                head_joints: vec![row.head_joints],
+                text,
+            }),
+        }
+    }
+    notes
 }
 
 fn padded(cells: impl IntoIterator<Item = String>) -> String {

@@ -5,110 +5,139 @@
 
 use std::fmt::Write;
 
+use anstyle::Style;
 use indexmap::IndexMap;
 
+use super::styles::{of_status_word, of_verdict, of_verdict_word};
 use crate::answer::{Bracket, Status, magnitude};
 use crate::judge::{Verdict, comparisons};
 use crate::number::{number, short};
 use crate::record::fixed_width;
 use crate::run::{CaseResult, Row};
+use crate::text::{GridColumn, Layout, bold, ended, grid, numbers, sentence, words};
 
 /// Limits of error that answers are counted within, relative to the reference.
 const LIMITS: [f64; 3] = [1e-3, 1e-2, 5e-2];
 
+/// Columns of a reference beside what was computed.
+const COLUMNS: [GridColumn; 9] = [
+    words("method"),
+    words("joints"),
+    words("status").spare(1).styled(of_status_word),
+    words("computed"),
+    words("quantity"),
+    words("reference"),
+    words("kind").spare(2),
+    numbers("error %"),
+    words("verdict").styled(of_verdict_word),
+];
+
+/// Widths of these columns where lines may be of any length, the case before them.
+const WIDTHS: [usize; 10] = [24, 12, 8, 15, 18, 9, 9, 12, 8, 0];
+
 /// What comes before the first case.
-pub fn library_heading() -> String {
-    let heading = [
-        "case",
-        "joints",
-        "method",
-        "status",
-        "computed",
-        "quantity",
-        "reference",
-        "kind",
-        "error %",
-        "verdict",
-    ];
-    format!("references\n{}", line(heading.map(str::to_owned)))
+pub fn library_heading(layout: Layout) -> String {
+    if layout.columns().is_some() {
+        return String::new();
+    }
+    let headings = COLUMNS.iter().map(|column| column.heading);
+    format!(
+        "references\n{}",
+        line(std::iter::once("case").chain(headings))
+    )
 }
 
 /// Of one case, one line a reference; one line for a row without any; last what it all comes to.
-pub fn library_case(result: &CaseResult) -> String {
-    let mut text = String::new();
-    for row in &result.rows {
-        let unit = row.multiplier_unit;
-        let compared = comparisons(
-            &result.case,
-            row.head_joints,
-            &row.method,
-            &row.outcome,
-            unit,
-        );
-        if compared.is_empty() {
-            let lambda = ends(row.bracket(), row.multiplier_unit);
-            let none = ["lambda", "-", "-", "-"].map(str::to_owned);
-            let worst = row.verdict.map_or("-", Verdict::name);
-            text.push_str(&reference_line(row, lambda, none, worst));
-        }
-        for comparison in compared {
-            let reference = comparison.reference;
-            let against = [
-                reference.quantity.name().to_owned(),
-                short(reference.value, 6),
-                reference.kind.name().to_owned(),
-                comparison.error.map_or("-".to_owned(), percent),
-            ];
-            let computed = ends(comparison.computed, unit);
-            let verdict = comparison.verdict.name();
-            text.push_str(&reference_line(row, computed, against, verdict));
-        }
-    }
+pub fn library_case(result: &CaseResult, layout: Layout) -> String {
+    let lines: Vec<Vec<String>> = result
+        .rows
+        .iter()
+        .flat_map(|row| against(result, row))
+        .collect();
+    let name = result.case.name.as_str();
+    let is_narrow = layout.columns().is_some();
+    let mut text = if is_narrow {
+        let title = layout.paragraph(name, bold(), &format!(": {}", result.case.title));
+        title + &grid(layout, 0, &COLUMNS, &lines)
+    } else {
+        let lines = lines.iter().map(|cells| {
+            let cells = cells.iter().map(String::as_str);
+            line(std::iter::once(name).chain(cells))
+        });
+        lines.collect()
+    };
     if let Some(partial) = result.partial() {
-        text.push_str(&columns(
-            [(result.case.name.as_str(), 24), (&partial, 0)].into_iter(),
-        ));
+        text.push_str(&if is_narrow {
+            layout.paragraph("", Style::new(), &partial)
+        } else {
+            columns([(name, 24), (&partial, 0)].into_iter())
+        });
     }
     for conclusion in &result.conclusions {
-        let cells = [
-            (result.case.name.as_str(), 24),
-            (conclusion.head_joints.name(), 8),
-            ("answer", 12),
-            (&conclusion.to_string(), 0),
-        ];
-        text.push_str(&columns(cells.into_iter()));
+        let (joints, words) = (conclusion.head_joints.name(), conclusion.to_string());
+        text.push_str(&if is_narrow {
+            layout.paragraph(&format!("{joints:<8}  "), bold(), &sentence(&words))
+        } else {
+            let cells = [(name, 24), ("answer", 12), (joints, 8), (&words, 0)];
+            columns(cells.into_iter())
+        });
+    }
+    if is_narrow {
+        text.push('\n');
     }
     text
 }
 
 /// What comes behind the last case: what each method is worth, and what does not hold.
-pub fn library_closing(results: &[CaseResult]) -> String {
-    [methods(results), unsettled(results), closing(results)].concat()
+pub fn library_closing(results: &[CaseResult], layout: Layout) -> String {
+    [
+        methods(results, layout),
+        unsettled(results, layout),
+        closing(results, layout),
+    ]
+    .concat()
 }
 
-fn reference_line(
-    row: &Row,
-    computed: String,
-    [quantity, reference, kind, error]: [String; 4],
-    verdict: &str,
-) -> String {
-    line([
-        row.case.clone(),
-        row.head_joints.name().to_owned(),
-        row.method.clone(),
-        row.outcome.status.name().to_owned(),
-        computed,
-        quantity,
-        reference,
-        kind,
-        error,
-        verdict.to_owned(),
-    ])
+/// A row beside its references: the cells of a line each.
+fn against(result: &CaseResult, row: &Row) -> Vec<Vec<String>> {
+    let unit = row.multiplier_unit;
+    let line =
+        |computed: String, [quantity, reference, kind, error]: [String; 4], verdict: &str| {
+            vec![
+                row.method.clone(),
+                row.head_joints.name().to_owned(),
+                row.outcome.status.name().to_owned(),
+                computed,
+                quantity,
+                reference,
+                kind,
+                error,
+                verdict.to_owned(),
+            ]
+        };
+    let (joints, method) = (row.head_joints, &row.method);
+    let compared = comparisons(&result.case, joints, method, &row.outcome, unit);
+    if compared.is_empty() {
+        let none = ["lambda", "-", "-", "-"].map(str::to_owned);
+        let worst = row.verdict.map_or("-", Verdict::name);
+        return vec![line(ends(row.bracket(), unit), none, worst)];
+    }
+    let lines = compared.into_iter().map(|comparison| {
+        let reference = comparison.reference;
+        let against = [
+            reference.quantity.name().to_owned(),
+            short(reference.value, 6),
+            reference.kind.name().to_owned(),
+            comparison.error.map_or("-".to_owned(), percent),
+        ];
+        let computed = ends(comparison.computed, unit);
+        line(computed, against, comparison.verdict.name())
+    });
+    lines.collect()
 }
 
-fn line(cells: [String; 10]) -> String {
-    let widths = [24, 8, 12, 15, 18, 9, 9, 12, 8, 0];
-    columns(cells.iter().map(String::as_str).zip(widths))
+fn line<'a>(cells: impl Iterator<Item = &'a str>) -> String {
+    columns(cells.zip(WIDTHS))
 }
 
 /// Cells, each padded to its width, as a line.
@@ -193,14 +222,13 @@ impl Tally {
     }
 }
 
-/// One line a method.
-fn methods(results: &[CaseResult]) -> String {
+/// How each method ended, and how far off its answers are: one line a method.
+fn methods(results: &[CaseResult], layout: Layout) -> String {
     let mut tallies: IndexMap<&str, Tally> = IndexMap::new();
     for (_, row) in rows(results) {
         tallies.entry(&row.method).or_default().count(row);
     }
-    let heading = [
-        "method",
+    let headings = [
         "scenes",
         "numbers",
         "verified",
@@ -213,24 +241,32 @@ fn methods(results: &[CaseResult]) -> String {
         "1 %",
         "5 %",
     ];
-    let widths = [12, 7, 8, 9, 8, 9, 10, 7, 9, 6, 6, 0];
-    let mut text = String::from("\nmethods\n");
-    text.push_str(&columns(heading.into_iter().zip(widths)));
-    for (name, tally) in tallies {
-        let cells = tally.cells();
-        let cells = std::iter::once(name).chain(cells.iter().map(String::as_str));
-        text.push_str(&columns(cells.zip(widths)));
-    }
-    text.push_str(
-        "endings: stands or falls; declined: not applicable; compared: answers with a multiplier \
-         and a reference for it, and how many of them lie within these errors (the farther end \
-         counts)\n",
-    );
-    text
+    let part = |shown: std::ops::Range<usize>| {
+        let headings = headings[shown.clone()]
+            .iter()
+            .map(|heading| numbers(heading));
+        let headings: Vec<_> = std::iter::once(words("method")).chain(headings).collect();
+        let lines = tallies.iter().map(|(name, tally)| {
+            let cells = tally.cells().drain(shown.clone()).collect::<Vec<_>>();
+            [vec![(*name).to_owned()], cells].concat()
+        });
+        grid(layout, 0, &headings, &lines.collect::<Vec<_>>())
+    };
+    let tables = match layout.columns() {
+        Some(_) => format!("{}\n{}", part(0..7), part(7..headings.len())),
+        None => part(0..headings.len()),
+    };
+    let heading = layout.painted("methods", bold());
+    let legend = "endings: answers that a scene stands or falls; declined: the method is not \
+                  applicable; compared: answers with a multiplier and a reference for it, and behind \
+                  it how many of these lie within an error of 0.1, 1 and 5 %, where the farther end \
+                  of a range counts";
+    let legend = layout.paragraph("", Style::new(), legend);
+    format!("\n{heading}\n{tables}{legend}")
 }
 
 /// Everything that does not hold, with its reason.
-fn unsettled(results: &[CaseResult]) -> String {
+fn unsettled(results: &[CaseResult], layout: Layout) -> String {
     let mut text = String::new();
     let parts = [
         ("violated", Verdict::Violated),
@@ -239,41 +275,44 @@ fn unsettled(results: &[CaseResult]) -> String {
         ("marked", Verdict::Marked),
     ];
     for (title, verdict) in parts {
-        let mut lines = Vec::new();
-        for result in results {
+        let lines = results.iter().flat_map(|result| {
             let checks = result.checks.iter();
-            lines.extend(
-                checks
-                    .filter(|check| check.verdict == verdict)
-                    .map(|check| {
-                        let joints = check.head_joints.name();
-                        format!("{:<24} {joints:<8} {}\n", result.case.name, check.text)
-                    }),
-            );
-        }
-        section(&mut text, title, lines.into_iter());
+            let checks = checks.filter(move |check| check.verdict == verdict);
+            checks.map(|check| {
+                let joints = check.head_joints.name();
+                remark(layout, [&result.case.name, joints], &check.text)
+            })
+        });
+        section(&mut text, layout.painted(title, of_verdict(verdict)), lines);
     }
-    let told = |statuses: &'static [Status]| {
-        let rows = rows(results).filter(|(_, row)| statuses.contains(&row.outcome.status));
-        rows.map(|(result, row)| {
-            columns(
-                [
-                    (result.case.name.as_str(), 24),
-                    (row.head_joints.name(), 8),
-                    (row.method.as_str(), 12),
-                    (row.outcome.reason().as_str(), 0),
-                ]
-                .into_iter(),
-            )
-        })
-    };
-    section(&mut text, "failed", told(&[Status::Failed]));
-    section(&mut text, "undecided", told(&[Status::Undecided]));
+    for status in [Status::Failed, Status::Undecided] {
+        let rows = rows(results).filter(|(_, row)| row.outcome.status == status);
+        let lines = rows.map(|(result, row)| {
+            let (joints, reason) = (row.head_joints.name(), row.outcome.reason());
+            remark(layout, [&result.case.name, joints, &row.method], &reason)
+        });
+        let title = status.name();
+        section(
+            &mut text,
+            layout.painted(title, of_status_word(title)),
+            lines,
+        );
+    }
     text
 }
 
+/// What is to be said about a case and more that names it: a line, or a paragraph on a screen.
+fn remark<const N: usize>(layout: Layout, about: [&str; N], words: &str) -> String {
+    if layout.columns().is_some() {
+        let words = format!("{}: {}", about.join(" "), ended(words));
+        return layout.paragraph("  ", Style::new(), &words);
+    }
+    let about = about.into_iter().zip([24, 8, 12]);
+    columns(about.chain([(words, 0)]))
+}
+
 /// A section, where it has lines.
-fn section(text: &mut String, title: &str, lines: impl Iterator<Item = String>) {
+fn section(text: &mut String, title: String, lines: impl Iterator<Item = String>) {
     let lines: Vec<String> = lines.collect();
     if !lines.is_empty() {
         let _ = write!(text, "\n{title}\n{}", lines.concat());
@@ -281,7 +320,7 @@ fn section(text: &mut String, title: &str, lines: impl Iterator<Item = String>) 
 }
 
 /// One line: how much was checked, and whether all is well.
-fn closing(results: &[CaseResult]) -> String {
+fn closing(results: &[CaseResult], layout: Layout) -> String {
     let checks = || results.iter().flat_map(|result| &result.checks);
     let violated = checks()
         .filter(|check| check.verdict == Verdict::Violated)
@@ -293,10 +332,16 @@ fn closing(results: &[CaseResult]) -> String {
         .iter()
         .map(|result| result.case.references.len())
         .sum();
-    format!(
-        "\n{} cases, {} results, {values} reference values, {} checks: {violated} violated, {failed} failed\n",
+    let words = format!(
+        "{} cases, {} results, {values} reference values, {} checks: {violated} violated, {failed} failed",
         results.len(),
         rows(results).count(),
         checks().count(),
-    )
+    );
+    let style = of_verdict(if violated + failed > 0 {
+        Verdict::Violated
+    } else {
+        Verdict::Holds
+    });
+    format!("\n{}", layout.paragraph(&words, style, ""))
 }

@@ -1,42 +1,12 @@
-//! Table, CSV and JSON: the same rows three times.
+//! CSV and JSON: the same rows twice.
 
 use serde_json::json;
 
 use super::terms::terms;
 use crate::answer::{Mechanism, Thrust, thrust};
 use crate::external::{SceneFile, answers};
-use crate::judge::{Conclusion, Verdict};
-use crate::record::{self, LEGEND};
+use crate::judge::Conclusion;
 use crate::run::{self, Audience, COLUMNS, CaseResult, Column, Partial, Row, Value};
-
-/// One table for people: a block a case, and every check that does not hold.
-pub fn table(results: &[CaseResult]) -> String {
-    let cases: Vec<String> = results.iter().map(case_table).collect();
-    cases.concat() + &legend()
-}
-
-/// The block of one case.
-pub fn case_table(result: &CaseResult) -> String {
-    let mut lines = vec![record::heading()];
-    lines.extend(record::lines(result));
-    lines.push(record::tally(&result.checks));
-    lines.extend(result.partial());
-    let open = result.checks.iter().filter(|c| c.verdict > Verdict::Holds);
-    lines.extend(open.map(record::check_line));
-    lines.push("answer".to_owned());
-    for conclusion in &result.conclusions {
-        lines.push(record::conclusion_line(conclusion));
-        let terms = terms(result, conclusion).map(|terms| terms.to_string());
-        let said = terms.filter(|terms| !terms.is_empty());
-        lines.extend(said.map(|terms| format!("  {:<8} {terms}", "")));
-    }
-    format!("{}{}\n\n", record::title(result), lines.join("\n"))
-}
-
-/// What stands below the last block.
-pub fn legend() -> String {
-    format!("{LEGEND}\n")
-}
 
 fn for_programs() -> impl Iterator<Item = &'static Column> {
     let columns = COLUMNS.iter();

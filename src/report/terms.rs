@@ -161,14 +161,18 @@ impl<'a> Moved<'a> {
             (blocks, all) => format!("{blocks} of {all} blocks"),
         };
         if let [part] = moving[..] {
-            return Some(format!("{who}: {}", self.part_words(part)));
+            return Some(format!("{who} {}", self.part_words(part)));
         }
-        let mut text = format!("{who} in {} parts: ", moving.len());
+        let mut text = format!("{who} move in {} parts: ", moving.len());
         match self.hinges() {
             Some(hinges) => {
                 let names: Vec<String> =
                     hinges.iter().map(|joint| self.joint_name(joint)).collect();
-                text.push_str(&format!("{} hinges ({})", hinges.len(), names.join(", ")));
+                text.push_str(&format!(
+                    "they turn about {} hinges ({})",
+                    hinges.len(),
+                    names.join(", ")
+                ));
             }
             None => {
                 let described = moving.iter().take(DESCRIBED).map(|&part| {
@@ -176,18 +180,23 @@ impl<'a> Moved<'a> {
                     let plural = if count == 1 { "block" } else { "blocks" };
                     format!("{count} {plural} {}", self.part_words(part))
                 });
-                text.push_str(&described.collect::<Vec<_>>().join("; "));
+                text.push_str(&described.collect::<Vec<_>>().join(", "));
                 if moving.len() > DESCRIBED {
-                    text.push_str("; …");
+                    text.push_str(", …");
                 }
             }
         }
         Some(text)
     }
 
-    /// How a part moves.
+    /// What a part does.
     fn part_words(&self, part: usize) -> String {
         let first = self.parts[part].blocks[0];
+        let s = if self.parts[part].blocks.len() == 1 {
+            "s"
+        } else {
+            ""
+        };
         let motion = self.mechanism.motions[first];
         let (low, high) = self.bounds(part);
         let speed = self.parts[part]
@@ -198,8 +207,8 @@ impl<'a> Moved<'a> {
         let turns = motion.rotation.abs() * (high - low).norm();
         if turns < 0.05 * speed {
             return match self.slips_on(part) {
-                Some(on) => format!("sliding {} {on}", way(motion.velocity)),
-                None => format!("moving {}", way(motion.velocity)),
+                Some(on) => format!("slide{s} {} {on}", way(motion.velocity)),
+                None => format!("move{s} {}", way(motion.velocity)),
             };
         }
         let centroid = self.scene.blocks()[first].shape.centroid();
@@ -214,9 +223,9 @@ impl<'a> Moved<'a> {
                 };
                 let toe = toe && centre.y <= low.y + 0.02 * (high.y - low.y);
                 let about = if toe { "the toe" } else { "the edge" };
-                format!("rocking about {about} at {at}, {}", self.on(joint))
+                format!("rock{s} about {about} at {at}, {}", self.on(joint))
             }
-            None => format!("turning about {at}"),
+            None => format!("turn{s} about {at}"),
         }
     }
 
@@ -315,13 +324,16 @@ fn way(velocity: Vector) -> &'static str {
 
 impl fmt::Display for Terms {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let tilt = self.tilt.map(|tilt| format!("tilt {tilt:.2} degrees"));
+        let tilt = self
+            .tilt
+            .map(|tilt| format!("the ground may tilt by {tilt:.2} degrees"));
         let shear = self
             .base_shear
-            .map(|shear| format!("base shear {}", short(shear, 4)));
+            .map(|shear| format!("the base shear is {}", short(shear, 4)));
         let first = match self.first_blocks.as_slice() {
             [] => None,
-            blocks => Some(format!("first to move {}", blocks.join(", "))),
+            [one] => Some(format!("{one} moves first")),
+            [others @ .., last] => Some(format!("{} and {last} move first", others.join(", "))),
         };
         let all = [tilt, shear, self.mechanism.clone(), first];
         let all: Vec<String> = all.into_iter().flatten().collect();

@@ -98,7 +98,15 @@ impl<'a> CaseRuns<'a> {
                 complete(case);
             }
         };
-        run_tasks(&self.tasks, Keeps::Everything, journal, progress, &finished)
+        let keeps = Keeps::Everything;
+        run_tasks(
+            &self.tasks,
+            &self.case_of,
+            keeps,
+            journal,
+            progress,
+            &finished,
+        )
     }
 
     /// What is finished by now, in the order of the cases, and how many of these results were shown:

@@ -267,13 +267,14 @@ fn note(row: &Row) -> String {
         .residual
         .is_some_and(|r| r > crate::answer::VERIFIED_RESIDUAL);
     if fails && row.status() != Status::Failed {
-        note.push_str(", residual above 1e-8");
+        note.push_str(if note.is_empty() { "" } else { "; " });
+        note.push_str("the largest residual is above 1e-8");
     }
     if row.crack().is_some_and(|crack| !crack.sharp) {
         if !note.is_empty() {
             note.push_str("; ");
         }
-        note.push_str("~ crack not sharp");
+        note.push_str("the crack (~) is not sharp");
     }
     note
 }

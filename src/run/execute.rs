@@ -7,17 +7,19 @@ use super::journal::Journal;
 use super::kept::Keeps;
 use super::progress::Progress;
 use super::row::Row;
-use super::schedule::longest_first;
+use super::schedule::{Expected, next_and_longest};
 use super::task::Task;
 
 /// Runs every task that the journal does not know. Each row goes to `finished` with the place of its
 /// task as it finishes, then to `progress`, then to the journal; rows that the journal knows go to
-/// the former at once. Without a journal `keeps` says how much of a row is left.
+/// the former at once. Without a journal `keeps` says how much of a row is left. `turns` has for each
+/// task when its result is shown; where it is empty, nothing is shown before the end.
 ///
 /// # Errors
 /// Where the journal cannot be written; nothing further is begun then.
 pub fn run_tasks(
     tasks: &[Task],
+    turns: &[usize],
     keeps: Keeps,
     journal: Option<&Journal>,
     progress: &dyn Progress,
@@ -33,15 +35,20 @@ pub fn run_tasks(
             None => open.push(index),
         }
     }
-    let seconds: Vec<f64> = (open.iter().map(|&index| tasks[index].expected_seconds())).collect();
-    progress.expected(seconds.iter().sum());
+    let expected = open.iter().map(|&index| Expected {
+        seconds: tasks[index].seconds_alone(),
+        turn: turns.get(index).copied().unwrap_or(0),
+    });
+    let expected: Vec<Expected> = expected.collect();
+    progress.expected(open.iter().map(|&i| tasks[i].expected_seconds()).sum());
     let error: Mutex<Option<io::Error>> = Mutex::new(None);
-    longest_first(&seconds, |turn| {
-        let index = open[turn];
+    next_and_longest(&expected, |place| {
+        let index = open[place];
         let has_failed = error.lock().expect("no other thread panicked").is_some();
         if has_failed {
             return;
         }
+        progress.begun(&tasks[index]);
         let row = keeps.of(tasks[index].run());
         finished(index, row.clone());
         progress.done(&tasks[index], &row);
@@ -66,9 +73,16 @@ pub fn run_rows(
     progress: &dyn Progress,
 ) -> io::Result<Vec<Row>> {
     let rows: Vec<OnceLock<Row>> = tasks.iter().map(|_| OnceLock::new()).collect();
-    run_tasks(tasks, Keeps::Numbers, journal, progress, &|index, row| {
-        rows[index].get_or_init(|| row);
-    })?;
+    run_tasks(
+        tasks,
+        &[],
+        Keeps::Numbers,
+        journal,
+        progress,
+        &|index, row| {
+            rows[index].get_or_init(|| row);
+        },
+    )?;
     Ok(rows.into_iter().filter_map(OnceLock::into_inner).collect())
 }
 

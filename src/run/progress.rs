@@ -11,6 +11,9 @@ pub trait Progress: Sync {
     /// A task was done before: a journal knows its row.
     fn known(&self, _task: &Task, _row: &Row) {}
 
+    /// A task is begun.
+    fn begun(&self, _task: &Task) {}
+
     /// A task is done.
     fn done(&self, _task: &Task, _row: &Row) {}
 }

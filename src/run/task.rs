@@ -4,6 +4,7 @@
 use std::any::Any;
 use std::borrow::Cow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::time::Duration;
 
 use cpu_time::ThreadTime;
 
@@ -12,7 +13,7 @@ use super::weaker::{Answer, weaker};
 use crate::answer::{Outcome, Status};
 use crate::fingerprint::Fingerprint;
 use crate::judge::judge;
-use crate::method::{Method, Settings, expected_cost};
+use crate::method::{Method, Settings, borrowed, expected_cost};
 use crate::scene::{HeadJoints, Scene};
 
 /// Fingerprint of the sources that this program was compiled from.
@@ -122,10 +123,15 @@ impl<'a> Task<'a> {
         text
     }
 
-    /// CPU seconds that the task may take, roughly: long ones are begun first, and the time left is
-    /// told by it.
+    /// CPU seconds that the task may take, roughly: the time left is told by it.
     pub fn expected_seconds(&self) -> f64 {
-        expected_cost(self.method.name()).seconds(self.subject.blocks)
+        expected_cost(self.method.name()).seconds(self.subject.blocks, self.subject.head_joints)
+    }
+
+    /// Of these, those that no second core can take off: where they are many, the task is begun early.
+    pub fn seconds_alone(&self) -> f64 {
+        expected_cost(self.method.name())
+            .seconds_alone(self.subject.blocks, self.subject.head_joints)
     }
 
     /// Runs and judges the method on every side of the push; the side that gives way first answers.
@@ -165,16 +171,20 @@ impl<'a> Task<'a> {
     }
 
     fn answer<'s>(&self, scene: &'s Scene) -> Answer<'s> {
-        let clock = ThreadTime::now();
+        let (clock, before) = (ThreadTime::now(), borrowed());
+        let elapsed = || {
+            let seconds = clock.elapsed().as_secs_f64() + borrowed() - before;
+            Duration::from_secs_f64(seconds.max(0.0))
+        };
         let solved = catch_unwind(AssertUnwindSafe(|| {
             let (mut outcome, spent) = self.method.solve_timed(scene, &self.settings);
-            let spent = spent.unwrap_or_else(|| clock.elapsed());
+            let spent = spent.unwrap_or_else(elapsed);
             let residual = judge(scene, &mut outcome);
             (outcome, residual, spent)
         }));
         let (outcome, residual, spent) = solved.unwrap_or_else(|panic| {
             let failed = Outcome::without_number(Status::Failed, panicked(&*panic));
-            (failed, None, clock.elapsed())
+            (failed, None, elapsed())
         });
         Answer {
             scene,

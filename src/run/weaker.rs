@@ -114,14 +114,20 @@ mod tests {
         let (push, outcome) = of([at(0.5), at(0.4)]);
         assert_eq!(outcome.bracket, Some(Bracket::point(0.4)));
         assert_eq!(push, Push::Left);
-        assert_eq!(outcome.reason(), "weaker when pushed left; told");
+        assert_eq!(
+            outcome.reason(),
+            "the wall is weaker when pushed to the left; told"
+        );
     }
 
     #[test]
     fn rounding_does_not_choose_a_side() {
         let (push, outcome) = of([at(0.5), at(0.5 - 1e-12)]);
         assert_eq!(push, Push::Right);
-        assert_eq!(outcome.reason(), "alike when pushed right and left; told");
+        assert_eq!(
+            outcome.reason(),
+            "the wall is as strong when pushed to the right as to the left; told"
+        );
     }
 
     #[test]
@@ -136,6 +142,9 @@ mod tests {
     fn a_side_without_an_answer_leaves_the_wall_without_one() {
         let (_, outcome) = of([at(0.5), Outcome::without_number(Status::Undecided, "why")]);
         assert_eq!(outcome.status, Status::Undecided);
-        assert_eq!(outcome.reason(), "pushed left: why");
+        assert_eq!(
+            outcome.reason(),
+            "there is no answer when pushed to the left: why"
+        );
     }
 }

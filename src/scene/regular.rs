@@ -46,13 +46,17 @@ pub enum Irregularity {
     #[error("course {0} is not laid in regular running bond")]
     NotRunningBond(usize),
     /// The course (from 1, bottom to top) holds pieces by which units do not lap by half.
-    #[error("course {0} is not of units and halves: the closed form assumes an overlap s = l/2")]
+    #[error(
+        "course {0} has pieces that are neither units nor halves: the closed form assumes an overlap s = l/2"
+    )]
     NotHalves(usize),
     /// Bed joints and base joint of different friction, of which Eq. (1) knows one.
-    #[error("bed joints and base differ in friction")]
+    #[error(
+        "the bed joints and the base differ in friction, and the closed form knows one coefficient"
+    )]
     Friction,
     /// Blocks with weights of their own, or loads beside weights and overburden.
-    #[error("single blocks have weights or loads of their own")]
+    #[error("some blocks have weights or loads of their own, which the closed form does not know")]
     OwnLoads,
     /// Courses of different widths.
     #[error("course {0} is not as wide as the first")]

@@ -164,17 +164,17 @@ impl fmt::Display for Refusal {
         match self {
             Refusal::Missing => write!(f, "there is no certificate"),
             Refusal::OtherScene => write!(f, "it is about another scene"),
-            Refusal::Size => write!(f, "its size is not that of the scene"),
+            Refusal::Size => write!(f, "its size does not match the scene"),
             Refusal::NotFinite => write!(f, "one of its numbers is not finite"),
             Refusal::Negative { slice } => {
                 write!(f, "slice {} has a negative multiplier", slice + 1)
             }
             Refusal::Locks { joint } => write!(
                 f,
-                "its motion does not open joint {}, so that forces are not bounded",
+                "its motion does not open joint {}, so that forces have no limit",
                 joint + 1
             ),
-            Refusal::Unsupported => write!(f, "a block hangs on no joint"),
+            Refusal::Unsupported => write!(f, "a block has no chain of joints to a support"),
             Refusal::Apart { slice } => write!(
                 f,
                 "slice {} begins above what those before it prove",

@@ -68,27 +68,30 @@ impl fmt::Display for AutoFact {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
             AutoFact::SettledByAssociative => {
-                write!(f, "by the program of the associative multiplier")
+                write!(f, "the linear program with associative friction settles it")
             }
             AutoFact::CollapsesWithoutBound { lambda } => {
                 let lambda = short(lambda, 5);
                 write!(
                     f,
-                    "not unique: a collapse state is found at λ = {lambda}, and with associative \
-                     friction none exists"
+                    "the multiplier is not unique: a collapse state is found at λ = {lambda}, and with \
+                     associative friction none exists"
                 )
             }
             AutoFact::NoState { associative } => {
                 let lambda = short(associative, 5);
-                write!(f, "no collapse state is proved below λ_A = {lambda}")
+                write!(
+                    f,
+                    "no collapse state is proved below the associative multiplier, {lambda}"
+                )
             }
             AutoFact::Uniqueness(ref gap) => gap.fmt(f),
             AutoFact::LowerHeard { lambda, below } => {
                 let (lambda, below) = (short(lambda, 5), short(100.0 * below, 1));
                 write!(
                     f,
-                    "a lower state may exist: sequential {lambda} lies {below} % below the lowest \
-                     found"
+                    "a lower state may exist: the sequential method gives {lambda}, which is {below} % below \
+                     the lowest state found"
                 )
             }
             AutoFact::Saved {
@@ -96,14 +99,15 @@ impl fmt::Display for AutoFact {
                 blocks,
                 of_blocks,
             } => {
-                write!(f, "saved: ")?;
-                if blocks > 0 {
-                    write!(f, "{blocks} of {of_blocks} blocks, ")?;
-                }
                 if sequential {
-                    write!(f, "sequential and ")?;
+                    write!(f, "the sequential method and the pushover were not needed")?;
+                } else {
+                    write!(f, "the pushover was not needed")?;
                 }
-                write!(f, "pushover")
+                if blocks > 0 {
+                    write!(f, ", and {blocks} of {of_blocks} blocks were not modelled")?;
+                }
+                Ok(())
             }
         }
     }
@@ -112,25 +116,28 @@ impl fmt::Display for AutoFact {
 impl fmt::Display for Uniqueness {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if !self.unique {
-            write!(f, "not unique: ")?;
+            write!(f, "the multiplier is not unique: ")?;
         }
         let width = short(100.0 * self.relative_width, 2);
         write!(
             f,
-            "lowest state found and associative multiplier are {width} % apart ("
+            "the lowest state found and the associative multiplier are {width} % apart; "
         )?;
         match self.closed_form {
             Some(range) => {
                 let [lower, upper] = [range.lower, range.upper].map(|end| short(end, 4));
-                write!(f, "macro-block says {lower} to {upper}, an estimate; ")?;
+                write!(f, "the closed form estimates {lower} to {upper}; ")?;
             }
-            None => write!(f, "macro-block does not apply; ")?,
+            None => write!(f, "the closed form does not apply; ")?,
         }
         if self.ended_early {
-            write!(f, "a state as low ends the search)")
+            write!(f, "a state as low ended the search")
         } else {
             let starts = self.starts;
-            write!(f, "one start may miss a lower state, {starts} found none)")
+            write!(
+                f,
+                "one start may miss a lower state, and {starts} found none"
+            )
         }
     }
 }

@@ -37,16 +37,20 @@ impl fmt::Display for BoundFact {
             BoundFact::Proved(proved) => proved.fmt(f),
             BoundFact::Uncertified => write!(
                 f,
-                "computed, not certified: the scene can lock, so that forces are not bounded"
+                "the bound is computed and not certified: the scene can lock, so that its forces have no limit"
             ),
             BoundFact::TooLarge { unknowns, most } => write!(
                 f,
-                "no lift: it would have {unknowns} unknowns, and `lift-unknowns` allows {most}"
+                "the lifted program was not solved: it would have {unknowns} unknowns, and `lift-unknowns` \
+                 allows {most}"
             ),
             BoundFact::OutOfBudget { programs } => {
-                write!(f, "ended by its budget after {programs} lifts")
+                write!(
+                    f,
+                    "the proof ended after {programs} programs, as many as the settings allow"
+                )
             }
-            BoundFact::NoState => write!(f, "no verified state to bound"),
+            BoundFact::NoState => write!(f, "no collapse state is verified that could be bounded"),
         }
     }
 }
@@ -56,12 +60,12 @@ impl fmt::Display for Proved {
         let lower = number(self.lower, 6);
         write!(
             f,
-            "no collapse state with 0 ≤ λ < {lower} in which the push does work, proved"
+            "it is proved that no collapse state with 0 ≤ λ < {lower} exists in which the push does work"
         )?;
         if let Some(cap) = self.cap {
             write!(
                 f,
-                " for motions whose openings and slips are at most {cap:.0e} times the push's own"
+                " and openings and slips are at most {cap:.0e} times the push's own motion"
             )?;
         }
         Ok(())

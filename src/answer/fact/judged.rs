@@ -82,7 +82,7 @@ impl Residuals {
                 collapse.idle_friction,
                 "a slipping joint carries less than μN",
             ),
-            (collapse.gap, "small violations add up to a gap"),
+            (collapse.gap, "many small violations add up"),
         ];
         let worst = named.iter().max_by(|a, b| a.0.total_cmp(&b.0));
         worst.expect("the list is not empty").1
@@ -92,27 +92,44 @@ impl Residuals {
 impl fmt::Display for JudgedFact {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            JudgedFact::CollapseState => write!(f, "a true collapse state"),
-            JudgedFact::NoProof(Residuals::State { statics, collapse }) => {
-                write!(f, "no proof: {}", Residuals::worst(statics, collapse))
+            JudgedFact::CollapseState => {
+                write!(f, "the judge confirms that it is a collapse state")
             }
-            JudgedFact::NoProof(residuals) => write!(f, "no proof: {residuals}"),
-            JudgedFact::Refuted(residuals) => write!(f, "refuted by the judge: {residuals}"),
-            JudgedFact::Unresolved(residual) => write!(f, "not resolved: {residual}"),
-            JudgedFact::Uncertified(refusal) => write!(f, "refuted by the judge: {refusal}"),
+            JudgedFact::NoProof(Residuals::State { statics, collapse }) => {
+                let worst = Residuals::worst(statics, collapse);
+                write!(
+                    f,
+                    "it is not proved to be a collapse state, because {worst}"
+                )
+            }
+            JudgedFact::NoProof(residuals) => write!(f, "it is not proved: {residuals}"),
+            JudgedFact::Refuted(residuals) => write!(f, "the judge refutes it: {residuals}"),
+            JudgedFact::Unresolved(residual) => {
+                write!(f, "the proof fails at one block: {residual}")
+            }
+            JudgedFact::Uncertified(refusal) => write!(f, "the judge refutes it: {refusal}"),
             JudgedFact::NothingToProve => {
-                write!(f, "claims a proof without forces and mechanism")
+                write!(
+                    f,
+                    "the method claims a proof and hands over no forces or no mechanism"
+                )
             }
             JudgedFact::OpenHeadJoints { count: 1 } => write!(
                 f,
-                "its open head joint carries nothing; where that touches, the scene may stand"
+                "the scene has one open head joint, which carries nothing; if it touches in the real wall, that \
+                 may stand"
             ),
             JudgedFact::OpenHeadJoints { count } => write!(
                 f,
-                "its {count} open head joints carry nothing; where they touch, the scene may stand"
+                "the scene has {count} open head joints, which carry nothing; if they touch in the real wall, \
+                 that may stand"
             ),
             JudgedFact::NoCertificate(status) => {
-                write!(f, "claims that it {} without a proof", status.name())
+                write!(
+                    f,
+                    "the method claims that the scene {} and hands over no proof",
+                    status.name()
+                )
             }
         }
     }
@@ -121,23 +138,25 @@ impl fmt::Display for JudgedFact {
 impl fmt::Display for Residuals {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Residuals::State { statics, collapse } => write!(f, "{statics}, {collapse}"),
+            Residuals::State { statics, collapse } => {
+                write!(f, "the residuals are {statics}, {collapse}")
+            }
             Residuals::Bounds {
                 statics,
                 collapse,
                 ceiling,
             } => {
-                write!(f, "{statics}, ")?;
+                write!(f, "the residuals are {statics}, ")?;
                 if let Some(collapse) = collapse {
                     write!(f, "{collapse}, ")?;
                 }
                 match ceiling {
                     Some(ceiling) => ceiling.fmt(f),
-                    None => write!(f, "no bound"),
+                    None => write!(f, "and no mechanism gives an upper bound"),
                 }
             }
             Residuals::Block(residual) => residual.fmt(f),
-            Residuals::Largest(residual) => write!(f, "residual {residual:.1e}"),
+            Residuals::Largest(residual) => write!(f, "the largest residual is {residual:.1e}"),
         }
     }
 }
@@ -146,8 +165,8 @@ impl fmt::Display for BlockResidual {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
-            "block {} alone violates its conditions by {:.1e} of its own forces or velocities, at \
-             most {VERIFIED_BLOCK:.0e}",
+            "block {} violates its conditions by {:.1e} of its own forces or velocities, and at most \
+             {VERIFIED_BLOCK:.0e} is allowed",
             self.block + 1,
             self.value
         )
@@ -158,7 +177,7 @@ impl fmt::Display for CeilingSlack {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
-            "flow rule violated by {:.1e}, mechanism's own multiplier {}",
+            "and the mechanism violates the flow rule by {:.1e} and gives the multiplier {}",
             self.flow_rule,
             number(self.multiplier, 6)
         )

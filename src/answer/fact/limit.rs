@@ -61,44 +61,55 @@ impl fmt::Display for LimitFact {
                 write_first(f, first)
             }
             LimitFact::ForcesWithoutLimit => {
-                write!(f, "forces grow with the push without limit")
+                write!(f, "the joints can balance every push, however large it is")
             }
             LimitFact::OwnWeightUndecided { solver } => {
-                write!(f, "neither forces nor a mechanism are proved at λ = 0")?;
+                write!(
+                    f,
+                    "neither forces nor a mechanism prove whether it stands under its own weight"
+                )?;
                 let solver = solver.as_ref();
                 solver.map_or(Ok(()), |solver| write!(f, ": {solver}"))
             }
-            LimitFact::NoOptimum(solver) => write!(f, "no proof: {solver}"),
-            LimitFact::Unproved { residual } => write!(f, "not resolved: residual {residual:.1e}"),
-            LimitFact::Unresolved(blocks) => write!(f, "not resolved: {blocks}"),
+            LimitFact::NoOptimum(solver) => write!(f, "the multiplier is not proved: {solver}"),
+            LimitFact::Unproved { residual } => {
+                write!(f, "the proof fails: the largest residual is {residual:.1e}")
+            }
+            LimitFact::Unresolved(blocks) => write!(f, "the proof fails at one block: {blocks}"),
             LimitFact::Apart { relative_width } => {
                 write!(
                     f,
-                    "force state and mechanism are {relative_width:.1e} apart"
+                    "the multipliers of the force state and of the mechanism are {relative_width:.1e} apart"
                 )
             }
-            LimitFact::Loose => write!(f, "solved loosely on request"),
+            LimitFact::Loose => write!(f, "the programs were solved loosely, as the settings ask"),
             LimitFact::LooseWithoutMultiplier => {
                 write!(
                     f,
-                    "solved loosely on request: the mechanism has no multiplier"
+                    "the programs were solved loosely, as the settings ask, and the mechanism found has no \
+                     multiplier"
                 )
             }
             LimitFact::FoundNoBounds { frictionless } => match frictionless {
                 Some(lambda) => write!(
                     f,
-                    "found, no bounds (rigorous are {} and associative)",
+                    "the search may have missed other collapse states; proved bounds of them all are {} and the \
+                     associative multiplier",
                     number(*lambda, 5)
                 ),
-                None => write!(f, "found, no bounds (rigorous is associative alone)"),
+                None => write!(
+                    f,
+                    "the search may have missed other collapse states; the proved bound of them all is the \
+                     associative multiplier"
+                ),
             },
             LimitFact::FoundWithoutBound => write!(
                 f,
-                "found, no bounds (with associative friction no collapse state exists)"
+                "the search may have missed other collapse states; with associative friction none exists"
             ),
             LimitFact::NoneFoundWithoutBound => write!(
                 f,
-                "no collapse state found; with associative friction none exists"
+                "the search found no collapse state; with associative friction none exists"
             ),
         }
     }
@@ -161,7 +172,8 @@ mod tests {
         let text = found.to_string();
         assert_eq!(
             text,
-            "found, no bounds (rigorous are 0.00000 and associative)"
+            "the search may have missed other collapse states; proved bounds of them all are 0.00000 and the \
+             associative multiplier"
         );
     }
 }

@@ -150,8 +150,14 @@ mod tests {
     fn facts_are_parted_by_semicolons_and_headings_by_colons() {
         let heading = Fact::Side(SideFact::Unanswered(Push::Left));
         let facts = [heading, "one".into(), "".into(), "two".into()];
-        assert_eq!(sentence(&facts), "pushed left: one; two");
-        assert_eq!(sentence(&facts[..1]), "pushed left");
+        assert_eq!(
+            sentence(&facts),
+            "there is no answer when pushed to the left: one; two"
+        );
+        assert_eq!(
+            sentence(&facts[..1]),
+            "there is no answer when pushed to the left"
+        );
         assert_eq!(sentence(&[]), "");
     }
 }

@@ -15,7 +15,7 @@ pub enum ProgramFailure {
         error: String,
     },
     /// No program is named.
-    #[error("has no command")]
+    #[error("the program has no command")]
     NoCommand,
     /// The program does not start.
     #[error("cannot start `{program}`: {error}")]
@@ -26,7 +26,7 @@ pub enum ProgramFailure {
         error: String,
     },
     /// The system does not say when it ends.
-    #[error("cannot be waited for: {error}")]
+    #[error("the program cannot be waited for: {error}")]
     NotWaitedFor {
         /// The system's error.
         error: String,
@@ -43,7 +43,7 @@ pub enum ProgramFailure {
         messages: String,
     },
     /// It wrote nothing.
-    #[error("wrote nothing to standard output")]
+    #[error("the program wrote nothing to standard output")]
     NoOutput,
     /// What it wrote is not an answer.
     #[error("its output is no answer: {error}; it begins with `{begins}`")]
@@ -123,13 +123,18 @@ impl fmt::Display for ProgramEnding {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             ProgramEnding::TimeLimit { seconds } => {
-                write!(f, "stopped after its time limit of {seconds} s")
+                write!(
+                    f,
+                    "the program was stopped after its time limit of {seconds} s"
+                )
             }
-            ProgramEnding::Signal(signal) => write!(f, "ended by signal {signal}"),
-            ProgramEnding::ExitStatus(code) => write!(f, "ended with exit status {code}"),
-            ProgramEnding::NoExitStatus => write!(f, "ended without an exit status"),
+            ProgramEnding::Signal(signal) => write!(f, "the program was ended by signal {signal}"),
+            ProgramEnding::ExitStatus(code) => {
+                write!(f, "the program ended with exit status {code}")
+            }
+            ProgramEnding::NoExitStatus => write!(f, "the program ended without an exit status"),
             ProgramEnding::TooMuchOutput { mebibytes } => {
-                write!(f, "wrote more than {mebibytes} MiB")
+                write!(f, "the program wrote more than {mebibytes} MiB")
             }
         }
     }

@@ -142,11 +142,12 @@ impl fmt::Display for PushoverFact {
         match self {
             Self::FirstSlip { slip } => write!(
                 f,
-                "first slip of a joint by {slip:e} course heights, not the collapse"
+                "this is the load at which a joint first slips by {slip:e} course heights, not the collapse load"
             ),
             Self::Uncalibrated => write!(
                 f,
-                "substeps longer or contacts softer than the stated error was measured with"
+                "the substeps are longer or the contacts softer than those that the stated error was measured \
+                 with"
             ),
             Self::Checked(check) => check.fmt(f),
             Self::SelfCheckFailed(check) => write!(f, "a self-check failed: {check}"),
@@ -162,17 +163,17 @@ impl fmt::Display for PushoverFact {
                 most,
             } => write!(
                 f,
-                "{heavy} is {ratio:.1e} times as heavy as {light}, and beyond {most:.0e} the \
-                 lighter one's rest cannot be told"
+                "{heavy} is {ratio:.1e} times as heavy as {light}, and beyond {most:.0e} the engine cannot \
+                 tell whether the lighter one rests"
             ),
             Self::SupportFrictions { found, most } => write!(
                 f,
-                "joints with supports have {found} coefficients of friction, and the engine tells \
-                 no more than {most} apart"
+                "the joints with supports have {found} different coefficients of friction, and the engine \
+                 can tell no more than {most} apart"
             ),
             Self::BlockOnTwoFrictions => write!(
                 f,
-                "a block rests on supports with two coefficients of friction"
+                "a block rests on supports with two coefficients of friction, which the engine cannot model"
             ),
             Self::Crowded => write!(
                 f,
@@ -182,25 +183,25 @@ impl fmt::Display for PushoverFact {
             Self::ShapeRefused => write!(f, "the engine cannot take a shape of the scene"),
             Self::Fell { distance, time } => write!(
                 f,
-                "under its weight alone a block moved by more than {distance} course heights \
-                 within t = {time:.0} √(H_c/g) and was not slowing down"
+                "under its own weight alone a block moved by more than {distance} course heights within \
+                 t = {time:.0} √(H_c/g) and did not slow down"
             ),
             Self::NearZero { resolution } => write!(
                 f,
-                "λ is nearer to 0 than {resolution}, which is too near to tell whether the scene \
-                 falls under its weight alone"
+                "λ is nearer to 0 than {resolution}, which is too near to tell whether the scene falls under \
+                 its own weight"
             ),
             Self::NotSettled { time } => write!(
                 f,
-                "under its weight alone the scene did not come to rest within t = {time} √(H_c/g)"
+                "under its own weight alone the scene did not come to rest within t = {time} √(H_c/g)"
             ),
             Self::OutOfSteps { lambda } => write!(
                 f,
-                "gave up after the time steps allowed; last at rest at λ = {lambda}"
+                "the pushover used up the time steps allowed; the last load at rest was λ = {lambda}"
             ),
             Self::StillStands { lambda } => write!(
                 f,
-                "the scene still stands at λ = {lambda}; nothing larger is tried"
+                "the scene still stands at λ = {lambda}, and nothing larger is tried"
             ),
             Self::Unclear { lambda } => write!(
                 f,
@@ -208,8 +209,8 @@ impl fmt::Display for PushoverFact {
             ),
             Self::RangeNotRun { pushovers, blocks } => write!(
                 f,
-                "not run: with head joints in contact the answer is a range over {pushovers} \
-                 pushovers, which {blocks} blocks make long"
+                "it was not run: with head joints in contact the answer is a range over {pushovers} \
+                 pushovers, which take long on {blocks} blocks; `--long-ranges` runs them"
             ),
             Self::RangeUnfinished {
                 run,
@@ -218,27 +219,27 @@ impl fmt::Display for PushoverFact {
             } => {
                 write!(
                     f,
-                    "not ended: {run} of the {pushovers} pushovers of a range were run"
+                    "it was not finished: {run} of the {pushovers} pushovers of a range were run"
                 )?;
                 match so_far {
-                    Some(bracket) => write!(f, ", so far {}", printed(bracket)),
+                    Some(bracket) => write!(f, ", which so far give {}", printed(bracket)),
                     None => Ok(()),
                 }
             }
-            Self::NoMirror => write!(f, "the scene cannot be mirrored"),
+            Self::NoMirror => write!(f, "the scene cannot be mirrored, which a range needs"),
             Self::Range { softest } => write!(
                 f,
-                "a range over both directions and contact stiffnesses 1 to 1/{:.0}: with head \
-                 joints in contact the answer is not unique",
+                "this is a range over both directions and over contact stiffnesses from 1 to 1/{:.0}, because \
+                 with head joints in contact the collapse load is not unique",
                 1.0 / softest
             ),
             Self::SlidesFirst => write!(
                 f,
-                "several collapse states: blocks slide away before the scene collapses"
+                "there are several collapse states: blocks slide away before the scene collapses"
             ),
             Self::OneLevel { bracket } => write!(
                 f,
-                "one length of substep alone gave an answer, {}; a second one is needed to measure \
+                "one length of the substep alone gave an answer, {}, and a second one is needed to measure \
                  its error",
                 printed(bracket)
             ),
@@ -246,7 +247,7 @@ impl fmt::Display for PushoverFact {
                 let brackets: Vec<String> = brackets.iter().map(printed).collect();
                 write!(
                     f,
-                    "shorter and shorter substeps do not agree on one multiplier: they gave {}",
+                    "shorter and shorter substeps do not agree on one multiplier; they gave {}",
                     brackets.join(", ")
                 )
             }

@@ -108,12 +108,12 @@ impl SearchFailure {
 impl fmt::Display for SearchFailure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            SearchFailure::GapOpen => "gap stayed open",
-            SearchFailure::Infeasible => "program infeasible",
-            SearchFailure::Unbounded => "program unbounded",
-            SearchFailure::Unsolved => "program unsolved",
-            SearchFailure::PartOnly => "no state of the whole scene",
-            SearchFailure::Unproved => "state not proved",
+            SearchFailure::GapOpen => "did not close the gap between forces and mechanism",
+            SearchFailure::Infeasible => "met a linear program without a force state",
+            SearchFailure::Unbounded => "met a linear program without a limit of λ",
+            SearchFailure::Unsolved => "met a linear program that the solver gave up",
+            SearchFailure::PartOnly => "reached a state of a part that is none of the whole scene",
+            SearchFailure::Unproved => "reached a state that is not proved",
         })
     }
 }
@@ -183,27 +183,27 @@ impl fmt::Display for SearchFacts {
         let mut texts = Vec::new();
         if coverage.verified > 0 {
             texts.push(format!(
-                "{} of {} reached {}, the lowest {}; of further starts about {:.0} % would reach a \
-                 new one (Good-Turing)",
+                "{} of {} reached {}, and the lowest was reached {}; about {:.0} % of further starts \
+                 would reach a new one (Good-Turing estimate)",
                 coverage.verified,
                 counted(coverage.starts, "start"),
-                counted(coverage.distinct, "state"),
+                counted(coverage.distinct, "collapse state"),
                 counted(coverage.lowest_met, "time"),
                 100.0 * coverage.unseen
             ));
         } else {
             texts.push(format!(
-                "no state from {}",
+                "{} reached no collapse state",
                 counted(coverage.starts, "start")
             ));
         }
         for failure in SearchFailure::ALL {
             let count = self.failed(failure);
             if count > 0 {
-                texts.push(format!("{}: {failure}", counted(count, "start")));
+                texts.push(format!("{} {failure}", counted(count, "start")));
             }
         }
-        f.write_str(&texts.join(", "))
+        f.write_str(&texts.join("; "))
     }
 }
 
@@ -235,8 +235,9 @@ mod tests {
         assert_eq!(facts.coverage(), expected);
         assert_eq!(
             facts.to_string(),
-            "4 of 5 starts reached 3 states, the lowest 1 time; of further starts about 50 % would \
-             reach a new one (Good-Turing), 1 start: gap stayed open"
+            "4 of 5 starts reached 3 collapse states, and the lowest was reached 1 time; about 50 % of \
+             further starts would reach a new one (Good-Turing estimate); 1 start did not close the \
+             gap between forces and mechanism"
         );
         let none = SearchFacts {
             starts: starts[3..4].to_vec(),
@@ -245,7 +246,8 @@ mod tests {
         assert_eq!(none.coverage().unseen, 0.0);
         assert_eq!(
             none.to_string(),
-            "no state from 1 start, 1 start: gap stayed open"
+            "1 start reached no collapse state; 1 start did not close the gap between forces and \
+             mechanism"
         );
     }
 }

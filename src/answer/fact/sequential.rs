@@ -38,12 +38,22 @@ impl fmt::Display for SequentialFacts {
         use SequentialEnding::*;
         let steps = self.steps;
         match self.ending {
-            Converged => write!(f, "converged"),
-            Cycling { period } => write!(f, "cycling with period {period} at step {steps}"),
-            SubProgramInfeasible => write!(f, "sub-program infeasible at step {steps}"),
-            SubProgramUnbounded => write!(f, "sub-program unbounded at step {steps}"),
-            SubProgramUnsolved => write!(f, "sub-program unsolved at step {steps}"),
-            StepLimit => write!(f, "not converged within {steps} steps"),
+            Converged => write!(f, "the iteration converged"),
+            Cycling { period } => write!(
+                f,
+                "the iteration repeats itself every {period} steps, which was seen at step {steps}"
+            ),
+            SubProgramInfeasible => {
+                write!(f, "the linear program of step {steps} has no force state")
+            }
+            SubProgramUnbounded => {
+                write!(f, "in the linear program of step {steps} λ has no limit")
+            }
+            SubProgramUnsolved => write!(
+                f,
+                "the solver gave up on the linear program of step {steps}"
+            ),
+            StepLimit => write!(f, "the iteration did not converge within {steps} steps"),
         }
     }
 }

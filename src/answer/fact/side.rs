@@ -26,9 +26,16 @@ impl SideFact {
 impl fmt::Display for SideFact {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            SideFact::Weaker(push) => write!(f, "weaker when pushed {}", push.name()),
-            SideFact::Alike => write!(f, "alike when pushed right and left"),
-            SideFact::Unanswered(push) => write!(f, "pushed {}", push.name()),
+            SideFact::Weaker(push) => {
+                write!(f, "the wall is weaker when pushed to the {}", push.name())
+            }
+            SideFact::Alike => write!(
+                f,
+                "the wall is as strong when pushed to the right as to the left"
+            ),
+            SideFact::Unanswered(push) => {
+                write!(f, "there is no answer when pushed to the {}", push.name())
+            }
         }
     }
 }

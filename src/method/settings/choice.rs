@@ -6,11 +6,11 @@ use clap::ValueEnum;
 /// of its bracket against the limit, relative to λ.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Accuracy {
-    /// 1 %; 2 % above 30 courses.
+    /// An error of about 1 % of λ, and of 2 % above 30 courses.
     Coarse,
-    /// 0.2 %; 0.4 % above 30 courses.
+    /// An error of about 0.2 % of λ, and of 0.4 % above 30 courses.
     Normal,
-    /// 0.05 %; 0.2 % above 30 courses.
+    /// An error of about 0.05 % of λ, and of 0.2 % above 30 courses.
     Fine,
 }
 

@@ -24,22 +24,23 @@ pub(crate) const LP_TOLERANCE: f64 = 1e-10;
 settings! {
     /// Settings of the interval.
     interval: IntervalSettings {
-        /// Starts of the interval's search, and of that of `auto`; more may find lower states. 0: as
-        /// many as a number of linear programs allows that depends on the scene.
+        /// How many starts the search of `interval` and `auto` makes; more may find lower states. With 0 it
+        /// makes as many as a number of linear programs allows, which depends on the scene.
         starts: usize = 0, Allowed::Whole(0..=10_000), "";
     }
 
     /// Settings of the pushover.
     pushover: PushoverSettings {
-        /// Error of λ that the pushover aims at; the one that it states is measured on the scene.
+        /// How accurate λ of the pushover is meant to be; the error that it states is measured on the scene.
         accuracy: Accuracy = Accuracy::Normal, Allowed::words::<Accuracy>(), "";
-        /// Repeat each pushover with half the substep, mirrored and undamped; all must agree.
+        /// Repeat each pushover with half the substep, mirrored and without damping; all must agree.
         verify: bool = false, Allowed::Switch, "";
-        /// What counts as collapse in the pushover.
+        /// What the pushover takes for the collapse.
         collapse: Collapse = Collapse::Runaway, Allowed::words::<Collapse>(), "";
-        /// Push walls with head joints in contact also beyond 200 blocks, which takes long.
+        /// Run the pushovers of a range, which walls with head joints in contact need, also where they take
+        /// long.
         long_ranges: bool = false, Allowed::Switch, "";
-        /// Keep how the blocks moved in each pushover's collapse, in JSON and results.json.
+        /// Keep in the JSON how the blocks move in the collapse of each pushover.
         recording: bool = false, Allowed::Switch, "";
         /// Factor on the pushover's substep; above 1 its answer is an estimate.
         substep: f64 = 1.0, Allowed::Number(1.0 / 64.0..=64.0), "times what the accuracy needs";
@@ -54,7 +55,7 @@ settings! {
         lp_tolerance: f64 = LP_TOLERANCE, Allowed::Number(1e-14..=0.1), "of λ";
         /// Whether the limit analyses first try the part of a wall that the crack can reach.
         reduction: bool = true, Allowed::Switch, "";
-        /// What solves the linear programs of the limit analyses.
+        /// Which solver solves the linear programs of the limit analyses.
         engine: Engine = Engine::Structured, Allowed::words::<Engine>(), "";
     }
 
@@ -62,32 +63,32 @@ settings! {
     sequential: SequentialSettings {
         /// α of the sequential method's first step: how contractant the substitute law is.
         alpha: f64 = 0.3, Allowed::Number(1e-4..=1.0), "of the friction coefficient";
-        /// β of the sequential method: share of the new normal forces.
+        /// β of the sequential method: the share of the new normal forces in each step.
         beta: f64 = 0.6, Allowed::Number(0.01..=1.0), "";
         // 1e-5, as published, lifts λ on a wall of 48 courses 0.04 % above λ_A; the bias is in
         // proportion, and down to 1e-7 no more sub-programs become infeasible (measured).
-        /// c0 of the sequential method: shear that every joint carries uncompressed.
+        /// c0 of the sequential method: the shear that every joint carries without any pressure.
         c0: f64 = 1e-6, Allowed::Number(0.0..=0.1), "of the largest normal force";
     }
 
     /// Settings of the lower bound.
     bound: BoundSettings {
-        /// Relative distance from the lowest state at which the lower bound is good enough.
+        /// Relative distance between the lower bound and the lowest state at which the proof may end.
         bound_gap: f64 = 1e-4, Allowed::Number(0.0..=1.0), "of λ";
-        /// Lifted programs of a lower bound at most.
+        /// How many lifted programs a lower bound may take.
         lifts: usize = 64, Allowed::Whole(1..=10_000), "";
-        /// Interior-point steps of all these programs at most.
+        /// How many interior-point steps all these programs may take.
         lift_steps: usize = 4_000, Allowed::Whole(1..=1_000_000), "";
-        /// Unknowns of a lifted program at most; time grows with their square, memory too.
+        /// How many unknowns a lifted program may have; its time and memory grow with their square.
         lift_unknowns: usize = 8_000, Allowed::Whole(1..=100_000), "";
-        /// Largest sum of openings and slips, over the push's own displacement, of the motions that a
-        /// lower bound speaks of where rounding sets a limit.
+        /// Where rounding limits the motions that a lower bound is about: how large the sum of their openings
+        /// and slips may be, over the displacement of the push.
         lift_cap: f64 = 1e4, Allowed::Number(1.0..=1e12), "";
     }
 
     /// Settings of the method that picks among the others.
     auto: AutoSettings {
-        /// Relative width up to which `auto` has an answer.
+        /// Width of the range, relative to λ, up to which `auto` calls the multiplier unique.
         tolerance: f64 = 0.01, Allowed::Number(1e-6..=1.0), "of λ";
     }
 }

@@ -144,6 +144,6 @@ pub fn multipliers(results: &[CaseResult]) -> Markup {
     }
     html! {
         (sortable("Computed beside reference", &names, &rows))
-        p.small { (LEGEND) "." }
+        p.small { (LEGEND) }
     }
 }

@@ -1,13 +1,14 @@
 //! The atlas as a table for people and as CSV.
 
+use anstyle::Style;
 use indexmap::IndexSet;
 
 use super::cell::{Cell, CellVerdict};
 use super::grid::Grid;
 use crate::answer::Bracket;
 use crate::number::nine_digits;
-use crate::picture::lines;
 use crate::run::{self, Value, values};
+use crate::text::{self, Layout, bold, numbers, words};
 
 /// Cells as CSV, one line each.
 ///
@@ -48,24 +49,31 @@ fn line(cell: &Cell) -> Vec<Value> {
 }
 
 /// Counts by grid and method, the causes under each grid, and every wrong cell.
-pub fn table(grids: &[Grid], cells: &[Cell]) -> String {
+pub fn table(grids: &[Grid], cells: &[Cell], layout: Layout) -> String {
     let mut text = String::new();
     for grid in grids {
-        text.push_str(&format!("{}: {} x {}\n", grid.name, grid.x, grid.y));
-        for method in methods(grid, cells) {
+        let title = format!(": {} x {}", grid.x, grid.y);
+        text.push_str(&layout.paragraph(grid.name, bold(), &title));
+        let counts = |method: &str| {
             let own = cells
                 .iter()
                 .filter(|c| c.grid == grid.name && c.row.method == method);
             let own: Vec<&Cell> = own.collect();
             let counts = CellVerdict::ALL.map(|verdict| {
-                let count = own.iter().filter(|cell| cell.verdict == verdict).count();
-                format!("{count:>3} {}", verdict.name())
+                let of_verdict = own.iter().filter(|cell| cell.verdict == verdict);
+                of_verdict.count().to_string()
             });
-            text.push_str(&format!("  {method:<12} {}\n", counts.join("  ")));
-        }
-        for line in lines(grid.causes, 96) {
-            text.push_str(&format!("  {line}\n"));
-        }
+            [vec![method.to_owned()], counts.to_vec()].concat()
+        };
+        let lines: Vec<Vec<String>> = methods(grid, cells).into_iter().map(counts).collect();
+        let verdicts = CellVerdict::ALL.map(|verdict| numbers(verdict.name()));
+        let columns = [vec![words("method")], verdicts.to_vec()].concat();
+        text.push_str(&text::grid(layout, 2, &columns, &lines));
+        let causes = Layout {
+            width: Some(layout.width.unwrap_or(98)),
+            ..layout
+        };
+        text.push_str(&causes.paragraph("  ", Style::new(), grid.causes));
         text.push('\n');
     }
     let wrong: Vec<&Cell> = cells
@@ -78,9 +86,9 @@ pub fn table(grids: &[Grid], cells: &[Cell]) -> String {
         let Cell { grid, x, y, .. } = cell;
         let (method, status) = (&cell.row.method, cell.row.status().name());
         let reference = between(cell.reference);
-        text.push_str(&format!(
-            "WRONG {grid}: {method} at {x}, {y}: {status} {ends}, where it is {reference}\n"
-        ));
+        let said =
+            format!("{grid}: {method} at {x}, {y}: {status} {ends}, where it is {reference}");
+        text.push_str(&layout.paragraph("WRONG ", bold(), &said));
     }
     text
 }

@@ -1,9 +1,12 @@
 //! Each method with each setting over all scenes.
 
+use anstyle::Style;
 use indexmap::IndexSet;
 
 use super::table::Measurement;
+use crate::number::number;
 use crate::run::{self, Value};
+use crate::text::{Layout, grid, numbers, words};
 
 /// What one method with one setting is worth over all scenes that it ran on.
 #[derive(Clone, Debug, PartialEq)]
@@ -55,36 +58,34 @@ pub fn summaries(entries: &[Measurement]) -> Vec<Summary> {
     names.into_iter().map(summary).collect()
 }
 
-/// The summary as a fixed-width table.
-pub fn table(summaries: &[Summary]) -> String {
-    let mut text = format!(
-        "{:<12} {:<34} {:>6} {:>10} {:>8} {:>8} {:>8} {:>8}\n",
-        "method", "setting", "scenes", "mean ms", "0.1 %", "1 %", "5 %", "answers"
-    );
-    for s in summaries {
-        let percent = |share: f64| format!("{:.0} %", 100.0 * share);
-        let line = format!(
-            "{:<12} {:<34} {:>6} {:>10.3} {:>8} {:>8} {:>8} {:>8}",
-            s.method,
-            s.setting,
-            s.scenes,
-            1e3 * s.seconds,
-            percent(s.within[0]),
-            percent(s.within[1]),
-            percent(s.within[2]),
-            percent(s.answered),
-        );
-        text.push_str(line.trim_end());
-        text.push('\n');
-    }
-    text.push_str(
-        "\nmean: geometric mean of the CPU time over the scenes, shifted by 1 ms; shares of the \
-         scenes whose answer\n(verified, bracketed or estimate) lies within that of the reference, \
-         the farther end of a bracket counting;\nno answer lies within nothing. A scene's reference \
-         is its collapse multiplier without dilatancy,\nthe range of its lowest and highest state \
-         where there are several: the error is max(|a - r|, |b - R|) / r.\n",
-    );
-    text
+/// The summary as a table.
+pub fn table(summaries: &[Summary], layout: Layout) -> String {
+    let columns = [
+        words("method"),
+        words("setting"),
+        numbers("scenes").spare(1),
+        numbers("mean ms"),
+        numbers("0.1 %"),
+        numbers("1 %"),
+        numbers("5 %"),
+        numbers("answers"),
+    ];
+    let percent = |share: f64| format!("{:.0} %", 100.0 * share);
+    let line = |s: &Summary| {
+        let words = [s.method.clone(), s.setting.clone()];
+        let effort = [s.scenes.to_string(), number(1e3 * s.seconds, 3)];
+        let shares = [s.within[0], s.within[1], s.within[2], s.answered].map(percent);
+        [words.as_slice(), &effort, &shares].concat()
+    };
+    let lines: Vec<Vec<String>> = summaries.iter().map(line).collect();
+    let legend = "mean: the geometric mean of the CPU time over the scenes, shifted by 1 ms. The \
+                  percentages are shares of the scenes: those whose answer (verified, bracketed or \
+                  estimate) lies within 0.1, 1 and 5 % of the reference, where the farther end of a \
+                  range counts, and those with an answer at all. The reference of a scene is its \
+                  collapse multiplier without dilatancy, or the range from its lowest to its highest \
+                  state: the error is max(|a - r|, |b - R|) / r.";
+    let legend = layout.paragraph("", Style::new(), legend);
+    format!("{}\n{legend}", grid(layout, 0, &columns, &lines))
 }
 
 /// The summary as CSV.

@@ -7,6 +7,7 @@ use super::joined::{Runs, covered, joined, moved, seen, steps};
 use super::{Conditions, End, MOST_WORK, SOFTEST, STIFFNESSES, Varied};
 use crate::answer::{Outcome, PushoverFact, Status, Variation};
 use crate::method::PushoverSettings;
+use crate::method::at_once::both;
 
 /// Pushovers of a range over head joints in contact.
 const PUSHOVERS: usize = 2 * (STIFFNESSES.len() + 1);
@@ -15,7 +16,7 @@ const PUSHOVERS: usize = 2 * (STIFFNESSES.len() + 1);
 /// 6 to 48 courses, which need 800 to 3400.
 const SUBSTEPS_A_COURSE: f64 = 2000.0;
 
-impl<P: Fn(&Model) -> Parameters> Varied<'_, P> {
+impl<P: Fn(&Model) -> Parameters + Sync> Varied<'_, P> {
     /// The lowest lower and the highest upper value over both directions, several stiffnesses and
     /// two substeps.
     pub fn over_head_joints(&self, settings: &PushoverSettings) -> Outcome {
@@ -47,21 +48,39 @@ impl<P: Fn(&Model) -> Parameters> Varied<'_, P> {
         };
         let mut runs = vec![softest];
         // The stiffest and the softest first: they lie furthest apart.
-        for stiffness in [1.0, SOFTEST, 0.5] {
-            for mirrored in [false, true] {
-                if stiffness == SOFTEST && !mirrored {
-                    continue;
-                }
-                if spent + steps(&runs) > MOST_WORK && !settings.long_ranges {
-                    return unfinished(runs, spent);
-                }
-                runs.push(self.run(conditions(stiffness, mirrored, halvings), halvings));
+        let varied = [
+            (1.0, false),
+            (1.0, true),
+            (SOFTEST, true),
+            (0.5, false),
+            (0.5, true),
+        ];
+        let run = |&(stiffness, mirrored): &(f64, bool)| {
+            self.run(conditions(stiffness, mirrored, halvings), halvings)
+        };
+        for pair in varied.chunks(2) {
+            let is_over = |runs: &Runs| spent + steps(runs) > MOST_WORK && !settings.long_ranges;
+            if is_over(&runs) {
+                return unfinished(runs, spent);
             }
+            let (first, second) = match pair {
+                [first, second] => {
+                    let (first, second) = both(|| run(first), || run(second));
+                    (first, Some(second))
+                }
+                _ => (run(&pair[0]), None),
+            };
+            runs.push(first);
+            // As if one had been run after the other.
+            if second.is_some() && is_over(&runs) {
+                return unfinished(runs, spent);
+            }
+            runs.extend(second);
         }
         let Some(coarse) = covered(&runs) else {
             return joined(runs, spent, None, Vec::new());
         };
-        for mirrored in [false, true] {
+        let finer = |mirrored| {
             let like = |(variation, _): &&(Variation, Outcome)| {
                 variation.stiffness == 1.0 && variation.mirrored == mirrored
             };
@@ -69,8 +88,10 @@ impl<P: Fn(&Model) -> Parameters> Varied<'_, P> {
                 expected: runs.iter().find(like).and_then(|(_, run)| run.bracket),
                 ..conditions(1.0, mirrored, halvings + 1)
             };
-            runs.push(self.run(finer, halvings));
-        }
+            self.run(finer, halvings)
+        };
+        let (one, other) = both(|| finer(false), || finer(true));
+        runs.extend([one, other]);
         let error = moved(coarse, &runs, self.unit());
         let fact = PushoverFact::Range { softest: SOFTEST };
         joined(runs, spent, error, vec![fact.into()])

@@ -1,0 +1,114 @@
+//! A case for people: one line an answer, below it what is to be known of them in sentences, last what
+//! they all come to.
+
+use anstyle::Style;
+
+use super::styles::{of_status_word, of_verdict, of_verdict_word};
+use super::terms::terms;
+use crate::judge::Verdict;
+use crate::record::{self, LEGEND, Note};
+use crate::run::{CaseResult, values};
+use crate::text::{GridColumn, Layout, bold, ended, grid, numbers, sentence, words};
+
+/// The tables of all cases, and what explains them.
+pub fn table(results: &[CaseResult], layout: Layout) -> String {
+    let cases = results.iter().map(|result| case_table(result, layout));
+    cases.collect::<String>() + &legend(layout)
+}
+
+/// Columns of a screen: those of the record, as many as there is room for.
+const COLUMNS: [(&str, GridColumn); 11] = [
+    ("method", words("method")),
+    ("head_joints", words("joints")),
+    ("lambda", words("λ")),
+    ("lambda_reference", words("reference").spare(1)),
+    ("status", words("status").styled(of_status_word)),
+    ("error_percent", numbers("error %")),
+    ("verdict", words("verdict").styled(of_verdict_word)),
+    ("slope", words("tan β").spare(2)),
+    ("slope_reference", words("reference").spare(5)),
+    ("width_c", numbers("c").spare(3)),
+    ("width_e", numbers("e").spare(4)),
+];
+
+/// What is said of one case: its title, a table, notes, checks that do not hold, and the best answer
+/// for each setting of the head joints. Where lines may be of any length, the table is that of the
+/// record, whose columns stand at the same place in every case.
+pub fn case_table(result: &CaseResult, layout: Layout) -> String {
+    let mut text = layout.paragraph(
+        &result.case.name,
+        bold(),
+        &format!(": {}", result.case.title),
+    );
+    text.push_str(&answers(result, layout));
+    for note in record::notes(result) {
+        text.push_str(&said(&note, layout));
+    }
+    text.push_str(&layout.paragraph("", Style::new(), &record::tally(&result.checks)));
+    if let Some(partial) = result.partial() {
+        text.push_str(&layout.paragraph("", Style::new(), &partial));
+    }
+    let open = result.checks.iter().filter(|c| c.verdict > Verdict::Holds);
+    for check in open {
+        let lead = format!("  {:<8}  ", check.verdict.name());
+        let words = format!("{}: {}", check.head_joints.name(), ended(&check.text));
+        text.push_str(&layout.paragraph(&lead, of_verdict(check.verdict), &words));
+    }
+    text.push_str(&layout.paragraph("answer", bold(), ""));
+    for conclusion in &result.conclusions {
+        let lead = format!("  {:<8}  ", conclusion.head_joints.name());
+        let mut words = sentence(&conclusion.to_string());
+        if let Some(terms) = terms(result, conclusion).map(|terms| terms.to_string()) {
+            words = format!("{words} {}", sentence(&terms));
+        }
+        text.push_str(&layout.paragraph(&lead, bold(), &words));
+    }
+    text + "\n"
+}
+
+fn answers(result: &CaseResult, layout: Layout) -> String {
+    if layout.columns().is_none() {
+        let lines = record::lines(result);
+        let lines: String = lines.into_iter().map(|line| line + "\n").collect();
+        return format!("{}\n{lines}", record::heading());
+    }
+    let names = COLUMNS.map(|(name, _)| name);
+    let shown = |row| {
+        let cells = values(row, &names);
+        cells.iter().map(|cell| cell.shown()).collect()
+    };
+    let rows: Vec<Vec<String>> = result.rows.iter().map(shown).collect();
+    grid(layout, 0, &COLUMNS.map(|(_, column)| column), &rows)
+}
+
+/// A note as a paragraph.
+fn said(note: &Note, layout: Layout) -> String {
+    let joints: Vec<&str> = note.head_joints.iter().map(|h| h.name()).collect();
+    let words = format!(
+        "{}, {}: {}",
+        note.method,
+        joints.join(" and "),
+        ended(&note.text)
+    );
+    layout.paragraph("  ", Style::new(), &words)
+}
+
+/// Columns from which references have room, as a rule.
+const WITH_REFERENCES: usize = 100;
+
+/// What the error is, where references have no room.
+const ERROR: &str =
+    "The error says how far the farther end of an answer is from its reference value.";
+
+/// Where the rest is.
+const MORE: &str = "`--wide` shows every column.";
+
+/// What stands below the last case.
+pub fn legend(layout: Layout) -> String {
+    let words = match layout.columns() {
+        None => LEGEND.to_owned(),
+        Some(columns) if columns < WITH_REFERENCES => format!("{ERROR} {MORE}"),
+        Some(_) => format!("{LEGEND} {MORE}"),
+    };
+    layout.paragraph("", Style::new(), &words)
+}

@@ -1,0 +1,36 @@
+//! The colours of verdicts and statuses.
+
+use anstyle::{AnsiColor, Style};
+
+use crate::answer::Status;
+use crate::judge::Verdict;
+
+/// What a verdict looks like: green where it holds, yellow where it is to be looked at, red where it is
+/// violated.
+pub fn of_verdict(verdict: Verdict) -> Style {
+    coloured(match verdict {
+        Verdict::Holds => AnsiColor::Green,
+        Verdict::Marked | Verdict::NotDecided | Verdict::Deviates => AnsiColor::Yellow,
+        Verdict::Violated => return coloured(AnsiColor::Red).bold(),
+    })
+}
+
+/// What the word of a verdict looks like; other words are plain.
+pub(super) fn of_verdict_word(word: &str) -> Style {
+    let named = Verdict::ALL
+        .into_iter()
+        .find(|verdict| verdict.name() == word);
+    named.map_or(Style::new(), of_verdict)
+}
+
+/// What the word of a status looks like: only a failure stands out.
+pub(super) fn of_status_word(word: &str) -> Style {
+    match word == Status::Failed.name() {
+        true => coloured(AnsiColor::Red).bold(),
+        false => Style::new(),
+    }
+}
+
+fn coloured(colour: AnsiColor) -> Style {
+    Style::new().fg_color(Some(colour.into()))
+}

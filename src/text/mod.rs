@@ -1,0 +1,9 @@
+//! Text for people: tables and sentences that fit a screen.
+
+mod grid;
+mod layout;
+mod wrap;
+
+pub use grid::{GridColumn, grid, numbers, words};
+pub use layout::{LEAST_WIDTH, Layout, bold, ended, sentence};
+pub use wrap::{lines, wrapped};
