@@ -13,7 +13,11 @@ use trilith::scene::{HeadJoints, Scene, Vector, Wall};
 const BOTH: [HeadJoints; 2] = [HeadJoints::Contact, HeadJoints::Open];
 
 fn judged(method: &dyn Method, scene: &Scene) -> Outcome {
-    let mut outcome = method.solve(scene, &Settings::default());
+    judged_with(method, scene, &Settings::default())
+}
+
+fn judged_with(method: &dyn Method, scene: &Scene, settings: &Settings) -> Outcome {
+    let mut outcome = method.solve(scene, settings);
     let residual = judge(scene, &mut outcome);
     if outcome.status == Status::Verified {
         // NaN fails, and so does nothing to judge.
@@ -119,8 +123,11 @@ fn assert_any_friction_gives_a_true_answer(walls: Walls) {
     }
 }
 
+/// With few starts: it holds for every state that is found.
 fn assert_interval_below(name: &str, scene: &Scene, highest: f64) {
-    let outcome = judged(&Interval, scene);
+    let mut settings = Settings::default();
+    settings.interval.starts = 4;
+    let outcome = judged_with(&Interval, scene, &settings);
     match outcome.status {
         Status::Verified => {
             let bracket = outcome.bracket.expect("verified with a bracket");

@@ -3,7 +3,7 @@
 use super::conditions::{Conditions, chains};
 use super::forces::{ForceBound, OUTWARD};
 use super::rounding::{Rounding, deficit};
-use super::tree::together;
+use super::tree::{SliceProof, together};
 use super::types::{Certificate, Proved, Refusal, Slice};
 use crate::fingerprint::Fingerprint;
 use crate::scene::Scene;
@@ -55,17 +55,6 @@ pub fn prove(scene: &Scene, certificate: &Certificate) -> Result<Proved, Refusal
             proved: proved.lower,
         })
     }
-}
-
-/// What one slice proves.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct SliceProof {
-    /// No collapse state with λ* in the slice has it below this.
-    pub(crate) least: f64,
-    /// What rounding costs a unit of rates; 0 where the multipliers absorb it.
-    pub(crate) deficit: f64,
-    /// Largest entry of what rounding leaves of the identity.
-    pub(crate) rounding: f64,
 }
 
 /// What every slice of a scene is proved with.

@@ -1,8 +1,18 @@
 //! What slices prove together: those under assumptions are branches of a tree, and two branches that
 //! assume either factor of a product to be zero leave no collapse state out.
 
-use super::proof::SliceProof;
 use super::types::{Assumption, Factor, Proved, Refusal, Slice};
+
+/// What one slice proves.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SliceProof {
+    /// No collapse state with λ* in the slice has it below this.
+    pub(crate) least: f64,
+    /// What rounding costs a unit of rates; 0 where the multipliers absorb it.
+    pub(crate) deficit: f64,
+    /// Largest entry of what rounding leaves of the identity.
+    pub(crate) rounding: f64,
+}
 
 /// What slices prove together, λ without dimension.
 ///

@@ -29,6 +29,9 @@ pub(super) struct Request {
     pub(super) most: f64,
     /// Steps at most.
     pub(super) steps: usize,
+    /// Whether it goes on to the optimum, with the largest weight of zero products: slower, and for
+    /// slices whose multipliers leave too much of the identity otherwise.
+    pub(super) exact: bool,
 }
 
 /// Multipliers of a slice.
@@ -127,7 +130,11 @@ pub(super) fn solve(
         scale: [1.0, 1.0],
     };
     let width = request.to - request.from;
-    let zero_weight = (ZERO / width).min(LARGEST_ZERO);
+    let zero_weight = if request.exact {
+        LARGEST_ZERO
+    } else {
+        (ZERO / width).min(LARGEST_ZERO)
+    };
     let mut stalled = 0;
     let mut best: Option<(f64, Multipliers)> = None;
     for steps in 0..=request.steps {
@@ -164,7 +171,7 @@ pub(super) fn solve(
         let inside =
             above < request.enough - NEAR * width && above - sigma < ROUGH * (above - request.from);
         let optimal = above - sigma < GAP && left < LEFT && violated < LEFT;
-        let rough = inside && left < ROUGHLY_LEFT && violated < ROUGHLY_LEFT;
+        let rough = !request.exact && inside && left < ROUGHLY_LEFT && violated < ROUGHLY_LEFT;
         if excludes || optimal || rough || stalled > 8 || mean < 1e-13 || steps == request.steps {
             break;
         }

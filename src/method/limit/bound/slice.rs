@@ -53,13 +53,15 @@ pub(super) fn best_proof(
                 break;
             }
             let largest = now.0.amax();
-            let weights = now.0.map_with_location(|force, rate, value| {
+            // At the optimum multipliers span many decades, and small ones are to move less.
+            let power = if request.exact { 2 } else { 1 };
+            let weights = now.0.map_with_location(|force, rate, value: f64| {
                 if zeros.is_zero(force, rate) {
-                    largest
+                    largest.powi(power)
                 } else if value < SMALL * largest {
                     0.0
                 } else {
-                    value
+                    value.powi(power)
                 }
             });
             let of_slice = [&conditions, &transposed];

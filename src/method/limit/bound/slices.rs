@@ -28,6 +28,9 @@ const LEAST_SHARE: f64 = 0.2;
 /// Least share of its width that a slice gains, where a shorter one is worth while.
 const LEAST_GAIN: f64 = 0.15;
 
+/// Share of a slice's width that rounding may cost before the slice is solved to its optimum.
+const LOST: f64 = 0.2;
+
 /// States of a lift that are given to the search for collapse states.
 const STATES: usize = 8;
 
@@ -51,6 +54,8 @@ pub(super) struct Slices {
     /// Lifts solved, and their steps.
     pub(super) programs: usize,
     pub(super) steps: usize,
+    /// Whether slices go on to the optimum: on some scenes rounding leaves nothing of others.
+    exact: bool,
     /// Whether the budget ended it.
     pub(super) out_of_budget: bool,
     /// Normal forces of the states of the last lift that had some, over the total weight.
@@ -73,6 +78,7 @@ impl Default for Slices {
             slices: Vec::new(),
             programs: 0,
             steps: 0,
+            exact: false,
             out_of_budget: false,
             normals: Vec::new(),
         }
@@ -112,6 +118,7 @@ impl Search<'_> {
                 enough,
                 most: to + BEYOND[0] * to + BEYOND[1],
                 steps: STEPS.min(steps_left),
+                exact: slices.exact,
             };
             let seen = self.solve(slices, at, request);
             let leaf = &mut slices.leaves[at];
@@ -134,9 +141,6 @@ impl Search<'_> {
     fn solve(&self, found: &mut Slices, leaf: usize, request: Request) -> Seen {
         let assumed = found.leaves[leaf].assumed.clone();
         let zeros = Zeros::of(self.lift.joints(), &assumed);
-        let multipliers = solve(self.lift, self.pattern, request, &zeros);
-        found.programs += 1;
-        found.steps += multipliers.steps;
         let prove = |slice: &Slice| match self.prover {
             Some(prover) => prover.slice(slice, self.settings.lift_cap, 0).ok(),
             None => Some(SliceProof {
@@ -145,7 +149,10 @@ impl Search<'_> {
                 rounding: 0.0,
             }),
         };
-        let best = best_proof(
+        let mut multipliers = solve(self.lift, self.pattern, request, &zeros);
+        found.programs += 1;
+        found.steps += multipliers.steps;
+        let mut best = best_proof(
             self.lift,
             self.pattern,
             request,
@@ -153,6 +160,26 @@ impl Search<'_> {
             &multipliers,
             prove,
         );
+        let least = |best: &Option<(Slice, SliceProof)>| {
+            best.as_ref()
+                .map_or(f64::NEG_INFINITY, |(_, proof)| proof.least)
+        };
+        // What the multipliers promise and the proof does not keep is lost to rounding.
+        let promised = multipliers.sigma.min(request.to);
+        if !request.exact && promised - least(&best) > LOST * (request.to - request.from) {
+            let exact = Request {
+                exact: true,
+                ..request
+            };
+            let again = solve(self.lift, self.pattern, exact, &zeros);
+            found.programs += 1;
+            found.steps += again.steps;
+            let other = best_proof(self.lift, self.pattern, exact, &assumed, &again, prove);
+            if least(&other) > least(&best) {
+                found.exact = true;
+                (best, multipliers) = (other, again);
+            }
+        }
         let violated = most_violated(self.lift, request, &zeros, &multipliers);
         let Some((slice, proof)) = best else {
             return Seen {
