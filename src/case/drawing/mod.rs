@@ -4,6 +4,8 @@
 //! text ── groups ──▶ entities ── paths ──▶ closed outlines ── heal ──▶ blocks and supports
 //! ```
 
+mod curves;
+mod drawn;
 mod entities;
 mod groups;
 mod heal;
@@ -11,6 +13,9 @@ mod import;
 mod options;
 mod outlines;
 mod paths;
+mod placing;
+mod sound;
+mod supports;
 
 pub use import::Imported;
 pub use options::DrawingOptions;

@@ -3,7 +3,9 @@
 use std::f64::consts::TAU;
 use std::ops::Range;
 
+use super::curves::Chords;
 use super::entities::{Entity, File, number};
+use super::placing::Placing;
 use crate::case::complaint::{Complaint, Document};
 use crate::scene::{Point, Vector};
 
@@ -57,43 +59,12 @@ const MOST_COPIES: i64 = 100_000;
 pub(super) struct Paths<'a> {
     pub document: &'a Document,
     pub file: &'a File,
-    /// Chords of an arc are nearer to it than this part of its radius.
-    pub chord: f64,
+    pub chords: Chords,
     /// Layers that are not read.
     pub without: &'a [String],
     pub found: Vec<Path>,
     /// Kinds that were left aside, each once.
     pub left_aside: Vec<String>,
-}
-
-/// How a drawing is laid into another: a linear part and a shift.
-#[derive(Clone, Copy)]
-struct Placing {
-    columns: [Vector; 2],
-    shift: Vector,
-}
-
-impl Placing {
-    const AS_DRAWN: Placing = Placing {
-        columns: [Vector::new(1.0, 0.0), Vector::new(0.0, 1.0)],
-        shift: Vector::new(0.0, 0.0),
-    };
-
-    fn direction(&self, v: Vector) -> Vector {
-        self.columns[0] * v.x + self.columns[1] * v.y
-    }
-
-    fn point(&self, p: Vector) -> Vector {
-        self.direction(p) + self.shift
-    }
-
-    /// First `inner`, then this.
-    fn after(&self, inner: &Placing) -> Placing {
-        Placing {
-            columns: inner.columns.map(|column| self.direction(column)),
-            shift: self.point(inner.shift),
-        }
-    }
 }
 
 /// Where an INSERT stands.
@@ -241,19 +212,7 @@ impl Paths<'_> {
     fn round(&self, entity: &Entity, from: f64, angle: f64) -> Result<Vec<Vector>, Complaint> {
         let centre = self.pair(entity, 10)?;
         let radius = entity.number(self.document, 40, 0.0)?;
-        let count = self.chords(angle);
-        let at = |k: usize| {
-            let turn = from + angle * k as f64 / count as f64;
-            centre + radius * Vector::new(turn.cos(), turn.sin())
-        };
-        Ok((0..=count).map(at).collect())
-    }
-
-    /// Chords of an arc.
-    fn chords(&self, angle: f64) -> usize {
-        let step = 2.0 * (1.0 - self.chord).acos();
-        // Rounding must not give the two sides of one joint different chords.
-        ((angle.abs() / step - 1e-6).ceil() as usize).max(1)
+        Ok(self.chords.arc(centre, radius, from, angle))
     }
 
     fn light_polyline(&self, entity: &Entity) -> Result<(Vec<Vector>, bool), Complaint> {
@@ -274,7 +233,8 @@ impl Paths<'_> {
                 _ => {}
             }
         }
-        Ok(self.with_chords(&corners, entity.flags(self.document, 70) & 1 == 1))
+        let closed = entity.flags(self.document, 70) & 1 == 1;
+        Ok((self.chords.polyline(&corners, closed), closed))
     }
 
     fn polyline(&self, entity: &Entity, layer: &str) -> Result<(Vec<Vector>, bool), Complaint> {
@@ -289,32 +249,8 @@ impl Paths<'_> {
             let bulge = vertex.number(self.document, 42, 0.0)?;
             corners.push((self.pair(vertex, 10)?, bulge));
         }
-        Ok(self.with_chords(&corners, flags & 1 == 1))
-    }
-
-    /// Corners, with the arcs behind them (bulge: the tangent of a quarter of the angle, positive to
-    /// the left) as chords.
-    fn with_chords(&self, corners: &[(Vector, f64)], closed: bool) -> (Vec<Vector>, bool) {
-        let count = corners.len();
-        let mut points = Vec::new();
-        for (i, &(from, bulge)) in corners.iter().enumerate() {
-            points.push(from);
-            if bulge == 0.0 || (i + 1 == count && !closed) {
-                continue;
-            }
-            let (to, _) = corners[(i + 1) % count];
-            let half = (to - from) / 2.0;
-            let left = Vector::new(-half.y, half.x);
-            let centre = from + half + left * ((1.0 - bulge * bulge) / (2.0 * bulge));
-            let angle = 4.0 * bulge.atan();
-            let chords = self.chords(angle);
-            points.extend((1..chords).map(|k| {
-                let (sin, cos) = (angle * k as f64 / chords as f64).sin_cos();
-                let arm = from - centre;
-                centre + Vector::new(cos * arm.x - sin * arm.y, sin * arm.x + cos * arm.y)
-            }));
-        }
-        (points, closed)
+        let closed = flags & 1 == 1;
+        Ok((self.chords.polyline(&corners, closed), closed))
     }
 
     fn insert(&mut self, entity: &Entity, layer: &str, inside: &Inside) -> Result<(), Complaint> {

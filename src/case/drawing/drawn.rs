@@ -1,0 +1,133 @@
+//! The closed outlines of a drawing as shapes with names.
+
+use super::curves::Chords;
+use super::entities::file;
+use super::options::DrawingOptions;
+use super::outlines::outlines;
+use super::paths::{Path, Paths};
+use crate::case::complaint::{Complaint, Document};
+use crate::case::printable::printable;
+use crate::scene::{Polygon, PolygonError, TOUCHING};
+
+/// Most blocks of a drawing.
+const MOST_BLOCKS: usize = 100_000;
+
+/// An outline with its name, and where it was drawn.
+pub(super) struct Drawn {
+    pub name: String,
+    pub path: Path,
+    pub shape: Polygon,
+}
+
+/// Every closed outline of the drawing, in metres where the unit is known.
+pub(super) fn drawn(
+    document: &Document,
+    options: &DrawingOptions,
+    remarks: &mut Vec<String>,
+) -> Result<Vec<Drawn>, Complaint> {
+    let file = file(document)?;
+    let mut paths = Paths {
+        document,
+        file: &file,
+        chords: Chords(options.chord),
+        without: &options.without,
+        found: Vec::new(),
+        left_aside: Vec::new(),
+    };
+    paths.read()?;
+    if !paths.left_aside.is_empty() {
+        remarks.push(format!("left aside: {}", paths.left_aside.join(", ")));
+    }
+    let metres = options.metres.or(file.metres);
+    match metres {
+        Some(metres) => remarks.push(format!("a drawing unit is {metres} m; lengths are in metres")),
+        None => remarks.push(
+            "the drawing does not say its unit of length, and is taken as it is; `--units mm` says it"
+                .to_owned(),
+        ),
+    }
+    let scale = metres.unwrap_or(1.0);
+    let per_metre = whole_if_near(1.0 / scale);
+    let closed = outlines(document, paths.found, options.tolerance.max(TOUCHING))?;
+    if let Some(path) = closed.get(MOST_BLOCKS) {
+        let title = format!("more than {MOST_BLOCKS} outlines");
+        return Err(complain(document, path, &title).help("leave out layers: `--without LAYER`"));
+    }
+    let mut names = std::collections::HashSet::new();
+    let mut drawn = Vec::new();
+    for (index, mut path) in closed.into_iter().enumerate() {
+        for point in &mut path.points {
+            // Division by a thousand keeps the digits of millimetres, and times a thousandth does not.
+            *point = if scale < 1.0 {
+                *point / per_metre
+            } else {
+                *point * scale
+            };
+        }
+        let shape = shape(document, &path)?;
+        let mut name = match path.handle.as_str() {
+            "" => (index + 1).to_string(),
+            handle => printable(handle),
+        };
+        while !names.insert(name.clone()) {
+            name.push('\'');
+        }
+        drawn.push(Drawn { name, path, shape });
+    }
+    Ok(drawn)
+}
+
+fn whole_if_near(number: f64) -> f64 {
+    let whole = number.round();
+    if (number - whole).abs() < 1e-9 * whole {
+        whole
+    } else {
+        number
+    }
+}
+
+/// An outline as a shape. A circle's last point may repeat its first.
+pub(super) fn shape(document: &Document, path: &Path) -> Result<Polygon, Complaint> {
+    let mut points = path.points.clone();
+    let (low, high) = points
+        .iter()
+        .fold((points[0], points[0]), |(low, high), p| {
+            (low.inf(p), high.sup(p))
+        });
+    // Points that a program wrote twice, but for rounding.
+    let near = 1e-7 * (high - low).norm();
+    points.dedup_by(|a, b| (*a - *b).norm() <= near);
+    while points.len() > 1 && (points[0] - points[points.len() - 1]).norm() <= near {
+        points.pop();
+    }
+    Polygon::new(points.clone()).map_err(|error| {
+        let (title, at) = match error {
+            PolygonError::NotSimple(corner) => (
+                "an outline that crosses or touches itself".to_owned(),
+                points.get(corner),
+            ),
+            PolygonError::TooFewCorners(count) => {
+                (format!("an outline of {count} corners"), points.first())
+            }
+            PolygonError::NotFinite(_) | PolygonError::Sliver { .. } => {
+                ("an outline without area".to_owned(), points.first())
+            }
+        };
+        let title = match at {
+            Some(at) => format!("{title}, at ({}, {})", at.x, at.y),
+            None => title,
+        };
+        complain(document, path, &title)
+            .help("draw it again, or leave its layer out: `--without LAYER`")
+    })
+}
+
+/// What is wrong with an outline, at its place in the drawing.
+pub(super) fn complain(document: &Document, path: &Path, title: &str) -> Complaint {
+    let handle = match path.handle.as_str() {
+        "" => String::new(),
+        handle => format!("handle {handle}, "),
+    };
+    let label = format!("{}: {handle}layer `{}`", path.kind, path.layer);
+    document.complain(path.place.clone(), title, label)
+}

@@ -1,0 +1,91 @@
+//! What a drawing must not have: blocks that overlap, gape or float.
+
+use super::drawn::{Drawn, complain};
+use super::heal::{Gap, gaps};
+use super::options::DrawingOptions;
+use crate::case::complaint::{Complaint, Document};
+use crate::scene::{Assembly, Polygon, Side, TOUCHING, Unsound};
+
+/// Gaps wider than this part of a block's extent are meant.
+const WIDEST_GAP: f64 = 0.015;
+
+/// Refuses what overlaps, gapes or floats, with layers, handles and coordinates.
+pub(super) fn sound(
+    document: &Document,
+    drawn: &[Drawn],
+    fixed: &[bool],
+    assembly: &Assembly,
+    options: &DrawingOptions,
+) -> Result<(), Complaint> {
+    let shapes: Vec<Polygon> = drawn.iter().map(|d| d.shape.clone()).collect();
+    let of = |side: Side| {
+        let (wanted, place) = match side {
+            Side::Support(place) => (true, place),
+            Side::Block(place) => (false, place),
+        };
+        let mut same = drawn
+            .iter()
+            .zip(fixed)
+            .filter(|(_, fixed)| **fixed == wanted);
+        same.nth(place).expect("every body was drawn").0
+    };
+    let near = |d: &Drawn| {
+        let at = d.shape.centroid();
+        format!(
+            "`{}` (layer `{}`, at {:.4}, {:.4})",
+            d.name, d.path.layer, at.x, at.y
+        )
+    };
+    let unsound = assembly.check().err();
+    if let Some(Unsound::Overlap { one, other, depth }) = unsound {
+        let (one, other) = (of(one), of(Side::Block(other)));
+        let title = format!(
+            "{} and {} overlap, {depth:.3e} deep",
+            near(one),
+            near(other)
+        );
+        return Err(complain(document, &other.path, &title).help(beyond(options)));
+    }
+    let mut wide = gaps(&shapes, TOUCHING, WIDEST_GAP).into_iter();
+    let between = |gap: &Gap| gap.bodies.iter().any(|&body| !fixed[body]);
+    if let Some(gap) = wide.find(between) {
+        let [one, other] = gap.bodies.map(|body| &drawn[body]);
+        let title = format!(
+            "a gap of {:.3e} ({:.2} % of the smaller one) at ({:.4}, {:.4}) between {} and {}",
+            gap.width,
+            100.0 * gap.part,
+            gap.at.x,
+            gap.at.y,
+            near(one),
+            near(other)
+        );
+        return Err(complain(document, &other.path, &title).help(beyond(options)));
+    }
+    match unsound {
+        Some(Unsound::Floating { block, .. }) => {
+            let block = of(Side::Block(block));
+            let title = format!(
+                "{} floats: no joints lead from it to a support",
+                near(block)
+            );
+            Err(complain(document, &block.path, &title).help(
+                "let an edge of it lie on an edge of a block that is held, or leave its layer out with \
+                 `--without LAYER`",
+            ))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// What to do about outlines that are further apart than is healed.
+pub(super) fn beyond(options: &DrawingOptions) -> String {
+    if options.tolerance < 0.01 {
+        format!(
+            "correct the drawing, or heal more with `--tolerance 0.01` (a part of the smaller block's \
+             extent; now {})",
+            options.tolerance
+        )
+    } else {
+        "correct the drawing: more than 1 % of a block is not healed".to_owned()
+    }
+}
