@@ -5,7 +5,8 @@ use super::*;
 use crate::answer::Bracket;
 use crate::scene::{Course, HeadJoints, OfBlocks, Piece, Polygon, Push, SceneParts, Vector, Wall};
 
-fn wall(unit: [f64; 2], friction: f64, courses: &[&str]) -> Wall {
+/// A wall of unit thickness and weight from its courses, a letter a piece.
+pub(super) fn wall(unit: [f64; 2], friction: f64, courses: &[&str]) -> Wall {
     let course = |text: &&str| -> Course {
         let piece = |kind| match kind {
             'h' => Piece::Half,

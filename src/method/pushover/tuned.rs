@@ -4,8 +4,9 @@
 
 use super::parameters::Parameters;
 use super::single::solve_with;
+use super::tests::wall;
 use super::*;
-use crate::scene::{Course, HeadJoints, OfBlocks, Piece, Push, Wall};
+use crate::scene::HeadJoints;
 
 /// A number, how it is scaled, and by what.
 type Tuned = (&'static str, fn(&mut Parameters, f64), &'static [f64]);
@@ -40,37 +41,18 @@ const TUNED: [Tuned; 16] = [
     ),
 ];
 
-fn wall(unit: [f64; 2], courses: &[&str]) -> Scene {
-    let course = |text: &&str| -> Course {
-        let piece = |kind| match kind {
-            'h' => Piece::Half,
-            'g' => Piece::Gap,
-            _ => Piece::Unit,
-        };
-        text.chars().map(piece).collect()
-    };
-    let wall = Wall {
-        unit_length: unit[0],
-        unit_height: unit[1],
-        thickness: 1.0,
-        unit_weight: 1.0,
-        courses: courses.iter().map(course).collect(),
-        friction: 0.65.into(),
-        overburden: 0.0,
-        push: Push::Right,
-        of_blocks: OfBlocks::default(),
-    };
-    wall.scene(HeadJoints::Open).unwrap()
+fn open(unit: [f64; 2], courses: &[&str]) -> Scene {
+    wall(unit, 0.65, courses).scene(HeadJoints::Open).unwrap()
 }
 
 /// Scenes with their multipliers: a column that rocks (elementary statics, width over height) and the
 /// paper's Wall 1 (its lowest verified state, which associative friction meets).
 fn scenes() -> Vec<(&'static str, Scene, f64)> {
     vec![
-        ("column of 12", wall([1.0, 1.0], &["1"; 12]), 1.0 / 12.0),
+        ("column of 12", open([1.0, 1.0], &["1"; 12]), 1.0 / 12.0),
         (
             "paper-1",
-            wall([4.0, 1.75], &["h1111h", "11111"].repeat(3)),
+            open([4.0, 1.75], &["h1111h", "11111"].repeat(3)),
             0.639_969,
         ),
     ]
