@@ -42,7 +42,7 @@ fn top_blocks(scene: &Scene) -> Vec<(usize, f64)> {
 
 /// Rotation times height, relative to the largest displacement, up to which what moves at the top
 /// slides and does not rock. Walls that rock show 0.8 and more, walls that slide on a bed joint
-/// 3e-3 and less, in the pushover too (`tests/pushover_cracks.rs`).
+/// 3e-3 and less, in the pushover too (`tests/pushover/cracks.rs`).
 const SLIDES: f64 = 0.03;
 
 /// Whether the top slides off as a whole course. Its blocks then move at any speeds one beside the

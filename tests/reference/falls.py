@@ -2,7 +2,7 @@
 """Which scenes fall under their own weight, by another code: SciPy's HiGHS.
 
     python3 -m pip install scipy
-    TRILITH_SCENES=DIR cargo test --release --test falling -- --ignored export
+    TRILITH_SCENES=DIR cargo test --release --test pushover -- --ignored falling::export
     tests/reference/falls.py DIR/*.json
 
 Least total of what is out of balance, every block's force and moment measured in its own weight:

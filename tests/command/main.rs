@@ -1,0 +1,32 @@
+//! The program as its user meets it: commands, screens, files, messages.
+
+#[path = "../long/mod.rs"]
+mod long;
+#[path = "../scenes/mod.rs"]
+mod scenes;
+#[path = "../skipped/mod.rs"]
+mod skipped;
+#[path = "../svg/mod.rs"]
+mod svg;
+
+mod atlas;
+mod bad_input;
+mod chart;
+mod command_line;
+mod draw;
+mod drawings;
+mod external;
+mod inputs;
+mod library_check;
+mod malformed;
+mod outputs;
+mod outside_compared;
+mod pages;
+mod panics;
+mod pictures;
+mod readme;
+mod report;
+mod screens;
+mod signals;
+mod sweep;
+mod words;

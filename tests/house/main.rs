@@ -1,0 +1,4 @@
+//! How the sources are kept.
+
+mod floors;
+mod sources;

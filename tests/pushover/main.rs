@@ -1,0 +1,16 @@
+//! What the pushover answers.
+
+#[path = "../random/mod.rs"]
+mod random;
+#[path = "../scenes/mod.rs"]
+mod scenes;
+
+mod accuracy;
+mod arches;
+mod builders;
+mod checks;
+mod cracks;
+mod falling;
+mod random_walls;
+mod refusals;
+mod unequal;
