@@ -106,7 +106,7 @@ fn replay_moves(browser: &Browser) {
     let last: u32 = poses[0].as_str().unwrap().parse().unwrap();
     assert!(last >= 10, "{last} frames");
     assert!(poses[1] != poses[2] && poses[2] != poses[3]);
-    assert!(poses[3].as_str().unwrap().contains("matrix(1 "));
+    assert!(poses[3].as_str().unwrap().contains("rotate("));
     let button = "const f = document.querySelector('figure.replay'), b = f.querySelector('button'), s = f.querySelector('input');";
     browser.run(&format!(
         "{button} s.value = 0; s.dispatchEvent(new Event('input')); b.click(); return 0;"

@@ -14,6 +14,7 @@ mod fact;
 mod lift;
 mod mechanism;
 mod outcome;
+mod recording;
 mod residual;
 mod self_check;
 mod state;
@@ -37,6 +38,7 @@ pub use fact::{
 pub use lift::excess_lift;
 pub use mechanism::{JointRate, Mechanism, Motion};
 pub use outcome::Outcome;
+pub use recording::Recording;
 pub use residual::{
     CollapseResidual, StaticResidual, dead_power, falling_violation, kinematic_multiplier,
 };

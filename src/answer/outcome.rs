@@ -10,6 +10,7 @@ use super::claim::Claim;
 use super::crack::Crack;
 use super::fact::{self, Fact, JudgedFact, SearchFacts};
 use super::mechanism::Mechanism;
+use super::recording::Recording;
 use super::self_check::SelfCheck;
 use super::state::{CollapseState, JointForce};
 use super::status::Status;
@@ -45,9 +46,8 @@ pub struct Outcome {
     pub certificate: Option<Arc<Certificate>>,
     /// Every collapse state that the answer rests on, lowest λ first; only the interval has them.
     pub states: Vec<CollapseState>,
-    /// On request, displacements of every block since the scene settled, at times a constant step
-    /// apart from the last rest to the end of the collapse.
-    pub recording: Vec<Mechanism>,
+    /// On request, the motion that follows the collapse.
+    pub recording: Option<Recording>,
     /// Effort.
     pub work: Work,
     /// Self-checks that ran, with their figures.
@@ -79,7 +79,7 @@ impl Outcome {
             ceiling: None,
             certificate: None,
             states: Vec::new(),
-            recording: Vec::new(),
+            recording: None,
             work: Work::default(),
             checks: Vec::new(),
             facts: Vec::new(),

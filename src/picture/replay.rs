@@ -1,21 +1,21 @@
-//! A recorded collapse: the wall at rest as a drawing, and poses that a script moves its blocks by.
+//! A recorded collapse: the wall as laid as a drawing, and poses that a script moves its blocks by.
 
 use serde::Serialize;
 
-use super::frame::{Displacement, Frame};
+use super::frame::Frame;
 use super::mechanism::DrawnMechanism;
 use super::palette::{BEFORE, BLOCK_LINE};
 use super::path::Path;
 use super::svg::{Svg, style};
 use super::wall::{outline, supports};
-use crate::answer::Mechanism;
+use crate::answer::{Mechanism, Motion};
 use crate::run::Row;
-use crate::scene::{Point, Scene, Vector};
+use crate::scene::{Point, Polygon, Scene, Vector};
 
 /// Most frames that are kept.
 const FRAMES: usize = 48;
 
-/// Steps that the fastest displacement is divided into.
+/// Steps that the farthest displacement is divided into.
 const STEPS: f64 = 1e3;
 
 /// Pixels that the replay is wide, its border, and how high it may be without it.
@@ -25,15 +25,15 @@ const HIGHEST: f64 = 480.0;
 
 /// A recorded collapse, ready to be played.
 pub struct Replay {
-    /// The wall at rest, one path a block in the group `bodies`.
+    /// The wall as laid, one path a block in the group `bodies`.
     pub svg: String,
-    /// How far each block has moved in each frame.
+    /// Where each block is in each frame.
     pub poses: Poses,
-    /// What displacements are multiplied by.
-    pub factor: f64,
+    /// How far a corner has moved at most, in the scene's unit of length.
+    pub farthest: f64,
 }
 
-/// What the script reads. Displacements are linear in the pose, as in the drawings.
+/// What the script reads. Blocks move as they are, at the scale of the drawing.
 #[derive(Serialize)]
 pub struct Poses {
     /// Blocks that move, by their place in the drawing.
@@ -44,15 +44,21 @@ pub struct Poses {
     step: f64,
     /// Radians for a step of rotation.
     turn: f64,
+    /// When each frame was seen, in √(L/g) since the collapse was called, L being the scene's unit of
+    /// length.
+    pub times: Vec<f64>,
     /// For each frame x, y (down) and rotation (clockwise) of each moving block, in steps.
     pub frames: Vec<Vec<i32>>,
 }
 
 /// The replay of an answer about a scene; `None` where it holds no recording.
 pub fn replay(scene: &Scene, row: &Row, title: &str) -> Option<Replay> {
-    let frames = thinned(&row.outcome.recording);
-    let displacement = Displacement::new(scene, Some(*frames.last()?));
-    let (low, high) = displacement.bounds();
+    let recording = row.outcome.recording.as_ref()?;
+    let kept = thinned(recording.frames.len());
+    let frames: Vec<&Mechanism> = kept.iter().map(|&at| &recording.frames[at]).collect();
+    let farthest = frames.iter().map(|frame| farthest(scene, frame));
+    let farthest = farthest.fold(0.0, f64::max);
+    let (low, high) = bounds(scene, &frames);
     let scale = (WIDTH - 2.0 * BORDER) / (high.x - low.x);
     let scale = scale.min(HIGHEST / (high.y - low.y));
     let height = 2.0 * BORDER + scale * (high.y - low.y);
@@ -62,35 +68,71 @@ pub fn replay(scene: &Scene, row: &Row, title: &str) -> Option<Replay> {
         corner: (low, [left, height - BORDER]),
     };
     let drawn = DrawnMechanism::new(scene, row.outcome.mechanism.as_ref(), &row.method);
+    let times = kept.iter().map(|&at| at as f64 * recording.interval);
     Some(Replay {
-        svg: at_rest(scene, &frame, &drawn.fills(), (low, high)).document([WIDTH, height], title),
-        poses: poses(scene, &frames, &displacement, &frame),
-        factor: displacement.factor(),
+        svg: as_laid(scene, &frame, &drawn.fills(), (low, high)).document([WIDTH, height], title),
+        poses: poses(scene, &frames, times, farthest, &frame),
+        farthest,
     })
 }
 
-/// At most [`FRAMES`] frames, evenly, the last one among them.
-fn thinned(recording: &[Mechanism]) -> Vec<&Mechanism> {
-    let count = recording.len().min(FRAMES);
-    let last = recording.len().saturating_sub(1);
-    let pick = |k: usize| &recording[k * last / count.saturating_sub(1).max(1)];
+/// Which of so many frames are kept: at most [`FRAMES`], evenly, the last one among them.
+fn thinned(frames: usize) -> Vec<usize> {
+    let count = frames.min(FRAMES);
+    let last = frames.saturating_sub(1);
+    let pick = |k: usize| k * last / count.saturating_sub(1).max(1);
     (0..count).map(pick).collect()
+}
+
+/// The corners of a shape that was moved and turned.
+fn moved(shape: &Polygon, motion: Motion) -> impl Iterator<Item = Point> + '_ {
+    let centre = shape.centroid();
+    let (sin, cos) = motion.rotation.sin_cos();
+    shape.corners().iter().map(move |corner| {
+        let arm = corner - centre;
+        let turned = Vector::new(cos * arm.x - sin * arm.y, sin * arm.x + cos * arm.y);
+        centre + turned + motion.velocity
+    })
+}
+
+/// How far a corner has moved at most.
+fn farthest(scene: &Scene, frame: &Mechanism) -> f64 {
+    let blocks = scene.blocks().iter().zip(&frame.motions);
+    let of_block = blocks.flat_map(|(block, &motion)| {
+        let corners = block.shape.corners().iter();
+        corners
+            .zip(moved(&block.shape, motion))
+            .map(|(from, to)| (to - from).norm())
+    });
+    of_block.fold(0.0, f64::max)
+}
+
+/// Lower-left and upper-right corner of all blocks in all frames.
+fn bounds(scene: &Scene, frames: &[&Mechanism]) -> (Point, Point) {
+    let mut bounds = scene.bounds();
+    for frame in frames {
+        for (block, &motion) in scene.blocks().iter().zip(&frame.motions) {
+            for corner in moved(&block.shape, motion) {
+                bounds = (bounds.0.inf(&corner), bounds.1.sup(&corner));
+            }
+        }
+    }
+    bounds
 }
 
 fn poses(
     scene: &Scene,
     frames: &[&Mechanism],
-    displacement: &Displacement,
+    times: impl Iterator<Item = f64>,
+    farthest: f64,
     frame: &Frame,
 ) -> Poses {
-    let factor = displacement.factor();
-    let fastest = frames.last().map_or(0.0, |last| last.fastest(scene));
-    let length = (factor * fastest / STEPS).max(f64::MIN_POSITIVE);
+    let length = (farthest / STEPS).max(f64::MIN_POSITIVE);
     let turn = length / scene.height();
     let steps = |mechanism: &Mechanism, block: usize| {
         let motion = mechanism.motions[block];
-        let moved = motion.velocity * (factor / length);
-        let turned = motion.rotation * (factor / turn);
+        let moved = motion.velocity / length;
+        let turned = motion.rotation / turn;
         [moved.x, -moved.y, -turned].map(|value| value.round() as i32)
     };
     let moves = |&block: &usize| {
@@ -107,6 +149,7 @@ fn poses(
             .collect(),
         step: (length * frame.scale * 1e6).round() / 1e6,
         turn: (turn * 1e9).round() / 1e9,
+        times: times.map(|time| (time * 1e3).round() / 1e3).collect(),
         frames: frames
             .iter()
             .map(|mechanism| {
@@ -120,8 +163,8 @@ fn poses(
     }
 }
 
-/// The wall at rest, one path a block in the tint of its part, over its own outline and the ground.
-fn at_rest(scene: &Scene, frame: &Frame, fills: &[&str], seen: (Point, Point)) -> Svg {
+/// The wall as laid, one path a block in the tint of its part, over its own outline and the ground.
+fn as_laid(scene: &Scene, frame: &Frame, fills: &[&str], seen: (Point, Point)) -> Svg {
     let mut svg = Svg::default();
     let mut before = Path::default();
     let outlines: Vec<_> = (0..scene.blocks().len())

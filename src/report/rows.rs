@@ -29,9 +29,10 @@ pub fn csv(results: &[CaseResult]) -> Result<String, csv::Error> {
 }
 
 /// JSON: a list of the CSV's rows with numbers as numbers and `null` where CSV is empty, and with
-/// the self-checks that ran, in words. Where a recording was asked for, `recording` has its frames,
-/// a constant time apart: for each block `[x, y, rotation]`, the displacement of its centroid in the
-/// case's length unit and its rotation in radians, counter-clockwise. `conclusion` has what all rows
+/// the self-checks that ran, in words. Where a recording was asked for, `recording` has the
+/// `frames` of what follows the collapse, an `interval` apart (in √(L/g), L being the case's length
+/// unit): for each block `[x, y, rotation]`, the displacement of its centroid in that unit and its
+/// rotation in radians, counter-clockwise. `conclusion` has what all rows
 /// about the scene come to, the same in each of them: `difference` is how far λ_A is above the lowest
 /// state, relative to that, and `explained` whether nothing but that is to be explained.
 /// `tilt_degrees` is arctan λ where the live load is every weight sideways, `base_shear` λ times the
@@ -100,9 +101,15 @@ fn object(result: &CaseResult, row: &Row) -> JsonObject {
     let mut object: JsonObject = cells.collect();
     let checks = row.outcome.checks.iter().map(ToString::to_string);
     object.insert("checks".to_owned(), checks.collect());
-    if !row.outcome.recording.is_empty() {
-        let frames = row.outcome.recording.iter().map(frame);
-        object.insert("recording".to_owned(), frames.collect());
+    if let Some(recording) = &row.outcome.recording {
+        let frames = recording.frames.iter().map(frame);
+        object.insert(
+            "recording".to_owned(),
+            json!({
+                "interval": Value::Number(recording.interval).json(),
+                "frames": frames.collect::<Vec<_>>(),
+            }),
+        );
     }
     let mut conclusions = result.conclusions.iter();
     let of_row = conclusions.find(|conclusion| conclusion.head_joints == row.head_joints);

@@ -23,10 +23,6 @@ pub enum Held {
 pub struct Hold<'a> {
     model: &'a Model,
     parameters: &'a Parameters,
-    /// The last hold, thinned to fewer than twice the frames asked for.
-    pub frames: Vec<Vec<BodyState>>,
-    /// Time steps between two frames.
-    stride: usize,
     /// Time that the last hold took.
     pub elapsed: f64,
     /// Time that the first push took to come to rest; 0 until then.
@@ -41,8 +37,6 @@ impl<'a> Hold<'a> {
         Self {
             model,
             parameters,
-            frames: Vec::new(),
-            stride: 1,
             elapsed: 0.0,
             first: 0.0,
             longest: 0.0,
@@ -123,7 +117,6 @@ impl<'a> Hold<'a> {
         // Twice the kinetic energy at its peak since the blocks were last stopped.
         let mut energy = 0.0;
         let mut pace_before = None;
-        (self.frames, self.stride) = (Vec::new(), 1);
         for window in 0..windows {
             let ramping = ((window * steps) as f64) < ramp - 1.0;
             let damped = ramping || peak_before > resting_speed;
@@ -137,7 +130,6 @@ impl<'a> Hold<'a> {
                     return Held::Unclear;
                 }
                 let states = engine.states();
-                self.keep(&states, window * steps + step);
                 let now = speed(self.model, &states);
                 peak = peak.max(now);
                 let moved = displacement(self.model, &from, &states);
@@ -204,21 +196,5 @@ impl<'a> Hold<'a> {
         let scale = scale.clamp(0.0, 1.0 + extrapolation / 2.0);
         engine.scale_velocities(scale);
         scale
-    }
-
-    /// Keeps every frame at first, and fewer as the hold grows longer.
-    fn keep(&mut self, states: &[BodyState], step: usize) {
-        if self.parameters.frames == 0 || !step.is_multiple_of(self.stride) {
-            return;
-        }
-        self.frames.push(states.to_vec());
-        if self.frames.len() >= 2 * self.parameters.frames {
-            let mut index = 0;
-            self.frames.retain(|_| {
-                index += 1;
-                index % 2 == 1
-            });
-            self.stride *= 2;
-        }
     }
 }

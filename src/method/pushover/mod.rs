@@ -9,6 +9,7 @@
 
 mod checks;
 mod engine;
+mod fall;
 mod groups;
 mod hint;
 mod hold;

@@ -178,7 +178,7 @@ parameters! { of:
     slip: f64 = f64::INFINITY, "first slip", LENGTH;
     /// Displacement since the scene settled beyond which a rest counts as collapse.
     slide: f64 = f64::INFINITY;
-    /// Time steps of a collapse that are kept.
+    /// States of the blocks that are kept of what follows the collapse.
     frames: usize = 0, "frames", "at least";
     /// Displacement under the own weight alone beyond which the contacts are too soft for the
     /// scene: paper-1 settles by 1.4e-4 and loses nothing up to 6e-4, but 2.7 % of λ at 2.2e-3.

@@ -8,7 +8,8 @@ use super::parameters::Parameters;
 use super::portion::{Portion, beyond_stagger};
 use super::search::{Observation, SearchEnd, search};
 use crate::answer::{
-    Bracket, Mechanism, Motion, Outcome, PushoverFact, SelfCheck, Status, Work, crack_slope_by_gap,
+    Bracket, Mechanism, Motion, Outcome, PushoverFact, Recording, SelfCheck, Status, Work,
+    crack_slope_by_gap,
 };
 use crate::scene::{Scene, Vector};
 
@@ -137,7 +138,10 @@ fn judged(
         stated_error: Some(parameters.stated_error),
         crack: crack_slope_by_gap(scene, &mechanism),
         mechanism: Some(mechanism),
-        recording: seen.frames.iter().map(moved).collect(),
+        recording: seen.fall.as_ref().map(|fall| Recording {
+            frames: fall.frames.iter().map(moved).collect(),
+            interval: fall.interval * model.length.sqrt(),
+        }),
         checks,
         ..Outcome::of(Status::Bracketed)
     }

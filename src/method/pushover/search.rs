@@ -1,6 +1,7 @@
 //! The whole search: settle, then raise λ from rest to rest until the smallest step collapses.
 
 use super::engine::{BodyState, Checkpoint, Contact, Engine};
+use super::fall::{Fall, fall};
 use super::hint::{Hint, finest_increment};
 use super::hold::{Held, Hold};
 use super::measure::displacement;
@@ -20,8 +21,8 @@ pub struct Observation {
     pub rest: RestState,
     /// Blocks when the collapse at `upper` was called.
     pub collapsed: Vec<BodyState>,
-    /// The collapse, where frames are asked for.
-    pub frames: Vec<Vec<BodyState>>,
+    /// What happened then, where frames are asked for.
+    pub fall: Option<Fall>,
 }
 
 /// Blocks and contacts at rest.
@@ -119,13 +120,16 @@ pub fn search(
                 hint.rested(lower, finest);
             }
             Held::Collapse { .. } if last => {
+                let collapsed = engine.states();
+                let fall = (parameters.frames > 0)
+                    .then(|| fall(engine, model, target, &settled.states, parameters.frames));
                 return SearchEnd::Bracketed(Box::new(Observation {
                     lower,
                     upper: target,
                     settled,
                     rest: seen,
-                    collapsed: engine.states(),
-                    frames: hold.frames,
+                    collapsed,
+                    fall,
                 }));
             }
             Held::Collapse { acceleration } => {

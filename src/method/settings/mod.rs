@@ -40,7 +40,8 @@ settings! {
         /// Run the pushovers of a range, which walls with head joints in contact need, also where they take
         /// long.
         long_ranges: bool = false, Allowed::Switch, "";
-        /// Keep in the JSON how the blocks move in the collapse of each pushover.
+        /// Keep in the JSON how the blocks move after the collapse of each pushover, until one is a course
+        /// height away.
         recording: bool = false, Allowed::Switch, "";
         /// Factor on the pushover's substep; above 1 its answer is an estimate.
         substep: f64 = 1.0, Allowed::Number(1.0 / 64.0..=64.0), "times what the accuracy needs";

@@ -33,7 +33,7 @@ pub fn panel(result: &CaseResult) -> Markup {
                 (drawings(result, &further, size))
             }
         }
-        @for row in result.rows.iter().filter(|row| row.outcome.recording.len() > 1) {
+        @for row in &result.rows {
             (replay::replay(result, row))
         }
         @if let Some(certificates) = certificates::certificates(result) {

@@ -1,15 +1,22 @@
-//! The pushover's collapse, replayed: poses that a little script plays over a drawing.
+//! The pushover's collapse, replayed: poses that a little script plays over a drawing, with
+//! their times.
 
 use maud::{Markup, PreEscaped, html};
 
-use crate::number::{number, short};
+use crate::number::number;
 use crate::picture::{Replay, replay as drawn};
 use crate::run::{CaseResult, Row};
+use crate::scene::HeadJoints;
 
 /// The replay of a row; nothing where it holds no recording.
 pub fn replay(result: &CaseResult, row: &Row) -> Markup {
     let title = format!("Collapse of {}", result.case.name);
-    let Some(Replay { svg, poses, factor }) = drawn(result.scene(row), row, &title) else {
+    let Some(Replay {
+        svg,
+        poses,
+        farthest,
+    }) = drawn(result.scene(row), row, &title)
+    else {
         return html! {};
     };
     // A string in a script must not be able to close it.
@@ -28,11 +35,15 @@ pub fn replay(result: &CaseResult, row: &Row) -> Markup {
                 label { span { "Time" }
                     input type="range" min="0" max=(frames - 1) value="0" step="1"
                         aria-label="Frame of the replay"; }
-                output { "1 / " (frames) }
+                output { "t = 0" }
             }
             figcaption { "Pushover at λ = " (number(upper, 5)) ", " (row.head_joints.name())
-                " head joints: from the last rest until the collapse was called, displacements × "
-                (short(factor, 0)) "." }
+                " head joints: the motion without damping after the collapse was called, as large as it \
+                 is, until the farthest corner had moved by " (number(farthest, 2)) ". Time t is in √(L/g), L \
+                 being the unit of length: 0.319 s where that is the metre."
+                @if row.head_joints == HeadJoints::Open {
+                    " Blocks of a course do not touch each other here, and may overlap."
+                } }
             script type="application/json" { (PreEscaped(data)) }
         }
     }

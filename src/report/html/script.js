@@ -21,9 +21,9 @@ for (const table of document.querySelectorAll("table.sortable")) {
 const folded = [...document.querySelectorAll("details:not([open])")];
 addEventListener("beforeprint", () => folded.forEach(one => { one.open = true; }));
 addEventListener("afterprint", () => folded.forEach(one => { one.open = false; }));
-// Replays: poses are displacements in steps, linear, as in the drawings.
+// Replays: poses are displacements and rotations in steps; bodies move as they are.
 for (const figure of document.querySelectorAll("figure.replay")) {
-  const { blocks, centres, step, turn, frames } = JSON.parse(figure.querySelector("script").textContent);
+  const { blocks, centres, step, turn, times, frames } = JSON.parse(figure.querySelector("script").textContent);
   const all = figure.querySelectorAll(".bodies path"), bodies = blocks.map(i => all[i]);
   const slider = figure.querySelector("input"), button = figure.querySelector("button");
   const output = figure.querySelector("output"), last = frames.length - 1;
@@ -31,13 +31,13 @@ for (const figure of document.querySelectorAll("figure.replay")) {
   const show = f => {
     frames[f].forEach((_, j, p) => {
       if (j % 3) return;
-      const [cx, cy] = centres[j / 3], r = p[j + 2] * turn;
+      const [cx, cy] = centres[j / 3], degrees = p[j + 2] * turn * 180 / Math.PI;
       bodies[j / 3].setAttribute("transform",
-        `matrix(1 ${r} ${-r} 1 ${p[j] * step + r * cy} ${p[j + 1] * step - r * cx})`);
+        `translate(${p[j] * step} ${p[j + 1] * step}) rotate(${degrees} ${cx} ${cy})`);
     });
     slider.value = f;
-    slider.setAttribute("aria-valuetext", `frame ${f + 1} of ${last + 1}`);
-    output.textContent = `${f + 1} / ${last + 1}`;
+    output.textContent = `t = ${times[f].toFixed(1)}`;
+    slider.setAttribute("aria-valuetext", output.textContent);
   };
   const stop = () => { cancelAnimationFrame(playing); playing = 0; button.textContent = "Play"; };
   button.addEventListener("click", () => {

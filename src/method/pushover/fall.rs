@@ -1,0 +1,67 @@
+//! What the blocks do once the collapse has been called: the motion itself, without damping.
+
+use super::engine::{BodyState, Engine};
+use super::model::{EngineBody, GRID, Model};
+
+/// Course heights that some point moves until enough has been seen.
+const FAR: f64 = 1.0;
+
+/// Time in √(H_c/g) after which nothing more is waited for.
+const LONGEST: f64 = 100.0;
+
+/// States of all blocks, a constant time apart.
+pub struct Fall {
+    /// From when the collapse was called.
+    pub frames: Vec<Vec<BodyState>>,
+    /// Time between two of them, in √(H_c/g).
+    pub interval: f64,
+}
+
+/// Lets the blocks move at a constant λ*, in grid units, until some point is a course height from
+/// where it was at `from`. Keeps at least `least` frames, and fewer than twice as many, of a motion
+/// that takes so many time steps. The steps are none of the search's and are not counted.
+pub fn fall(
+    engine: &mut Engine,
+    model: &Model,
+    load: u64,
+    from: &[BodyState],
+    least: usize,
+) -> Fall {
+    let counted = engine.steps;
+    engine.multiplier = load as f64 / GRID;
+    let mut stride = 1;
+    let mut frames = vec![engine.states()];
+    let steps = (LONGEST / engine.dt()) as usize;
+    for step in 1..=steps {
+        engine.step();
+        if engine.broken {
+            break;
+        }
+        let states = engine.states();
+        let far = farthest(&model.blocks, from, &states) >= FAR;
+        if step.is_multiple_of(stride) {
+            frames.push(states);
+        }
+        if frames.len() >= 2 * least {
+            frames = frames.into_iter().step_by(2).collect();
+            stride *= 2;
+        }
+        if far {
+            break;
+        }
+    }
+    engine.steps = counted;
+    Fall {
+        frames,
+        interval: stride as f64 * engine.dt(),
+    }
+}
+
+/// Largest displacement of any point, in course heights, whatever the size of its block.
+fn farthest(blocks: &[EngineBody], from: &[BodyState], to: &[BodyState]) -> f64 {
+    let moved = from.iter().zip(to).zip(blocks).map(|((a, b), block)| {
+        let (x, y) = (b.position[0] - a.position[0], b.position[1] - a.position[1]);
+        x.hypot(y) + (b.rotation - a.rotation).abs() * block.reach
+    });
+    moved.fold(0.0, f64::max)
+}
