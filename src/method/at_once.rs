@@ -1,4 +1,4 @@
-//! Two parts of one answer at once, where a core has nothing else to do.
+//! Parts of one answer at once, where a core has nothing else to do.
 //!
 //! What another thread spends on a part is the owner's time and not its own: [`borrowed`] says by how
 //! much a thread's clock is to be corrected. Answers never depend on it.
@@ -33,6 +33,18 @@ pub(super) fn both<A: Send, B: Send>(
     let ((first, of_first), (second, of_second)) = done;
     add(of_first + of_second);
     (first, second)
+}
+
+/// Does something to each of them, some of it on other threads where those are free.
+pub(super) fn each<T: Send>(items: &mut [T], work: &(impl Fn(&mut T) + Sync)) {
+    match items {
+        [] => {}
+        [one] => work(one),
+        _ => {
+            let (some, others) = items.split_at_mut(items.len() / 2);
+            both(|| each(some, work), || each(others, work));
+        }
+    }
 }
 
 /// Does something for a thread: what comes of it, and the CPU seconds that another thread spent on it.

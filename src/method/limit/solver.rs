@@ -10,7 +10,7 @@ use clarabel::solver::{
 };
 
 use super::engine::{InteriorPoint, Problem};
-use crate::method::settings::Engine;
+use crate::method::settings::{Engine, LP_TOLERANCE};
 
 /// The numbers of a program, in its own units.
 pub(super) struct Numbers {
@@ -194,6 +194,35 @@ fn solved(solver: &mut DefaultSolver<f64>, numbers: &Numbers) -> Solved {
         verdict,
         iterations: solution.iterations as usize,
         engine: Engine::Clarabel,
+    }
+}
+
+/// Multipliers of the rows of a program (the first so many are equations, the others inequalities)
+/// with this cost: at its optimum, or those that show that it has no solution. `None` where it is
+/// unbounded or the solver gave up.
+pub(super) fn multipliers(
+    cost: &[f64],
+    matrix: &CscMatrix<f64>,
+    right: &[f64],
+    equations: usize,
+) -> Option<Vec<f64>> {
+    let cones = [
+        ZeroConeT(equations),
+        NonnegativeConeT(right.len() - equations),
+    ];
+    let solver = DefaultSolver::new(
+        &CscMatrix::zeros((cost.len(), cost.len())),
+        cost,
+        matrix,
+        right,
+        &cones,
+        settings(LP_TOLERANCE, false),
+    );
+    let mut solver = solver.ok()?;
+    solver.solve();
+    match solver.solution.status {
+        SolverStatus::Solved | SolverStatus::PrimalInfeasible => Some(solver.solution.z.clone()),
+        _ => None,
     }
 }
 

@@ -9,7 +9,9 @@ use std::ops::{Index, IndexMut};
 
 use super::interior_point::{Multipliers, Request};
 use super::lift::Lift;
-use crate::answer::certificate::{Assumption, Factor, Zeros};
+use super::vanishing::Vanishing;
+use crate::answer::certificate::{Assumption, Conditions, Factor, Zeros};
+use crate::method::at_once::each;
 
 /// A branch: what it assumes, and how far it is.
 #[derive(Clone, Debug)]
@@ -19,6 +21,46 @@ pub(super) struct Leaf {
     pub(super) lower: f64,
     /// Share of the distance to the lowest state that the next slice spans.
     pub(super) share: f64,
+    /// Up to which λ its forces can be, and those of each pair not yet assumed.
+    pub(super) vanishing: Option<Vanishings>,
+}
+
+/// Up to which λ the forces of a leaf can vanish, and further ones with them.
+#[derive(Clone, Debug)]
+pub(super) struct Vanishings {
+    /// Those that are assumed.
+    pub(super) own: Option<Vanishing>,
+    /// With one more of four a joint.
+    pub(super) with: Vec<Option<Vanishing>>,
+}
+
+impl Vanishings {
+    /// Of the forces that are assumed to vanish.
+    fn of(conditions: &Conditions, assumed: &[Assumption]) -> Self {
+        let vanish = assumed
+            .iter()
+            .filter(|assumed| assumed.zero == Factor::Force);
+        let forces: Vec<usize> = vanish.map(|assumed| assumed.pair).collect();
+        let mut with: Vec<(usize, Option<Vanishing>)> = Vec::new();
+        with.extend((0..4 * conditions.joints.len()).map(|pair| (pair, None)));
+        each(&mut with, &|(pair, vanishing)| {
+            if assumed.iter().all(|assumed| assumed.pair != *pair) {
+                *vanishing = Vanishing::of(conditions, &[&forces[..], &[*pair]].concat());
+            }
+        });
+        Self {
+            own: Vanishing::of(conditions, &forces),
+            with: with.into_iter().map(|(_, vanishing)| vanishing).collect(),
+        }
+    }
+}
+
+impl Leaf {
+    /// Up to which λ its forces can vanish.
+    pub(super) fn vanishings(&mut self, conditions: &Conditions) -> &Vanishings {
+        let assumed = &self.assumed;
+        (self.vanishing).get_or_insert_with(|| Vanishings::of(conditions, assumed))
+    }
 }
 
 /// All branches together; they leave no state out.
@@ -30,6 +72,7 @@ impl Default for Leaves {
             assumed: Vec::new(),
             lower: 0.0,
             share: 1.0,
+            vanishing: None,
         }])
     }
 }
@@ -70,6 +113,8 @@ impl Leaves {
                 assumed,
                 lower: leaf.lower,
                 share: 1.0,
+                // What assumes no more forces has the same.
+                vanishing: leaf.vanishing.clone().filter(|_| zero == Factor::Rate),
             }
         };
         let other = part(Factor::Rate, &self.0[leaf]);

@@ -4,6 +4,7 @@
 use nalgebra::DMatrix;
 
 use super::dense;
+use crate::method::at_once::each;
 
 /// Which tiles a factor has.
 pub(super) struct Pattern {
@@ -110,36 +111,48 @@ impl<'a> Tiles<'a> {
     }
 
     /// Adds a share of each diagonal entry and a share of the largest one, and factors.
-    pub(super) fn factor(mut self, share: f64, floor: f64) -> Self {
+    pub(super) fn factor(mut self, share: f64, floor: f64, held: f64) -> Self {
         let largest = self.diagonal.iter().map(|tile| tile.diagonal().amax());
         let largest = largest.fold(0.0, f64::max);
         for tile in &mut self.diagonal {
             for k in 0..self.size {
-                tile[(k, k)] += share * tile[(k, k)] + floor * largest;
+                tile[(k, k)] += share * tile[(k, k)] + floor * largest + held;
             }
         }
         for column in 0..self.diagonal.len() {
             dense::factor(&mut self.diagonal[column]);
             let mut below = std::mem::take(&mut self.below[column]);
-            for tile in &mut below {
+            each(&mut below, &|tile| {
                 dense::solve_right(tile, &self.diagonal[column]);
-            }
-            let places = &self.pattern.below[column];
-            for (j, &across) in places.iter().enumerate() {
-                let transposed = below[j].transpose();
-                for (i, &row) in places.iter().enumerate().skip(j) {
-                    let target = if row == across {
-                        &mut self.diagonal[row]
-                    } else {
-                        let at = self.pattern.below[across].binary_search(&row);
-                        &mut self.below[across][at.expect("elimination filled it in")]
-                    };
-                    target.gemm(-1.0, &below[i], &transposed, 1.0);
-                }
-            }
+            });
+            self.eliminate(column, &below);
             self.below[column] = below;
         }
         self
+    }
+
+    /// Takes the tiles below a factored one from those to its right, a column at a time.
+    fn eliminate(&mut self, column: usize, below: &[DMatrix<f64>]) {
+        let places = &self.pattern.below[column];
+        let columns = self.diagonal.iter_mut().zip(&mut self.below).enumerate();
+        let mut columns: Vec<_> = columns
+            .filter_map(|(across, tiles)| {
+                let first = places.binary_search(&across).ok()?;
+                Some((across, first, tiles))
+            })
+            .collect();
+        each(&mut columns, &|(across, first, (diagonal, tiles))| {
+            let transposed = below[*first].transpose();
+            for (tile, row) in below.iter().zip(places).skip(*first) {
+                let target = if row == across {
+                    &mut **diagonal
+                } else {
+                    let at = self.pattern.below[*across].binary_search(row);
+                    &mut tiles[at.expect("elimination filled it in")]
+                };
+                target.gemm(-1.0, tile, &transposed, 1.0);
+            }
+        });
     }
 
     /// Solves for one right side or several, in the order of the blocks.
@@ -207,7 +220,7 @@ mod tests {
             }
         }
         let right = DMatrix::from_fn(30, 2, |i, j| (i + 5 * j) as f64);
-        let solution = tiles.factor(0.0, 0.0).solve(&right);
+        let solution = tiles.factor(0.0, 0.0, 0.0).solve(&right);
         assert!((whole * solution - right).amax() < 1e-10);
     }
 }

@@ -29,8 +29,8 @@ pub(super) struct Request {
     pub(super) most: f64,
     /// Steps at most.
     pub(super) steps: usize,
-    /// Whether it goes on to the optimum, with the largest weight of zero products: slower, and for
-    /// slices whose multipliers leave too much of the identity otherwise.
+    /// Whether it goes on to the optimum: slower, and for slices whose multipliers leave too much of the
+    /// identity otherwise.
     pub(super) exact: bool,
 }
 
@@ -48,13 +48,14 @@ pub(super) struct Multipliers {
     pub(super) steps: usize,
 }
 
-/// Weight of the products that are zero, times the width of the slice, and the largest: what they
-/// become is this share of what their multipliers change. Products with λ − a and b − λ are as small as
-/// the slice is narrow, so that those of 0 have to be smaller. Larger weights cost accuracy: at 1e9 the
-/// multipliers of a wide slice leave 1e-6 of the identity, at 1e5 1e-8; smaller ones do not converge: at
-/// 1e5 a slice of 0.004 is not done after 80 steps, at 1e7 and above after 30 (walls of 10 blocks).
-const ZERO: f64 = 1e6;
-const LARGEST_ZERO: f64 = 1e9;
+/// What keeps the linear systems solvable in double precision, as shares of the mean product, and
+/// their least and most: the change of a product for a change of its multiplier, and what holds the
+/// unknowns (proximal terms for both: Friedlander and Orban, Math. Prog. Comp. 4 (2012) 71-107; tied to
+/// the mean product as by Pougkakiotis and Gondzio, Comput. Optim. Appl. 78 (2021) 307-351). Without
+/// them the iteration breaks down on walls of more than about 20 blocks. They decide how fast it is and
+/// whether it ends, never what its multipliers prove.
+const SOFTNESS: [f64; 3] = [1e-4, 1e-9, 1e-5];
+const HOLD: [f64; 3] = [1e-2, 1e-9, 1e-4];
 
 /// Step as a share of the one that makes a number zero.
 const SHORT: f64 = 0.995;
@@ -130,11 +131,6 @@ pub(super) fn solve(
         scale: [1.0, 1.0],
     };
     let width = request.to - request.from;
-    let zero_weight = if request.exact {
-        LARGEST_ZERO
-    } else {
-        (ZERO / width).min(LARGEST_ZERO)
-    };
     let mut stalled = 0;
     let mut best: Option<(f64, Multipliers)> = None;
     for steps in 0..=request.steps {
@@ -175,10 +171,15 @@ pub(super) fn solve(
         if excludes || optimal || rough || stalled > 8 || mean < 1e-13 || steps == request.steps {
             break;
         }
-        let mut weights = at.multipliers.component_div(&at.products);
+        let of_mean = |[share, least, most]: [f64; 3]| (share * mean).clamp(least, most);
+        let (softness, held) = (of_mean(SOFTNESS), of_mean(HOLD));
+        let softened = at.products.zip_map(&at.multipliers, |product, multiplier| {
+            1.0 / (product + softness * multiplier)
+        });
+        let mut weights = at.multipliers.component_mul(&softened);
         for (weight, free) in weights.iter_mut().zip(&free) {
             if *free {
-                *weight = zero_weight;
+                *weight = 1.0 / softness;
             }
         }
         let newton = Newton::new(
@@ -187,14 +188,15 @@ pub(super) fn solve(
             [&conditions, &transposed],
             weights.clone(),
             at.scale[1] / at.scale[0],
+            held,
         );
         let step = |wanted: &DMatrix<f64>, scale: f64| {
             // What multipliers become where products do not move.
-            let mut target = wanted.component_div(&at.products);
+            let mut target = wanted.component_mul(&softened);
             target -= weights.component_mul(&residual.products);
             for ((target, free), missing) in target.iter_mut().zip(&free).zip(&residual.products) {
                 if *free {
-                    *target = -missing * zero_weight;
+                    *target = -missing / softness;
                 }
             }
             let of_scale = scale / at.scale[0] - at.scale[1] / at.scale[0] * residual.scale;
@@ -204,7 +206,7 @@ pub(super) fn solve(
             let unknowns = newton.solve(&right, 1e-11);
             let moved = &conditions * lift.rates(&unknowns);
             let multipliers = target - weights.component_mul(&moved);
-            let mut products = moved + &residual.products;
+            let mut products = moved + &residual.products + &multipliers * softness;
             for (product, free) in products.iter_mut().zip(&free) {
                 if *free {
                     *product = 0.0;

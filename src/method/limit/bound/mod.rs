@@ -42,6 +42,7 @@ mod lift;
 mod newton;
 mod slice;
 mod slices;
+mod vanishing;
 
 use std::sync::Arc;
 

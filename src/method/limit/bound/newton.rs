@@ -6,11 +6,12 @@
 //! is added by Woodbury's formula, which is cheaper and rounds more. Conjugate gradients on the whole
 //! system take what rounding leaves.
 
-use nalgebra::{Cholesky, DMatrix, Dyn};
+use nalgebra::DMatrix;
 
 use super::dense;
 use super::factor::{Pattern, Tiles};
 use super::lift::{Columns, Lift};
+use crate::method::at_once::each;
 
 /// The system for given weights.
 pub(super) struct Newton<'a> {
@@ -25,6 +26,8 @@ pub(super) struct Newton<'a> {
     tiles: Tiles<'a>,
     /// Where the tiles do not hold it.
     power: Option<Power>,
+    /// What holds the unknowns.
+    held: f64,
 }
 
 /// One joint's forward slip.
@@ -34,11 +37,46 @@ struct Slip {
     backward: DMatrix<f64>,
 }
 
+/// What one joint adds.
+struct Part {
+    corners: [DMatrix<f64>; 2],
+    /// Of the forward and the backward part of the slip, its forward part eliminated.
+    parallel: DMatrix<f64>,
+    slip: Slip,
+}
+
+impl Part {
+    /// From the sums over the force conditions for the joint's four rates.
+    fn new([one, other, mut forward, backward]: [DMatrix<f64>; 4], held: f64) -> Self {
+        for k in 0..forward.nrows() {
+            forward[(k, k)] += held;
+        }
+        let mut factor = &forward + &backward;
+        let floor = 1e-15 * factor.diagonal().amax();
+        for k in 0..factor.nrows() {
+            factor[(k, k)] += 1e-15 * factor[(k, k)] + floor;
+        }
+        dense::factor(&mut factor);
+        // Their product cancels nothing, where a difference would.
+        let left = dense::solve_left(&factor, &backward);
+        let right = dense::solve_left(&factor, &forward);
+        let parallel = left.transpose() * right;
+        Self {
+            corners: [one, other],
+            parallel: (&parallel + parallel.transpose()) * 0.5,
+            slip: Slip { factor, backward },
+        }
+    }
+}
+
 /// Woodbury's term.
 struct Power {
-    /// The live load's columns, solved.
+    /// The term's root: it times its transpose is the term.
+    root: DMatrix<f64>,
+    /// The same, solved.
     solved: DMatrix<f64>,
-    factor: Option<Cholesky<f64, Dyn>>,
+    /// Factor of the small system.
+    factor: DMatrix<f64>,
 }
 
 /// Share of each diagonal entry, and of the largest, that is added to it.
@@ -55,19 +93,24 @@ impl<'a> Newton<'a> {
         [conditions, transposed]: [&'a DMatrix<f64>; 2],
         weights: DMatrix<f64>,
         scale: f64,
+        held: f64,
     ) -> Self {
         let free = lift.free();
         let one = lift.basis.row(0).transpose();
         let one = DMatrix::from_column_slice(free, 1, one.as_slice());
-        let mut scaled = transposed.clone();
-        let mut of_rate = |rate: usize| {
-            for (k, weight) in weights.column(rate).iter().enumerate() {
-                let mut column = scaled.column_mut(k);
-                column.copy_from(&transposed.column(k));
+        let of_rate = |rate: usize| {
+            let mut scaled = transposed.clone();
+            for (mut column, weight) in scaled.column_iter_mut().zip(&weights.column(rate)) {
                 column *= *weight;
             }
             &scaled * conditions
         };
+        let joints = lift.conditions.joints.iter().enumerate();
+        let mut parts: Vec<_> = joints.map(|(j, joint)| (j, joint, None)).collect();
+        each(&mut parts, &|(j, _, part)| {
+            let sums = [0, 1, 2, 3].map(|kind| of_rate(4 * *j + kind));
+            *part = Some(Part::new(sums, held));
+        });
         let mut tiles = Tiles::zero(pattern, 3 * free);
         let mut add = |entries: &[(usize, f64)], part: &DMatrix<f64>| {
             for &(p, x) in entries {
@@ -77,24 +120,16 @@ impl<'a> Newton<'a> {
             }
         };
         let mut slips = Vec::with_capacity(lift.joints());
-        for (j, joint) in lift.conditions.joints.iter().enumerate() {
-            for corner in 0..2 {
-                add(&joint.rates[corner], &of_rate(4 * j + corner));
-            }
-            let (forward, backward) = (of_rate(4 * j + 2), of_rate(4 * j + 3));
-            let mut factor = &forward + &backward;
-            let floor = 1e-15 * factor.diagonal().amax();
-            for k in 0..free {
-                factor[(k, k)] += 1e-15 * factor[(k, k)] + floor;
-            }
-            dense::factor(&mut factor);
-            // Their product cancels nothing, where a difference would.
-            let left = dense::solve_left(&factor, &backward);
-            let right = dense::solve_left(&factor, &forward);
-            let parallel = left.transpose() * right;
-            let parallel = (&parallel + parallel.transpose()) * 0.5;
+        for (_, joint, part) in parts {
+            let Part {
+                corners,
+                parallel,
+                slip,
+            } = part.expect("each is done");
+            add(&joint.rates[0], &corners[0]);
+            add(&joint.rates[1], &corners[1]);
             add(&joint.rates[2], &parallel);
-            slips.push(Slip { factor, backward });
+            slips.push(slip);
         }
         let mut power = of_rate(4 * lift.joints());
         power.gemm(scale, &one, &one.transpose(), 1.0);
@@ -102,9 +137,9 @@ impl<'a> Newton<'a> {
             let live: Vec<_> = lift.conditions.live.iter().copied().enumerate().collect();
             let live: Vec<_> = live.into_iter().filter(|entry| entry.1 != 0.0).collect();
             add(&live, &power);
-            (tiles.factor(REGULAR[0], REGULAR[1]), None)
+            (tiles.factor(REGULAR[0], REGULAR[1], held), None)
         } else {
-            let tiles = tiles.factor(REGULAR[0], REGULAR[1]);
+            let tiles = tiles.factor(REGULAR[0], REGULAR[1], held);
             let power = Power::new(lift, &tiles, power);
             (tiles, Some(power))
         };
@@ -118,6 +153,7 @@ impl<'a> Newton<'a> {
             slips,
             tiles,
             power,
+            held,
         }
     }
 
@@ -129,6 +165,7 @@ impl<'a> Newton<'a> {
         let live = self.lift.live();
         let scale = self.scale * (self.one.tr_mul(&x.velocities) * &live)[(0, 0)];
         out.velocities += &self.one * live.transpose() * scale;
+        out.add(self.held, x);
         out
     }
 
@@ -155,7 +192,7 @@ impl<'a> Newton<'a> {
         let long = DMatrix::from_column_slice(free * motions, 1, velocities.as_slice());
         let mut solved = self.tiles.solve(&long);
         if let Some(power) = &self.power {
-            power.correct(self.lift, &mut solved);
+            power.correct(&mut solved);
         }
         let velocities = DMatrix::from_column_slice(free, motions, solved.as_slice());
         for ((j, slip), joint) in self
@@ -218,30 +255,32 @@ impl Power {
             live.view_mut((k * free, 0), (free, free))
                 .fill_diagonal(value);
         }
-        let solved = tiles.solve(&live);
         let floor = 1e-15 * part.diagonal().amax();
         for k in 0..free {
             part[(k, k)] += floor;
         }
-        let inverse = Cholesky::new(part).map(|part| part.inverse());
-        let factor = inverse.and_then(|inverse| {
-            let sum = inverse + live.transpose() * &solved;
-            Cholesky::new((&sum + sum.transpose()) * 0.5)
-        });
-        Self { solved, factor }
+        let root = dense::root(part);
+        // With the term's own factor V the small system is 1 + VᵀLᵀA⁻¹LV, which nothing makes singular.
+        let root = live * root;
+        let solved = tiles.solve(&root);
+        let mut small = root.tr_mul(&solved);
+        small += small.transpose();
+        small *= 0.5;
+        for k in 0..free {
+            small[(k, k)] += 1.0;
+        }
+        dense::factor(&mut small);
+        Self {
+            root,
+            solved,
+            factor: small,
+        }
     }
 
-    fn correct(&self, lift: &Lift, x: &mut DMatrix<f64>) {
-        let Some(factor) = &self.factor else {
-            return;
-        };
-        let free = lift.free();
-        let mut moved = DMatrix::zeros(free, 1);
-        for (k, &value) in lift.conditions.live.iter().enumerate() {
-            let part = x.view((k * free, 0), (free, 1));
-            moved += part * value;
-        }
-        factor.solve_mut(&mut moved);
+    fn correct(&self, x: &mut DMatrix<f64>) {
+        let mut moved = self.root.tr_mul(x);
+        self.factor.solve_lower_triangular_mut(&mut moved);
+        self.factor.tr_solve_lower_triangular_mut(&mut moved);
         x.gemm(-1.0, &self.solved, &moved, 1.0);
     }
 }

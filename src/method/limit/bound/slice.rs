@@ -65,7 +65,7 @@ pub(super) fn best_proof(
                 }
             });
             let of_slice = [&conditions, &transposed];
-            let newton = Newton::new(lift, pattern, of_slice, weights.clone(), of_sigma);
+            let newton = Newton::new(lift, pattern, of_slice, weights.clone(), of_sigma, 0.0);
             let before = least.0;
             for _ in 0..ROUNDS {
                 let moved = newton.solve(&left(&now), 1e-10);
@@ -102,13 +102,13 @@ pub(super) fn best_proof(
     ];
     let slice = |(values, of_sigma)| {
         let (mut values, sigma) = clean(values, of_sigma);
-        values.apply(|value| *value = (*value / GRAIN).round() * GRAIN);
+        values.apply(|value| *value = grain(*value));
         Slice {
             from: request.from,
             to: request.to,
             assumed: assumed.to_vec(),
             sigma,
-            balance: balance(lift, request, sigma, &values),
+            balance: balance(lift, [request.from, request.to], sigma, &values),
             multipliers: values.transpose().as_slice().to_vec(),
         }
     };
@@ -143,6 +143,11 @@ const LOST: f64 = 1e-4;
 /// fill files.
 const GRAIN: f64 = 1.0 / (1u64 << 48) as f64;
 
+/// The nearest multiple of [`GRAIN`].
+pub(super) fn grain(value: f64) -> f64 {
+    (value / GRAIN).round() * GRAIN
+}
+
 /// Makes negative multipliers zero, but for those of the zero products.
 fn clip(values: &mut DMatrix<f64>, zeros: &Zeros) {
     for rate in 0..values.ncols() {
@@ -155,7 +160,12 @@ fn clip(values: &mut DMatrix<f64>, zeros: &Zeros) {
 }
 
 /// The multipliers ν of the equilibrium conditions.
-fn balance(lift: &Lift, request: Request, sigma: f64, values: &DMatrix<f64>) -> Vec<f64> {
+pub(super) fn balance(
+    lift: &Lift,
+    [from, to]: [f64; 2],
+    sigma: f64,
+    values: &DMatrix<f64>,
+) -> Vec<f64> {
     let joints = &lift.conditions.joints;
     let mut forces = DMatrix::zeros(lift.conditions.forces(), values.ncols());
     for (rate, column) in values.column_iter().enumerate() {
@@ -167,7 +177,7 @@ fn balance(lift: &Lift, request: Request, sigma: f64, values: &DMatrix<f64>) -> 
             target[4 + 3 * j] = column[4 * j + 2] - column[4 * j + 3];
         }
         let [one, above, below] = [0, 1, 2].map(|k| column[4 * joints.len() + k]);
-        target[0] = one - request.from * above + request.to * below;
+        target[0] = one - from * above + to * below;
         target[1] = above - below;
     }
     let mut missing = lift.of_rates(&forces);

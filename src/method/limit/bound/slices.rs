@@ -7,7 +7,10 @@ use super::factor::Pattern;
 use super::interior_point::{Multipliers, Request, solve};
 use super::lift::Lift;
 use super::slice::best_proof;
-use crate::answer::certificate::{Prover, SliceProof, Zeros, scene_fingerprint, together};
+use super::vanishing::Vanishing;
+use crate::answer::certificate::{
+    Assumption, Factor, Prover, SliceProof, Zeros, scene_fingerprint, together,
+};
 use crate::answer::{Certificate, Proved, Slice};
 use crate::method::settings::BoundSettings;
 use crate::scene::Scene;
@@ -100,6 +103,10 @@ impl Search<'_> {
                 return;
             }
             let at = slices.leaves.lowest();
+            if self.exclude(slices, at, state) {
+                slices.lower = slices.leaves.lower();
+                continue;
+            }
             let Leaf {
                 lower: from, share, ..
             } = slices.leaves[at];
@@ -137,18 +144,64 @@ impl Search<'_> {
         }
     }
 
-    /// Solves one slice of a leaf.
-    fn solve(&self, found: &mut Slices, leaf: usize, request: Request) -> Seen {
-        let assumed = found.leaves[leaf].assumed.clone();
-        let zeros = Zeros::of(self.lift.joints(), &assumed);
-        let prove = |slice: &Slice| match self.prover {
+    /// Assumes what follows from equilibrium beyond a leaf's bound: rates are zero whose forces can
+    /// vanish no more. Whether the leaf itself is done, as no forces are left.
+    fn exclude(&self, found: &mut Slices, at: usize, state: f64) -> bool {
+        let from = found.leaves[at].lower;
+        let to = state + BEHIND * (state - from);
+        let conditions = &self.lift.conditions;
+        let vanishings = found.leaves[at].vanishings(conditions).clone();
+        let mut prove = |vanishing: &Option<Vanishing>, assumed: &[Assumption]| {
+            let vanishing = vanishing.as_ref().filter(|own| own.is_excluded(from));
+            let Some(slice) = vanishing.map(|own| own.slice(self.lift, [from, to], assumed)) else {
+                return false;
+            };
+            let proof = self.proof(&slice);
+            let proof = proof.filter(|proof| proof.least >= to && proof.deficit == 0.0);
+            found.slices.extend(proof.map(|proof| (slice, proof)));
+            proof.is_some()
+        };
+        let mut assumed = found.leaves[at].assumed.clone();
+        let is_done = prove(&vanishings.own, &assumed);
+        let known: Vec<usize> = assumed.iter().map(|assumed| assumed.pair).collect();
+        for (pair, vanishing) in vanishings.with.iter().enumerate() {
+            if is_done || known.contains(&pair) {
+                continue;
+            }
+            let zero = Factor::Force;
+            assumed.push(Assumption { pair, zero });
+            if prove(vanishing, &assumed) {
+                let last = assumed.last_mut().expect("it was put there");
+                last.zero = Factor::Rate;
+            } else {
+                assumed.pop();
+            }
+        }
+        let leaf = &mut found.leaves[at];
+        if is_done {
+            leaf.lower = to;
+        }
+        leaf.assumed = assumed;
+        is_done
+    }
+
+    /// What a slice proves.
+    fn proof(&self, slice: &Slice) -> Option<SliceProof> {
+        match self.prover {
             Some(prover) => prover.slice(slice, self.settings.lift_cap, 0).ok(),
             None => Some(SliceProof {
                 least: slice.sigma,
                 deficit: 0.0,
                 rounding: 0.0,
             }),
-        };
+        }
+    }
+
+    /// Solves one slice of a leaf.
+    fn solve(&self, found: &mut Slices, leaf: usize, request: Request) -> Seen {
+        let assumed = found.leaves[leaf].assumed.clone();
+        let zeros = Zeros::of(self.lift.joints(), &assumed);
+        let prove = |slice: &Slice| self.proof(slice);
         let mut multipliers = solve(self.lift, self.pattern, request, &zeros);
         found.programs += 1;
         found.steps += multipliers.steps;
