@@ -24,8 +24,12 @@
 //! Narrow slices [a, b] are tighter, because the products with λ − a and b − λ pin λ. A slice either
 //! has no state, or a bound inside it; slices side by side raise the bound from 0 to the lowest
 //! verified state. Where narrow ones gain nothing, a slice is divided by a product that must be zero:
-//! one part assumes that its force is zero, the other its rate. Any number
-//! of slices and branches is a valid answer.
+//! one part assumes that its force is zero, the other its rate. Where equilibrium does not let a force
+//! vanish any more, from some λ on, the first part is empty, which a small linear program shows, and
+//! the other one goes on with fewer rates. Any number of slices and branches is a valid answer.
+//!
+//! The constants of this folder decide how long it takes and how far it gets, never what is proved.
+//! They were chosen on walls of about ten blocks and on paper-1.
 //!
 //! What is claimed: no collapse state in which the push does work has 0 ≤ λ < lower. States in which
 //! it does none (a stone that drops while the push only holds on) are none of these, and nothing is

@@ -207,3 +207,83 @@ fn clean(
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::answer::Work;
+    use crate::answer::certificate::Prover;
+    use crate::method::Settings;
+    use crate::method::limit::bound::opening;
+    use crate::method::limit::interval::lowest;
+    use crate::method::limit::walls::wall;
+    use crate::scene::{Push, Scene};
+
+    fn vanishings(scene: &Scene) -> Vec<(usize, Vanishing)> {
+        let conditions = Conditions::of(scene);
+        let forces = 0..4 * conditions.joints.len();
+        let of = |force| Vanishing::of(&conditions, &[force]).map(|found| (force, found));
+        forces.filter_map(of).collect()
+    }
+
+    /// Beyond the λ up to which a force can vanish, what it would take is refuted; before, it is not
+    /// excluded.
+    #[test]
+    fn forces_that_cannot_vanish_are_refuted() {
+        let scene = wall(4, Push::Right);
+        let conditions = Conditions::of(&scene);
+        let opening = opening(&scene, &mut Work::default()).unwrap();
+        let prover = Prover::new(&scene, conditions.clone(), &opening).unwrap();
+        let lift = Lift::new(conditions).unwrap();
+        let mut refuted = 0;
+        for (pair, vanishing) in vanishings(&scene) {
+            assert!(vanishing.share == 0.0 || !vanishing.is_excluded(vanishing.upto - 1e-3));
+            let from = (vanishing.upto + 0.01).max(0.0);
+            assert!(vanishing.is_excluded(from));
+            let zero = Factor::Force;
+            let assumed = [Assumption { pair, zero }];
+            let slice = vanishing.slice(&lift, [from, from + 0.2], &assumed);
+            let proof = prover.slice(&slice, 1e4, 0).unwrap();
+            assert!(
+                proof.least >= from + 0.2 && proof.deficit == 0.0,
+                "{proof:?}"
+            );
+            // Without the assumption it speaks of all states, and proves nothing of them.
+            let all = Slice {
+                assumed: Vec::new(),
+                ..slice
+            };
+            let said = prover.slice(&all, 1e4, 0);
+            let is_refused = said.is_err() || said.is_ok_and(|proof| proof.least < from);
+            refuted += usize::from(is_refused);
+        }
+        assert!(refuted > 10, "{refuted}");
+    }
+
+    /// No verified state has a force zero beyond the λ up to which it can vanish.
+    #[test]
+    fn states_do_not_contradict() {
+        let scene = wall(4, Push::Right);
+        let found = lowest(&scene, &Settings::default(), f64::NEG_INFINITY);
+        assert!(!found.states.is_empty());
+        let vanishings = vanishings(&scene);
+        for state in &found.states {
+            for (force, vanishing) in &vanishings {
+                let forces = &state.forces[force / 4];
+                let friction = scene.joints()[force / 4].friction;
+                let limit = friction * (forces.normal[0] + forces.normal[1]);
+                let value = match force % 4 {
+                    kind @ (0 | 1) => forces.normal[kind],
+                    2 => limit + forces.shear,
+                    _ => limit - forces.shear,
+                };
+                let is_zero = value < 1e-9 * scene.total_weight();
+                let lambda = state.lambda / scene.multiplier_unit();
+                assert!(
+                    !is_zero || lambda <= vanishing.upto + 1e-6,
+                    "{force}: {vanishing:?}"
+                );
+            }
+        }
+    }
+}
