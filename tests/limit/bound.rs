@@ -22,6 +22,27 @@ fn solve(scene: &Scene) -> Outcome {
     outcome
 }
 
+/// paper-1's stored certificate encloses its lowest state with open head joints, which the table of
+/// science has at 0.639969 (HiGHS) and a lift without certificate at 0.637887; all stored ones together
+/// are small.
+#[test]
+fn the_stored_certificate_of_paper_1_encloses_it() {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/cases/certificates");
+    let files = std::fs::read_dir(folder).unwrap();
+    let sizes = files.map(|file| file.unwrap().metadata().unwrap().len());
+    assert!(sizes.sum::<u64>() < 5_000_000);
+    let bytes = std::fs::read(format!("{folder}/paper-1@open.right.bound")).unwrap();
+    let certificate = Certificate::from_bytes(&bytes).unwrap();
+    let case = &case::find("paper-1").unwrap()[0];
+    let proved = prove(&case.scene(HeadJoints::Open), &certificate).unwrap();
+    assert!(
+        (0.639_969 * (1.0 - 5e-4)..0.639_969).contains(&proved.lower),
+        "{proved:?}"
+    );
+    let other = prove(&case.scene(HeadJoints::Contact), &certificate);
+    assert_eq!(other.unwrap_err(), Refusal::OtherScene);
+}
+
 /// Courses bottom to top: `1` a unit, `h` half a unit, `g` a gap.
 fn wall(unit: [f64; 2], courses: &[&str], friction: f64, head_joints: HeadJoints) -> Scene {
     let piece = |letter| match letter {
