@@ -4,8 +4,8 @@ use serde::{Deserialize, Serialize};
 
 use super::mechanism::Mechanism;
 
-/// How the blocks move from when a collapse was called until one of them is a course height away, or
-/// nothing more is waited for. Here the motions are displacements since the scene settled: of the
+/// How the blocks move from when a collapse was called until some point has moved by a course height H,
+/// or for 100 √(H/g). Here the motions are displacements since the scene settled: of the
 /// centroid in the scene's unit of length, and rotations in radians, neither of them small.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Recording {

@@ -21,7 +21,7 @@ pub(super) struct Leaf {
     pub(super) lower: f64,
     /// Share of the distance to the lowest state that the next slice spans.
     pub(super) share: f64,
-    /// Up to which λ its forces can be, and those of each pair not yet assumed.
+    /// Up to which λ its forces can vanish; `None` until it is asked for.
     pub(super) vanishing: Option<Vanishings>,
 }
 
@@ -56,10 +56,16 @@ impl Vanishings {
 }
 
 impl Leaf {
-    /// Up to which λ its forces can vanish.
-    pub(super) fn vanishings(&mut self, conditions: &Conditions) -> &Vanishings {
+    /// Up to which λ its forces can vanish, and how many programs that took now.
+    pub(super) fn vanishings(&mut self, conditions: &Conditions) -> (&Vanishings, usize) {
+        let solved = match self.vanishing {
+            Some(_) => 0,
+            None => 1 + 4 * conditions.joints.len() - self.assumed.len(),
+        };
         let assumed = &self.assumed;
-        (self.vanishing).get_or_insert_with(|| Vanishings::of(conditions, assumed))
+        let vanishings =
+            (self.vanishing).get_or_insert_with(|| Vanishings::of(conditions, assumed));
+        (vanishings, solved)
     }
 }
 

@@ -52,8 +52,8 @@ pub(super) struct Multipliers {
 /// their least and most: the change of a product for a change of its multiplier, and what holds the
 /// unknowns (proximal terms for both: Friedlander and Orban, Math. Prog. Comp. 4 (2012) 71-107; tied to
 /// the mean product as by Pougkakiotis and Gondzio, Comput. Optim. Appl. 78 (2021) 307-351). Without
-/// them the iteration breaks down on walls of more than about 20 blocks. They decide how fast it is and
-/// whether it ends, never what its multipliers prove.
+/// them the iteration breaks down on paper-1 (33 blocks), on which they were chosen. They decide how fast
+/// it is and whether it ends, never what its multipliers prove.
 const SOFTNESS: [f64; 3] = [1e-4, 1e-9, 1e-5];
 const HOLD: [f64; 3] = [1e-2, 1e-9, 1e-4];
 

@@ -29,7 +29,7 @@
 //! the other one goes on with fewer rates. Any number of slices and branches is a valid answer.
 //!
 //! The constants of this folder decide how long it takes and how far it gets, never what is proved.
-//! They were chosen on walls of about ten blocks and on paper-1.
+//! They were chosen on walls of about ten blocks and on paper-1 with open head joints.
 //!
 //! What is claimed: no collapse state in which the push does work has 0 ≤ λ < lower. States in which
 //! it does none (a stone that drops while the push only holds on) are none of these, and nothing is
@@ -132,7 +132,7 @@ impl Method for Bound {
                 None => break,
             }
         }
-        work.programs += slices.programs;
+        work.programs += slices.programs + slices.small_programs;
         work.iterations += slices.steps;
         let mut facts: Vec<Fact> = Vec::new();
         let certificate = match (opening, &prover) {

@@ -57,6 +57,8 @@ pub(super) struct Slices {
     /// Lifts solved, and their steps.
     pub(super) programs: usize,
     pub(super) steps: usize,
+    /// Programs over the forces alone, which tell up to which λ they can vanish.
+    pub(super) small_programs: usize,
     /// Whether slices go on to the optimum: on some scenes rounding leaves nothing of others.
     exact: bool,
     /// Whether the budget ended it.
@@ -81,6 +83,7 @@ impl Default for Slices {
             slices: Vec::new(),
             programs: 0,
             steps: 0,
+            small_programs: 0,
             exact: false,
             out_of_budget: false,
             normals: Vec::new(),
@@ -150,7 +153,9 @@ impl Search<'_> {
         let from = found.leaves[at].lower;
         let to = state + BEHIND * (state - from);
         let conditions = &self.lift.conditions;
-        let vanishings = found.leaves[at].vanishings(conditions).clone();
+        let (vanishings, solved) = found.leaves[at].vanishings(conditions);
+        let vanishings = vanishings.clone();
+        found.small_programs += solved;
         let mut prove = |vanishing: &Option<Vanishing>, assumed: &[Assumption]| {
             let vanishing = vanishing.as_ref().filter(|own| own.is_excluded(from));
             let Some(slice) = vanishing.map(|own| own.slice(self.lift, [from, to], assumed)) else {

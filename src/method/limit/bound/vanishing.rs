@@ -11,7 +11,7 @@ use nalgebra::{DMatrix, DVector};
 use super::dense;
 use super::lift::Lift;
 use super::slice::{balance, grain};
-use crate::answer::certificate::{Assumption, Conditions, Factor, Slice, Zeros};
+use crate::answer::certificate::{Assumption, Conditions, Factor, Slice};
 use crate::method::limit::solver::multipliers;
 
 /// Multipliers that bound λ over all admissible forces some of which vanish:
@@ -25,8 +25,8 @@ pub(super) struct Vanishing {
     multipliers: Vec<f64>,
 }
 
-/// Distance from the λ up to which forces can vanish, from where on that is used: nearer, the
-/// multipliers of its proof are so large that rounding takes it.
+/// How far beyond the λ up to which forces can vanish that is used. Nearer, the multipliers of its proof
+/// grow until rounding takes it; a proof that does not hold is dropped, whatever this is.
 const CLEAR: f64 = 1e-4;
 
 /// What is added to all rates' multipliers, so that they absorb what rounding leaves.
@@ -94,7 +94,7 @@ impl Vanishing {
         let power: f64 = power.map(|(dead, velocity)| dead * velocity).sum();
         // At an optimum the multipliers balance the cost, else nothing.
         let of_multiplier: f64 = conditions.live.iter().zip(&found).map(|(l, v)| l * v).sum();
-        let (share, unit) = if of_multiplier > 0.5 && (of_multiplier - 1.0).abs() < 1e-6 {
+        let (share, unit) = if (of_multiplier - 1.0).abs() < 1e-6 {
             (1.0, 1.0)
         } else if power > 0.0 {
             (0.0, power)
@@ -123,8 +123,6 @@ impl Vanishing {
     /// The slice of a certificate that shows that no collapse state meets these assumptions, which
     /// hold that the forces vanish.
     pub(super) fn slice(&self, lift: &Lift, [from, to]: [f64; 2], assumed: &[Assumption]) -> Slice {
-        let joints = lift.joints();
-        let zeros = Zeros::of(joints, assumed);
         let conditions = lift.force_conditions(from, to);
         let rows = conditions.nrows();
         let one = rows - 3;
@@ -134,13 +132,9 @@ impl Vanishing {
             *own = value / excess;
         }
         impossible[one + 1] = self.share / excess;
-        let vanishes = |force: usize| {
-            let assumed = assumed.iter();
-            force < 4 * joints
-                && zeros.is_zero(force, 4 * joints)
-                && assumed
-                    .clone()
-                    .any(|a| a.pair == force && a.zero == Factor::Force)
+        let vanishes = |pair: usize| {
+            let zero = Factor::Force;
+            assumed.contains(&Assumption { pair, zero })
         };
         let target = -lift.basis.row(0).transpose();
         clean(&conditions, &target, &mut impossible, vanishes);
