@@ -201,7 +201,7 @@ impl fmt::Display for Conclusion {
         if let Some((by, floor)) = &self.floor {
             write!(
                 f,
-                "; it is proved that no collapse state lies below {} ({by})",
+                "; it is proved that no collapse state in which the push does work lies below {} ({by})",
                 number(*floor, 5)
             )?;
         }

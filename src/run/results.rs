@@ -1,7 +1,7 @@
 //! Cases: every method of a plan on every scene, as rows with the checks about them.
 
 use super::row::Row;
-use crate::answer::Outcome;
+use crate::answer::{Fact, LimitFact, Outcome};
 use crate::case::Case;
 use crate::judge::{Check, Conclusion, conclude, cross_check, open_never_raises, reference_checks};
 use crate::method::{Method, Settings};
@@ -62,6 +62,12 @@ impl CaseResult {
         let checks = checks(&case, &scenes, &rows);
         rows.iter_mut().for_each(|row| row.compare(&case, &checks));
         let conclusions = conclusions(&scenes, &rows);
+        for conclusion in &conclusions {
+            let of_setting = |row: &&mut Row| row.head_joints == conclusion.head_joints;
+            for row in rows.iter_mut().filter(of_setting) {
+                name_bound(&mut row.outcome, conclusion);
+            }
+        }
         Self {
             case,
             scenes,
@@ -109,6 +115,19 @@ fn answers(rows: &[Row], head_joints: HeadJoints) -> Vec<(&str, &Outcome)> {
     of_setting
         .map(|row| (row.method.as_str(), &row.outcome))
         .collect()
+}
+
+/// Where another method proves a lower bound, says so instead of that none is known.
+fn name_bound(outcome: &mut Outcome, conclusion: &Conclusion) {
+    let Some((by, lower)) = &conclusion.floor else {
+        return;
+    };
+    for fact in &mut outcome.facts {
+        if let Fact::Limit(own @ LimitFact::FoundNoBounds { .. }) = fact {
+            let (lower, by) = (*lower, by.clone());
+            *own = LimitFact::FoundAboveBound { lower, by };
+        }
+    }
 }
 
 fn checks(case: &Case, scenes: &[(HeadJoints, Vec<Scene>)], rows: &[Row]) -> Vec<Check> {

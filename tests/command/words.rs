@@ -190,3 +190,27 @@ fn who_looks_for_an_opening_or_a_file_is_told_where_it_is() {
         "{complaint}"
     );
 }
+
+/// A lower bound that is proved takes the place of the sentence that none is known.
+#[test]
+fn what_the_search_may_have_missed_is_said_beside_a_proof() {
+    let folder = tempfile::tempdir().unwrap();
+    let interval = |methods: &str| {
+        let (out, _) = said(&trilith(
+            folder.path(),
+            &["run", "stack", "--method", methods],
+        ));
+        let lines = out.split("  interval, contact: ").nth(1);
+        let line = lines.expect("it says something").split(".\n").next();
+        line.expect("it ends")
+            .split_whitespace()
+            .collect::<Vec<_>>()
+            .join(" ")
+    };
+    assert!(interval("interval").contains("proved bounds of them all are 0.00000"));
+    assert_eq!(
+        interval("interval,bound"),
+        "the search may have missed other collapse states, but bound proves that in none below 0.40000 the \
+         push does work"
+    );
+}

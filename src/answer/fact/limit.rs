@@ -46,6 +46,13 @@ pub enum LimitFact {
         /// Rigorous lower bound: λ without friction, where that is proved. The upper one is λ_A.
         frictionless: Option<f64>,
     },
+    /// The same, where another method of the run proves that none lies lower.
+    FoundAboveBound {
+        /// Its proved lower bound of every collapse state in which the push does work.
+        lower: f64,
+        /// Whose it is.
+        by: String,
+    },
     /// The interval is what was found, although with associative friction nothing collapses.
     FoundWithoutBound,
     /// No state was found where with associative friction none exists, which proves nothing of
@@ -103,6 +110,12 @@ impl fmt::Display for LimitFact {
                      associative multiplier"
                 ),
             },
+            LimitFact::FoundAboveBound { lower, by } => write!(
+                f,
+                "the search may have missed other collapse states, but {by} proves that in none below {} the \
+                 push does work",
+                number(*lower, 5)
+            ),
             LimitFact::FoundWithoutBound => write!(
                 f,
                 "the search may have missed other collapse states; with associative friction none exists"
