@@ -137,7 +137,7 @@ pub(super) fn most_violated(
     zeros: &Zeros,
     multipliers: &Multipliers,
 ) -> Option<usize> {
-    let rates = lift.rates(&multipliers.unknowns);
+    let rates = lift.motion.rates(&multipliers.unknowns);
     let conditions = lift.force_conditions(request.from, request.to);
     let products = conditions * rates;
     let power = products.ncols() - 1;
@@ -151,13 +151,12 @@ pub(super) fn most_violated(
 
 #[cfg(test)]
 mod tests {
-    use super::super::opening;
     use super::super::slices::{Search, Slices};
+    use super::super::{opening, orders};
     use super::*;
     use crate::answer::certificate::{Conditions, Prover};
     use crate::answer::{Certificate, Refusal, Work, prove};
     use crate::method::Settings;
-    use crate::method::limit::bound::factor::Pattern;
     use crate::scene::{HeadJoints, OfBlocks, Piece, Push, Scene, Wall};
 
     /// hh,1,hh of science's table: its lowest state is at 0.264706.
@@ -182,12 +181,7 @@ mod tests {
         let conditions = Conditions::of(scene);
         let opening = opening(scene, &mut Work::default()).unwrap();
         let prover = Prover::new(scene, conditions.clone(), &opening).unwrap();
-        let lift = Lift::new(conditions).unwrap();
-        let blocks = scene.blocks().len();
-        let pattern = Pattern::new(
-            blocks,
-            (0..blocks).flat_map(|a| (0..a).map(move |b| (a, b))),
-        );
+        let lift = Lift::new(conditions, &orders(scene)).unwrap();
         let settings = Settings::default().bound;
         let mut slices = Slices::default();
         for (leaf, &pair) in pairs.iter().enumerate() {
@@ -195,7 +189,6 @@ mod tests {
         }
         let mut search = Search {
             lift: &lift,
-            pattern: &pattern,
             prover: Some(&prover),
             settings: &settings,
         };

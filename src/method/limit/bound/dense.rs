@@ -42,18 +42,6 @@ pub(super) fn factor(a: &mut DMatrix<f64>) {
     }
 }
 
-/// The factor of a symmetric matrix as a matrix: without the unknowns that it holds.
-pub(super) fn root(mut a: DMatrix<f64>) -> DMatrix<f64> {
-    factor(&mut a);
-    a.fill_upper_triangle(0.0, 1);
-    for mut column in a.column_iter_mut() {
-        if column.amax() >= HELD {
-            column.fill(0.0);
-        }
-    }
-    a
-}
-
 /// Subtracts a multiple of an earlier column from a later one, from a row on; columns of `n` numbers.
 fn subtract(values: &mut [f64], n: usize, [from, to]: [usize; 2], row: usize, multiple: f64) {
     let (before, after) = values.split_at_mut(to * n);

@@ -1,5 +1,5 @@
-//! A sparse Cholesky factor of square tiles: one row of tiles a block of the scene, a tile where two
-//! blocks share a joint or elimination fills one in.
+//! A sparse Cholesky factor of square tiles: one row of tiles an unknown of the motion, a tile where two
+//! of them meet in a rate or elimination fills one in.
 
 use nalgebra::DMatrix;
 
@@ -8,54 +8,63 @@ use crate::method::at_once::each;
 
 /// Which tiles a factor has.
 pub(super) struct Pattern {
-    /// Place in the order of elimination, by block.
+    /// Place in the order of elimination, by unknown.
     place: Vec<usize>,
     /// Places of the tiles below the diagonal, by column, ascending.
     below: Vec<Vec<usize>>,
-    /// Whether every pair of blocks has a tile.
-    pub(super) is_full: bool,
 }
 
 impl Pattern {
-    /// The pattern of so many blocks of which these pairs are neighbours. The block with the fewest
-    /// neighbours left is eliminated next: on scenes of at most some hundred blocks that is as good
-    /// as any order.
-    pub(super) fn new(blocks: usize, pairs: impl Iterator<Item = (usize, usize)>) -> Self {
-        let mut next: Vec<Vec<bool>> = vec![vec![false; blocks]; blocks];
-        for (a, b) in pairs {
-            next[a][b] = true;
-            next[b][a] = true;
+    /// The pattern of so many unknowns, of which these meet. The unknown that meets the fewest others
+    /// is eliminated next (minimum degree: Tinney and Walker, Proc. IEEE 55 (1967) 1801-1809).
+    pub(super) fn new(unknowns: usize, meetings: impl Iterator<Item = Vec<usize>>) -> Self {
+        let mut next: Vec<Vec<bool>> = vec![vec![false; unknowns]; unknowns];
+        for meeting in meetings {
+            for &a in &meeting {
+                for &b in &meeting {
+                    next[a][b] = a != b;
+                }
+            }
         }
-        let mut place = vec![usize::MAX; blocks];
+        let mut degree: Vec<usize> = (next.iter())
+            .map(|row| row.iter().filter(|next| **next).count())
+            .collect();
+        let mut place = vec![usize::MAX; unknowns];
         let mut columns = Vec::new();
-        for at in 0..blocks {
-            let left = |block: &usize| place[*block] == usize::MAX;
-            let degree =
-                |block: &usize| (0..blocks).filter(|b| left(b) && next[*block][*b]).count();
-            let chosen = (0..blocks).filter(left).min_by_key(degree);
-            let chosen = chosen.expect("a block is left");
+        for at in 0..unknowns {
+            let left = (0..unknowns).filter(|&unknown| place[unknown] == usize::MAX);
+            let chosen = left.min_by_key(|&unknown| degree[unknown]);
+            let chosen = chosen.expect("an unknown is left");
             place[chosen] = at;
-            let neighbours: Vec<usize> = (0..blocks)
+            let neighbours: Vec<usize> = (0..unknowns)
                 .filter(|&b| place[b] == usize::MAX && next[chosen][b])
                 .collect();
             for &a in &neighbours {
                 for &b in &neighbours {
-                    next[a][b] = a != b;
+                    if a != b && !next[a][b] {
+                        next[a][b] = true;
+                        degree[a] += 1;
+                    }
                 }
+                degree[a] -= 1;
             }
             columns.push(neighbours);
         }
         let below = columns.into_iter().map(|column| {
-            let mut below: Vec<usize> = column.into_iter().map(|block| place[block]).collect();
+            let mut below: Vec<usize> = column.into_iter().map(|other| place[other]).collect();
             below.sort_unstable();
             below
         });
-        let below: Vec<Vec<usize>> = below.collect();
         Self {
-            is_full: below.iter().map(Vec::len).sum::<usize>() == blocks * (blocks - 1) / 2,
-            below,
+            below: below.collect(),
             place,
         }
+    }
+
+    /// How many products of tiles the factor takes.
+    pub(super) fn cost(&self) -> f64 {
+        let counts = self.below.iter().map(|below| below.len() as f64);
+        counts.map(|count| 1.0 / 3.0 + count + count * count).sum()
     }
 }
 
@@ -82,7 +91,7 @@ impl<'a> Tiles<'a> {
         }
     }
 
-    /// The tile of a row block and a column block, where that is on or below the diagonal.
+    /// The tile of two unknowns, where that is on or below the diagonal.
     fn tile(&mut self, row: usize, column: usize) -> Option<&mut DMatrix<f64>> {
         let (row, column) = (self.pattern.place[row], self.pattern.place[column]);
         if row == column {
@@ -92,20 +101,11 @@ impl<'a> Tiles<'a> {
         Some(&mut self.below[column][at])
     }
 
-    /// Adds value × part, where `part` stands at the unknowns `rows` and `columns` of two blocks.
-    pub(super) fn add(
-        &mut self,
-        [row_block, column_block]: [usize; 2],
-        [row, column]: [usize; 2],
-        value: f64,
-        part: &DMatrix<f64>,
-    ) {
-        let n = part.nrows();
-        if let Some(tile) = self.tile(row_block, column_block) {
-            for k in 0..n {
-                let mut target = tile.column_mut(column * n + k);
-                let mut target = target.rows_mut(row * n, n);
-                target.axpy(value, &part.column(k), 1.0);
+    /// Adds value × part at two unknowns.
+    pub(super) fn add(&mut self, row: usize, column: usize, value: f64, part: &DMatrix<f64>) {
+        if let Some(tile) = self.tile(row, column) {
+            for (target, part) in tile.iter_mut().zip(part) {
+                *target += value * part;
             }
         }
     }
@@ -155,12 +155,12 @@ impl<'a> Tiles<'a> {
         });
     }
 
-    /// Solves for one right side or several, in the order of the blocks.
+    /// Solves for one right side or several, in the order of the unknowns.
     pub(super) fn solve(&self, right: &DMatrix<f64>) -> DMatrix<f64> {
         let (size, place) = (self.size, &self.pattern.place);
         let mut parts = vec![DMatrix::zeros(0, 0); place.len()];
-        for (block, &at) in place.iter().enumerate() {
-            parts[at] = right.rows(block * size, size).clone_owned();
+        for (unknown, &at) in place.iter().enumerate() {
+            parts[at] = right.rows(unknown * size, size).clone_owned();
         }
         for column in 0..parts.len() {
             let mut own = std::mem::take(&mut parts[column]);
@@ -179,8 +179,10 @@ impl<'a> Tiles<'a> {
             parts[column] = own;
         }
         let mut solution = DMatrix::zeros(right.nrows(), right.ncols());
-        for (block, &at) in place.iter().enumerate() {
-            solution.rows_mut(block * size, size).copy_from(&parts[at]);
+        for (unknown, &at) in place.iter().enumerate() {
+            solution
+                .rows_mut(unknown * size, size)
+                .copy_from(&parts[at]);
         }
         solution
     }
@@ -192,34 +194,35 @@ mod tests {
 
     #[test]
     fn tiles_are_solved_as_the_whole_matrix() {
-        let (blocks, size) = (5, 6);
-        let pairs = [(0, 1), (1, 2), (2, 3), (3, 4), (4, 0), (1, 3)];
-        let pattern = Pattern::new(blocks, pairs.into_iter());
+        let (unknowns, size) = (9, 4);
+        let meetings = [
+            vec![0, 1, 5],
+            vec![2, 3],
+            vec![3, 4, 8],
+            vec![7, 0],
+            vec![1, 3, 6],
+        ];
+        let pattern = Pattern::new(unknowns, meetings.iter().cloned());
         let mut tiles = Tiles::zero(&pattern, size);
-        let mut whole = DMatrix::zeros(blocks * size, blocks * size);
-        let part = DMatrix::from_fn(2, 2, |i, j| 1.0 / (1.0 + i as f64 + j as f64));
-        for (n, &(a, b)) in pairs.iter().enumerate() {
-            let row: Vec<(usize, f64)> = [a, b]
-                .iter()
-                .flat_map(|&block| {
-                    (0..3).map(move |k| (3 * block + k, ((n + 3 * k + block) as f64).cos()))
-                })
-                .collect();
-            for &(p, x) in &row {
-                for &(q, y) in &row {
-                    tiles.add([p / 3, q / 3], [p % 3, q % 3], x * y, &part);
-                    let mut view = whole.view_mut((2 * p, 2 * q), (2, 2));
-                    view += &part * (x * y);
+        let mut whole = DMatrix::zeros(unknowns * size, unknowns * size);
+        let part = DMatrix::from_fn(size, size, |i, j| 1.0 / (1.0 + i as f64 + j as f64));
+        let mut add = |p: usize, q: usize, value: f64, part: &DMatrix<f64>| {
+            tiles.add(p, q, value, part);
+            let mut view = whole.view_mut((size * p, size * q), (size, size));
+            view += part * value;
+        };
+        for (n, meeting) in meetings.iter().enumerate() {
+            let value = |unknown: usize| ((3 * n + unknown) as f64).cos();
+            for &p in meeting {
+                for &q in meeting {
+                    add(p, q, value(p) * value(q), &part);
                 }
             }
         }
-        whole += DMatrix::identity(30, 30);
-        for block in 0..blocks {
-            for k in 0..3 {
-                tiles.add([block, block], [k, k], 1.0, &DMatrix::identity(2, 2));
-            }
+        for unknown in 0..unknowns {
+            add(unknown, unknown, 1.0, &DMatrix::identity(size, size));
         }
-        let right = DMatrix::from_fn(30, 2, |i, j| (i + 5 * j) as f64);
+        let right = DMatrix::from_fn(unknowns * size, 2, |i, j| (i + 5 * j) as f64);
         let solution = tiles.factor(0.0, 0.0, 0.0).solve(&right);
         assert!((whole * solution - right).amax() < 1e-10);
     }

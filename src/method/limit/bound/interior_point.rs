@@ -11,7 +11,6 @@
 
 use nalgebra::DMatrix;
 
-use super::factor::Pattern;
 use super::lift::{Columns, Lift};
 use super::newton::Newton;
 use crate::answer::certificate::Zeros;
@@ -104,12 +103,7 @@ struct Residual {
 }
 
 /// Solves one slice.
-pub(super) fn solve(
-    lift: &Lift,
-    pattern: &Pattern,
-    request: Request,
-    zeros: &Zeros,
-) -> Multipliers {
+pub(super) fn solve(lift: &Lift, request: Request, zeros: &Zeros) -> Multipliers {
     let conditions = lift.force_conditions(request.from, request.to);
     let transposed = conditions.transpose();
     let (rows, rates) = (conditions.nrows(), lift.conditions.rate_rows());
@@ -119,11 +113,11 @@ pub(super) fn solve(
     let start = DMatrix::from_fn(rows, rates, |i, j| {
         f64::from(u8::from(!zeros.is_zero(i, j)))
     });
-    let live = lift.live();
+    let power = lift.power();
     let lambda = lift.basis.row(1).transpose() - lift.basis.row(0).transpose() * request.most;
-    let cost = &lambda * live.transpose();
+    let cost = &lambda * power.transpose();
     let one = lift.basis.row(0).transpose();
-    let scale_row = &one * live.transpose();
+    let scale_row = &one * power.transpose();
     let mut at = Point {
         unknowns: lift.zero(),
         products: start.clone(),
@@ -134,12 +128,12 @@ pub(super) fn solve(
     let mut stalled = 0;
     let mut best: Option<(f64, Multipliers)> = None;
     for steps in 0..=request.steps {
-        let mut identity = lift.of_rates(&(&transposed * &at.multipliers));
+        let mut identity = lift.motion.of_rates(&(&transposed * &at.multipliers));
         identity.velocities = &cost - identity.velocities + &scale_row * at.scale[1];
         identity.slips.neg_mut();
-        let work = (one.transpose() * &at.unknowns.velocities * &live)[(0, 0)];
+        let work = (one.transpose() * &at.unknowns.velocities * &power)[(0, 0)];
         let residual = Residual {
-            products: &conditions * lift.rates(&at.unknowns) - &at.products,
+            products: &conditions * lift.motion.rates(&at.unknowns) - &at.products,
             scale: 1.0 - work - at.scale[0],
             identity,
         };
@@ -184,7 +178,6 @@ pub(super) fn solve(
         }
         let newton = Newton::new(
             lift,
-            pattern,
             [&conditions, &transposed],
             weights.clone(),
             at.scale[1] / at.scale[0],
@@ -200,11 +193,11 @@ pub(super) fn solve(
                 }
             }
             let of_scale = scale / at.scale[0] - at.scale[1] / at.scale[0] * residual.scale;
-            let mut right = lift.of_rates(&(&transposed * &target));
+            let mut right = lift.motion.of_rates(&(&transposed * &target));
             right.add(-1.0, &residual.identity);
             right.velocities -= &scale_row * of_scale;
             let unknowns = newton.solve(&right, 1e-11);
-            let moved = &conditions * lift.rates(&unknowns);
+            let moved = &conditions * lift.motion.rates(&unknowns);
             let multipliers = target - weights.component_mul(&moved);
             let mut products = moved + &residual.products + &multipliers * softness;
             for (product, free) in products.iter_mut().zip(&free) {
@@ -212,7 +205,7 @@ pub(super) fn solve(
                     *product = 0.0;
                 }
             }
-            let work = (one.transpose() * &unknowns.velocities * &live)[(0, 0)];
+            let work = (one.transpose() * &unknowns.velocities * &power)[(0, 0)];
             let first = residual.scale - work;
             let second = of_scale + at.scale[1] / at.scale[0] * work;
             Step {

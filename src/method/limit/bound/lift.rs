@@ -5,7 +5,9 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use crate::answer::certificate::{Conditions, Entry};
+use super::factor::Pattern;
+use super::motion::Motion;
+use crate::answer::certificate::Conditions;
 
 /// What does not depend on the slice: forces in equilibrium, and the conditions.
 pub(super) struct Lift {
@@ -15,12 +17,16 @@ pub(super) struct Lift {
     /// Orthonormal combinations of the equilibrium conditions, by column, and what they are made of.
     across: DMatrix<f64>,
     triangle: DMatrix<f64>,
+    /// The motions whose columns are the unknowns.
+    pub(super) motion: Motion,
+    /// Which of them meet in the linear systems.
+    pub(super) pattern: Pattern,
 }
 
 /// Unknowns, or what is dual to the conditions on them: one column a motion.
 #[derive(Clone, Debug)]
 pub(super) struct Columns {
-    /// Of the velocities, three a block.
+    /// Of the motion's unknowns, three a block.
     pub(super) velocities: DMatrix<f64>,
     /// Of the forward slips, one a joint.
     pub(super) slips: DMatrix<f64>,
@@ -42,8 +48,10 @@ impl Columns {
 }
 
 impl Lift {
-    /// `None` where the equilibrium conditions are not independent: a block hangs on nothing.
-    pub(super) fn new(conditions: Conditions) -> Option<Self> {
+    /// Of a scene's conditions, with sums of the power along its blocks in one of these orders: that
+    /// which makes the linear systems cheapest. `None` where the equilibrium conditions are not
+    /// independent: a block hangs on nothing.
+    pub(super) fn new(conditions: Conditions, orders: &[Vec<usize>]) -> Option<Self> {
         let (rows, forces) = (conditions.velocities(), conditions.forces());
         let mut transposed = DMatrix::zeros(forces, rows);
         for row in 0..rows {
@@ -71,7 +79,15 @@ impl Lift {
         if least < 1e-12 {
             return None;
         }
+        let motions = orders.iter().map(|order| {
+            let motion = Motion::with_sums(&conditions, order);
+            let pattern = Pattern::new(rows, motion.meetings());
+            (motion, pattern)
+        });
+        let (motion, pattern) = motions.min_by(|a, b| a.1.cost().total_cmp(&b.1.cost()))?;
         Some(Self {
+            motion,
+            pattern,
             basis: whole.rows(rows, forces - rows).transpose(),
             across: whole.rows(0, rows).transpose(),
             triangle,
@@ -96,9 +112,13 @@ impl Lift {
         }
     }
 
-    /// The live load's power as a column of velocities.
-    pub(super) fn live(&self) -> DVector<f64> {
-        DVector::from_column_slice(&self.conditions.live)
+    /// The live load's power as a column of the motion's unknowns.
+    pub(super) fn power(&self) -> DVector<f64> {
+        let mut power = DVector::zeros(self.conditions.velocities());
+        for &(k, value) in &self.motion.power {
+            power[k] = value;
+        }
+        power
     }
 
     /// The force conditions of a slice a ≤ λ ≤ b in the free numbers: four a joint, 1, λ − a, b − λ.
@@ -118,55 +138,6 @@ impl Lift {
         rows.set_row(last + 1, &(lambda - one * from));
         rows.set_row(last + 2, &(one * to - lambda));
         rows
-    }
-
-    /// Columns of all rates: four a joint, then the power.
-    pub(super) fn rates(&self, unknowns: &Columns) -> DMatrix<f64> {
-        let mut rates = DMatrix::zeros(self.free(), self.conditions.rate_rows());
-        let velocities = &unknowns.velocities;
-        let combine = |target: &mut DMatrix<f64>, at: usize, entries: &[Entry], sign: f64| {
-            for &(k, value) in entries {
-                let mut column = target.column_mut(at);
-                column.axpy(sign * value, &velocities.column(k), 1.0);
-            }
-        };
-        for (j, joint) in self.conditions.joints.iter().enumerate() {
-            combine(&mut rates, 4 * j, &joint.rates[0], 1.0);
-            combine(&mut rates, 4 * j + 1, &joint.rates[1], 1.0);
-            rates.set_column(4 * j + 2, &unknowns.slips.column(j));
-            rates.set_column(4 * j + 3, &unknowns.slips.column(j));
-            combine(&mut rates, 4 * j + 3, &joint.rates[2], -1.0);
-        }
-        rates.set_column(4 * self.joints(), &(velocities * self.live()));
-        rates
-    }
-
-    /// The transpose of [`Lift::rates`].
-    pub(super) fn of_rates(&self, rates: &DMatrix<f64>) -> Columns {
-        let mut out = Columns {
-            velocities: DMatrix::zeros(rates.nrows(), self.conditions.velocities()),
-            slips: DMatrix::zeros(rates.nrows(), self.joints()),
-        };
-        let mut spread = |at: usize, entries: &[Entry], sign: f64| {
-            for &(k, value) in entries {
-                let mut column = out.velocities.column_mut(k);
-                column.axpy(sign * value, &rates.column(at), 1.0);
-            }
-        };
-        for (j, joint) in self.conditions.joints.iter().enumerate() {
-            spread(4 * j, &joint.rates[0], 1.0);
-            spread(4 * j + 1, &joint.rates[1], 1.0);
-            spread(4 * j + 3, &joint.rates[2], -1.0);
-        }
-        for (k, &live) in self.conditions.live.iter().enumerate() {
-            let mut column = out.velocities.column_mut(k);
-            column.axpy(live, &rates.column(4 * self.joints()), 1.0);
-        }
-        for j in 0..self.joints() {
-            out.slips
-                .set_column(j, &(rates.column(4 * j + 2) + rates.column(4 * j + 3)));
-        }
-        out
     }
 
     /// The multipliers ν of the equilibrium conditions that leave least of these columns, of all

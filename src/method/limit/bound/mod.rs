@@ -43,6 +43,7 @@ mod dense;
 mod factor;
 mod interior_point;
 mod lift;
+mod motion;
 mod newton;
 mod slice;
 mod slices;
@@ -60,8 +61,7 @@ use crate::answer::{
 };
 use crate::method::settings::LP_TOLERANCE;
 use crate::method::{Method, Settings};
-use crate::scene::{Scene, Side};
-use factor::Pattern;
+use crate::scene::{Point, Scene};
 use lift::Lift;
 use slices::{Search, Slices};
 
@@ -82,7 +82,7 @@ impl Method for Bound {
         };
         let mut work = found.work;
         let conditions = Conditions::of(scene);
-        let Some(lift) = Lift::new(conditions.clone()) else {
+        let Some(lift) = Lift::new(conditions.clone(), &orders(scene)) else {
             return answer(scene, state, None, work, vec![BoundFact::NoState.into()]);
         };
         let most = settings.bound.lift_unknowns;
@@ -95,17 +95,8 @@ impl Method for Bound {
         let prover = opening
             .as_deref()
             .and_then(|opening| Prover::new(scene, conditions, opening).ok());
-        let blocks = scene.blocks().len();
-        let all = (0..blocks).flat_map(|a| (0..a).map(move |b| (a, b)));
-        let all = all.filter(|_| unknowns <= FULL);
-        let pairs = scene.joints().iter().filter_map(|joint| match joint.from {
-            Side::Block(from) => Some((from, joint.to)),
-            Side::Support(_) => None,
-        });
-        let pattern = Pattern::new(blocks, pairs.chain(all));
         let mut search = Search {
             lift: &lift,
-            pattern: &pattern,
             prover: prover.as_ref(),
             settings: &settings.bound,
         };
@@ -161,12 +152,20 @@ impl Method for Bound {
     }
 }
 
-/// Unknowns up to which the live load's power is a term of full tiles: that is the more exact way, and
-/// up to here takes no more than a second a step.
-const FULL: usize = 4_000;
-
 /// Searches with the states of lifts as starts, at most.
 const RESTARTS: usize = 3;
+
+/// The blocks from side to side and from below: orders in which neighbours are near to each other.
+fn orders(scene: &Scene) -> [Vec<usize>; 2] {
+    let blocks = scene.blocks();
+    let sorted = |key: fn(Point) -> f64| {
+        let mut order: Vec<usize> = (0..blocks.len()).collect();
+        let place = |block: &usize| key(blocks[*block].shape.centroid());
+        order.sort_by(|a, b| place(a).total_cmp(&place(b)));
+        order
+    };
+    [sorted(|at| at.x), sorted(|at| at.y)]
+}
 
 /// A motion that opens every joint by 1 beyond μ times its slip (the lengths over the height), so
 /// that all forces together are as small as can be shown; `None` where the scene can lock.

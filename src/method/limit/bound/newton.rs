@@ -1,15 +1,13 @@
 //! The linear system of the interior point: Σ weight · (force condition × rate)², factored.
 //!
 //! Forward slips meet only their own joint's conditions and are eliminated joint by joint: what is
-//! left of the two parts of a slip is their parallel sum. Velocities are tiles, one row a block. The
-//! live load's power moves every block. Where the tiles are full it is one more term of them; else it
-//! is added by Woodbury's formula, which is cheaper and rounds more. Conjugate gradients on the whole
-//! system take what rounding leaves.
+//! left of the two parts of a slip is their parallel sum. What remains are tiles, one row an unknown of
+//! the motion. Conjugate gradients on the whole system take what rounding leaves.
 
 use nalgebra::DMatrix;
 
 use super::dense;
-use super::factor::{Pattern, Tiles};
+use super::factor::Tiles;
 use super::lift::{Columns, Lift};
 use crate::method::at_once::each;
 
@@ -24,8 +22,6 @@ pub(super) struct Newton<'a> {
     one: DMatrix<f64>,
     slips: Vec<Slip>,
     tiles: Tiles<'a>,
-    /// Where the tiles do not hold it.
-    power: Option<Power>,
     /// What holds the unknowns.
     held: f64,
 }
@@ -69,16 +65,6 @@ impl Part {
     }
 }
 
-/// Woodbury's term.
-struct Power {
-    /// The term's root: it times its transpose is the term.
-    root: DMatrix<f64>,
-    /// The same, solved.
-    solved: DMatrix<f64>,
-    /// Factor of the small system.
-    factor: DMatrix<f64>,
-}
-
 /// Share of each diagonal entry, and of the largest, that is added to it.
 const REGULAR: [f64; 2] = [1e-14, 1e-17];
 
@@ -89,7 +75,6 @@ impl<'a> Newton<'a> {
     /// Assembles and factors.
     pub(super) fn new(
         lift: &'a Lift,
-        pattern: &'a Pattern,
         [conditions, transposed]: [&'a DMatrix<f64>; 2],
         weights: DMatrix<f64>,
         scale: f64,
@@ -105,44 +90,35 @@ impl<'a> Newton<'a> {
             }
             &scaled * conditions
         };
-        let joints = lift.conditions.joints.iter().enumerate();
-        let mut parts: Vec<_> = joints.map(|(j, joint)| (j, joint, None)).collect();
-        each(&mut parts, &|(j, _, part)| {
+        let joints = 0..lift.joints();
+        let mut parts: Vec<_> = joints.map(|j| (j, None)).collect();
+        each(&mut parts, &|(j, part)| {
             let sums = [0, 1, 2, 3].map(|kind| of_rate(4 * *j + kind));
             *part = Some(Part::new(sums, held));
         });
-        let mut tiles = Tiles::zero(pattern, 3 * free);
+        let mut tiles = Tiles::zero(&lift.pattern, free);
         let mut add = |entries: &[(usize, f64)], part: &DMatrix<f64>| {
             for &(p, x) in entries {
                 for &(q, y) in entries {
-                    tiles.add([p / 3, q / 3], [p % 3, q % 3], x * y, part);
+                    tiles.add(p, q, x * y, part);
                 }
             }
         };
         let mut slips = Vec::with_capacity(lift.joints());
-        for (_, joint, part) in parts {
+        for (joint, (_, part)) in lift.motion.joints.iter().zip(parts) {
             let Part {
                 corners,
                 parallel,
                 slip,
             } = part.expect("each is done");
-            add(&joint.rates[0], &corners[0]);
-            add(&joint.rates[1], &corners[1]);
-            add(&joint.rates[2], &parallel);
+            add(&joint[0], &corners[0]);
+            add(&joint[1], &corners[1]);
+            add(&joint[2], &parallel);
             slips.push(slip);
         }
         let mut power = of_rate(4 * lift.joints());
         power.gemm(scale, &one, &one.transpose(), 1.0);
-        let (tiles, power) = if pattern.is_full {
-            let live: Vec<_> = lift.conditions.live.iter().copied().enumerate().collect();
-            let live: Vec<_> = live.into_iter().filter(|entry| entry.1 != 0.0).collect();
-            add(&live, &power);
-            (tiles.factor(REGULAR[0], REGULAR[1], held), None)
-        } else {
-            let tiles = tiles.factor(REGULAR[0], REGULAR[1], held);
-            let power = Power::new(lift, &tiles, power);
-            (tiles, Some(power))
-        };
+        add(&lift.motion.power, &power);
         Self {
             lift,
             conditions,
@@ -151,20 +127,19 @@ impl<'a> Newton<'a> {
             scale,
             one,
             slips,
-            tiles,
-            power,
+            tiles: tiles.factor(REGULAR[0], REGULAR[1], held),
             held,
         }
     }
 
     /// The system times unknowns.
     fn times(&self, x: &Columns) -> Columns {
-        let mut products = self.conditions * self.lift.rates(x);
+        let mut products = self.conditions * self.lift.motion.rates(x);
         products.component_mul_assign(&self.weights);
-        let mut out = self.lift.of_rates(&(self.transposed * products));
-        let live = self.lift.live();
-        let scale = self.scale * (self.one.tr_mul(&x.velocities) * &live)[(0, 0)];
-        out.velocities += &self.one * live.transpose() * scale;
+        let mut out = self.lift.motion.of_rates(&(self.transposed * products));
+        let power = self.lift.power();
+        let scale = self.scale * (self.one.tr_mul(&x.velocities) * &power)[(0, 0)];
+        out.velocities += &self.one * power.transpose() * scale;
         out.add(self.held, x);
         out
     }
@@ -173,36 +148,23 @@ impl<'a> Newton<'a> {
     fn solve_once(&self, right: &Columns) -> Columns {
         let mut velocities = right.velocities.clone();
         let mut slips = right.slips.clone();
-        for ((j, slip), joint) in self
-            .slips
-            .iter()
-            .enumerate()
-            .zip(&self.lift.conditions.joints)
-        {
+        for ((j, slip), joint) in self.slips.iter().enumerate().zip(&self.lift.motion.joints) {
             let mut own = slips.columns(j, 1).clone_owned();
             slip.factor.solve_lower_triangular_mut(&mut own);
             slip.factor.tr_solve_lower_triangular_mut(&mut own);
             let pulled = &slip.backward * &own;
-            for &(k, value) in &joint.rates[2] {
+            for &(k, value) in &joint[2] {
                 velocities.column_mut(k).axpy(value, &pulled.column(0), 1.0);
             }
             slips.set_column(j, &own.column(0));
         }
         let (free, motions) = velocities.shape();
         let long = DMatrix::from_column_slice(free * motions, 1, velocities.as_slice());
-        let mut solved = self.tiles.solve(&long);
-        if let Some(power) = &self.power {
-            power.correct(&mut solved);
-        }
+        let solved = self.tiles.solve(&long);
         let velocities = DMatrix::from_column_slice(free, motions, solved.as_slice());
-        for ((j, slip), joint) in self
-            .slips
-            .iter()
-            .enumerate()
-            .zip(&self.lift.conditions.joints)
-        {
+        for ((j, slip), joint) in self.slips.iter().enumerate().zip(&self.lift.motion.joints) {
             let mut slid = DMatrix::zeros(free, 1);
-            for &(k, value) in &joint.rates[2] {
+            for &(k, value) in &joint[2] {
                 slid.column_mut(0).axpy(value, &velocities.column(k), 1.0);
             }
             let mut own = &slip.backward * slid;
@@ -244,43 +206,5 @@ impl<'a> Newton<'a> {
             rho = next;
         }
         best.1
-    }
-}
-
-impl Power {
-    fn new(lift: &Lift, tiles: &Tiles, mut part: DMatrix<f64>) -> Self {
-        let free = lift.free();
-        let mut live = DMatrix::zeros(free * lift.conditions.velocities(), free);
-        for (k, &value) in lift.conditions.live.iter().enumerate() {
-            live.view_mut((k * free, 0), (free, free))
-                .fill_diagonal(value);
-        }
-        let floor = 1e-15 * part.diagonal().amax();
-        for k in 0..free {
-            part[(k, k)] += floor;
-        }
-        let root = dense::root(part);
-        // With the term's own factor V the small system is 1 + VᵀLᵀA⁻¹LV, which nothing makes singular.
-        let root = live * root;
-        let solved = tiles.solve(&root);
-        let mut small = root.tr_mul(&solved);
-        small += small.transpose();
-        small *= 0.5;
-        for k in 0..free {
-            small[(k, k)] += 1.0;
-        }
-        dense::factor(&mut small);
-        Self {
-            root,
-            solved,
-            factor: small,
-        }
-    }
-
-    fn correct(&self, x: &mut DMatrix<f64>) {
-        let mut moved = self.root.tr_mul(x);
-        self.factor.solve_lower_triangular_mut(&mut moved);
-        self.factor.tr_solve_lower_triangular_mut(&mut moved);
-        x.gemm(-1.0, &self.solved, &moved, 1.0);
     }
 }

@@ -2,9 +2,9 @@
 
 use nalgebra::DMatrix;
 
-use super::factor::Pattern;
 use super::interior_point::{Multipliers, Request};
 use super::lift::Lift;
+use super::motion::Motion;
 use super::newton::Newton;
 use crate::answer::certificate::{Assumption, Slice, SliceProof, Zeros};
 
@@ -28,7 +28,6 @@ const SMALL: f64 = 1e-13;
 /// left of them is all that remains.
 pub(super) fn best_proof(
     lift: &Lift,
-    pattern: &Pattern,
     request: Request,
     assumed: &[Assumption],
     multipliers: &Multipliers,
@@ -37,11 +36,11 @@ pub(super) fn best_proof(
     let zeros = &Zeros::of(lift.joints(), assumed);
     let conditions = lift.force_conditions(request.from, request.to);
     let transposed = conditions.transpose();
-    let live = lift.live();
+    let power = lift.power();
     let (one, lambda) = (lift.basis.row(0).transpose(), lift.basis.row(1).transpose());
     let left = |(values, sigma): &(DMatrix<f64>, f64)| {
-        let mut left = lift.of_rates(&(&transposed * values));
-        left.velocities = (&lambda - &one * *sigma) * live.transpose() - left.velocities;
+        let mut left = lift.motion.of_rates(&(&transposed * values));
+        left.velocities = (&lambda - &one * *sigma) * power.transpose() - left.velocities;
         left.slips.neg_mut();
         left
     };
@@ -54,25 +53,25 @@ pub(super) fn best_proof(
             }
             let largest = now.0.amax();
             // At the optimum multipliers span many decades, and small ones are to move less.
-            let power = if request.exact { 2 } else { 1 };
+            let exponent = if request.exact { 2 } else { 1 };
             let weights = now.0.map_with_location(|force, rate, value: f64| {
                 if zeros.is_zero(force, rate) {
-                    largest.powi(power)
+                    largest.powi(exponent)
                 } else if value < SMALL * largest {
                     0.0
                 } else {
-                    value.powi(power)
+                    value.powi(exponent)
                 }
             });
             let of_slice = [&conditions, &transposed];
-            let newton = Newton::new(lift, pattern, of_slice, weights.clone(), of_sigma, 0.0);
+            let newton = Newton::new(lift, of_slice, weights.clone(), of_sigma, 0.0);
             let before = least.0;
             for _ in 0..ROUNDS {
                 let moved = newton.solve(&left(&now), 1e-10);
-                let mut change = &conditions * lift.rates(&moved);
+                let mut change = &conditions * lift.motion.rates(&moved);
                 change.component_mul_assign(&weights);
                 now.0 += change;
-                now.1 += of_sigma * (one.transpose() * &moved.velocities * &live)[(0, 0)];
+                now.1 += of_sigma * (one.transpose() * &moved.velocities * &power)[(0, 0)];
                 clip(&mut now.0, zeros);
                 let remaining = left(&now).largest();
                 if remaining < least.0 {
@@ -180,7 +179,7 @@ pub(super) fn balance(
         target[0] = one - from * above + to * below;
         target[1] = above - below;
     }
-    let mut missing = lift.of_rates(&forces);
+    let mut missing = Motion::of_velocities(&lift.conditions).of_rates(&forces);
     missing.velocities.neg_mut();
     missing.slips.neg_mut();
     for (k, &live) in lift.conditions.live.iter().enumerate() {

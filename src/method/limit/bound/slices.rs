@@ -3,7 +3,6 @@
 use nalgebra::DMatrix;
 
 use super::branches::{Leaf, Leaves, most_violated};
-use super::factor::Pattern;
 use super::interior_point::{Multipliers, Request, solve};
 use super::lift::Lift;
 use super::slice::best_proof;
@@ -40,7 +39,6 @@ const STATES: usize = 8;
 /// What the slices are solved with.
 pub(super) struct Search<'a> {
     pub(super) lift: &'a Lift,
-    pub(super) pattern: &'a Pattern,
     /// `None` where nothing can be proved, so that the bounds are what is computed.
     pub(super) prover: Option<&'a Prover>,
     pub(super) settings: &'a BoundSettings,
@@ -207,17 +205,10 @@ impl Search<'_> {
         let assumed = found.leaves[leaf].assumed.clone();
         let zeros = Zeros::of(self.lift.joints(), &assumed);
         let prove = |slice: &Slice| self.proof(slice);
-        let mut multipliers = solve(self.lift, self.pattern, request, &zeros);
+        let mut multipliers = solve(self.lift, request, &zeros);
         found.programs += 1;
         found.steps += multipliers.steps;
-        let mut best = best_proof(
-            self.lift,
-            self.pattern,
-            request,
-            &assumed,
-            &multipliers,
-            prove,
-        );
+        let mut best = best_proof(self.lift, request, &assumed, &multipliers, prove);
         let least = |best: &Option<(Slice, SliceProof)>| {
             best.as_ref()
                 .map_or(f64::NEG_INFINITY, |(_, proof)| proof.least)
@@ -229,10 +220,10 @@ impl Search<'_> {
                 exact: true,
                 ..request
             };
-            let again = solve(self.lift, self.pattern, exact, &zeros);
+            let again = solve(self.lift, exact, &zeros);
             found.programs += 1;
             found.steps += again.steps;
-            let other = best_proof(self.lift, self.pattern, exact, &assumed, &again, prove);
+            let other = best_proof(self.lift, exact, &assumed, &again, prove);
             if least(&other) > least(&best) {
                 found.exact = true;
                 (best, multipliers) = (other, again);
@@ -286,7 +277,7 @@ impl Slices {
 /// Normal forces of the states that the lift is made of: the columns of the power and of the rates
 /// that weigh most.
 fn normals(lift: &Lift, multipliers: &Multipliers) -> Vec<Vec<f64>> {
-    let rates = lift.rates(&multipliers.unknowns);
+    let rates = lift.motion.rates(&multipliers.unknowns);
     let weights = lift.basis.row(0) * &rates;
     let power = rates.ncols() - 1;
     let mut order: Vec<usize> = (0..power).collect();

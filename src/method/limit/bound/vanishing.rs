@@ -208,7 +208,7 @@ mod tests {
     use crate::answer::Work;
     use crate::answer::certificate::Prover;
     use crate::method::Settings;
-    use crate::method::limit::bound::opening;
+    use crate::method::limit::bound::{opening, orders};
     use crate::method::limit::interval::lowest;
     use crate::method::limit::walls::wall;
     use crate::scene::{Push, Scene};
@@ -228,7 +228,7 @@ mod tests {
         let conditions = Conditions::of(&scene);
         let opening = opening(&scene, &mut Work::default()).unwrap();
         let prover = Prover::new(&scene, conditions.clone(), &opening).unwrap();
-        let lift = Lift::new(conditions).unwrap();
+        let lift = Lift::new(conditions, &orders(&scene)).unwrap();
         let mut refuted = 0;
         for (pair, vanishing) in vanishings(&scene) {
             assert!(vanishing.share == 0.0 || !vanishing.is_excluded(vanishing.upto - 1e-3));
