@@ -3,6 +3,7 @@
 
 use std::collections::VecDeque;
 
+use super::slips::slip_bounds;
 use crate::scene::{Joint, Point, Scene, Side, Vector};
 
 /// One entry of a sparse row: its place and its value.
@@ -19,6 +20,18 @@ pub(crate) struct JointRows {
     pub(crate) friction: f64,
 }
 
+/// That a joint's forward slip is no more than what the joints along another way between its sides
+/// add to it: Σ share · rate − g⁺ ≥ 0. Slips are split with g⁺ g⁻ = 0 here.
+#[derive(Clone, Debug)]
+pub(crate) struct SlipBound {
+    /// The joint.
+    pub(crate) joint: usize,
+    /// Rates, four a joint, and their positive shares.
+    pub(crate) shares: Vec<Entry>,
+    /// What rounding may leave of each velocity between the slip and what it is made of, at most.
+    pub(super) rounding: Vec<Entry>,
+}
+
 /// All conditions of a scene.
 #[derive(Clone, Debug)]
 pub(crate) struct Conditions {
@@ -30,6 +43,8 @@ pub(crate) struct Conditions {
     pub(crate) live: Vec<f64>,
     /// λ for λ* = 1.
     pub(crate) unit: f64,
+    /// What limits slips.
+    pub(crate) slip_bounds: Vec<SlipBound>,
 }
 
 impl Conditions {
@@ -57,7 +72,14 @@ impl Conditions {
             dead: dead.collect(),
             live: live.collect(),
             unit,
+            slip_bounds: Vec::new(),
         }
+    }
+
+    /// The same with what limits slips.
+    pub(crate) fn with_slip_bounds(mut self, scene: &Scene) -> Self {
+        self.slip_bounds = slip_bounds(scene, &self);
+        self
     }
 
     /// Number of velocities, and of equilibrium conditions.
@@ -70,9 +92,15 @@ impl Conditions {
         4 * self.joints.len() + 3
     }
 
-    /// Number of rates: four a joint, then the power of the live load.
+    /// Row of the live load's power among the rates, behind four a joint.
+    pub(crate) fn power(&self) -> usize {
+        4 * self.joints.len()
+    }
+
+    /// Number of rates: four a joint, the power of the live load, then what slips may grow by up to
+    /// their bounds.
     pub(crate) fn rate_rows(&self) -> usize {
-        4 * self.joints.len() + 1
+        self.power() + 1 + self.slip_bounds.len()
     }
 
     /// Number of kinematic unknowns: velocities, then the forward slip of every joint.
@@ -106,7 +134,7 @@ fn rate_row(scene: &Scene, joint: &Joint, point: Point, direction: Vector) -> Ve
 }
 
 /// A velocity of a block per unit of a rate: x, y and rotation.
-type Share = [f64; 3];
+pub(super) type Share = [f64; 3];
 
 /// How the velocities of each block follow from the rates along one chain of joints from a support
 /// to it: joint, kind of rate (opening, opening, slip) and what a unit of it adds. `None` where a
@@ -116,12 +144,13 @@ pub(super) fn chains(scene: &Scene) -> Option<Vec<Vec<(usize, usize, Share)>>> {
     let mut joints_of: Vec<Vec<usize>> = vec![Vec::new(); count];
     let mut queue = VecDeque::new();
     let mut chains: Vec<Option<Vec<(usize, usize, Share)>>> = vec![None; count];
+    let centroid = |block: usize| scene.blocks()[block].shape.centroid();
     for (j, joint) in scene.joints().iter().enumerate() {
         joints_of[joint.to].push(j);
         match joint.from {
             Side::Block(from) => joints_of[from].push(j),
             Side::Support(_) if chains[joint.to].is_none() => {
-                chains[joint.to] = Some(relative(scene, j, joint.to, 1.0));
+                chains[joint.to] = Some(relative(scene, j, centroid(joint.to), 1.0));
                 queue.push_back(joint.to);
             }
             Side::Support(_) => {}
@@ -138,13 +167,12 @@ pub(super) fn chains(scene: &Scene) -> Option<Vec<Vec<(usize, usize, Share)>>> {
             if chains[child].is_some() {
                 continue;
             }
-            let centroid = |block: usize| scene.blocks()[block].shape.centroid();
             let arm = (centroid(child) - centroid(parent)) / scene.height();
             let carried = chains[parent].iter().flatten();
             let carried = carried.map(|&(joint, kind, [x, y, turn])| {
                 (joint, kind, [x - turn * arm.y, y + turn * arm.x, turn])
             });
-            let own = relative(scene, j, child, sign);
+            let own = relative(scene, j, centroid(child), sign);
             chains[child] = Some(carried.chain(own).collect());
             queue.push_back(child);
         }
@@ -152,13 +180,17 @@ pub(super) fn chains(scene: &Scene) -> Option<Vec<Vec<(usize, usize, Share)>>> {
     chains.into_iter().collect()
 }
 
-/// Motion of a joint's two sides against each other, at the centroid of a block, per unit of each
-/// rate.
-fn relative(scene: &Scene, j: usize, block: usize, sign: f64) -> Vec<(usize, usize, Share)> {
+/// Motion of a joint's two sides against each other, at a point, per unit of each rate.
+pub(super) fn relative(
+    scene: &Scene,
+    j: usize,
+    point: Point,
+    sign: f64,
+) -> Vec<(usize, usize, Share)> {
     let joint = &scene.joints()[j];
     let across = (joint.ends[1] - joint.ends[0]) / scene.height();
     let lever = joint.normal.y * across.x - joint.normal.x * across.y;
-    let arm = (scene.blocks()[block].shape.centroid() - joint.ends[0]) / scene.height();
+    let arm = (point - joint.ends[0]) / scene.height();
     let turned = |turn: f64, at: Vector| {
         let [x, y] = [at.x - turn * arm.y, at.y + turn * arm.x];
         [x, y, turn].map(|part| sign * part)

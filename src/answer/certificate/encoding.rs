@@ -13,8 +13,11 @@ use super::types::{Assumption, Certificate, Factor, Slice};
 /// What every file of a certificate begins with, before the number of its version.
 const TITLE: &str = "trilith lower bound, version ";
 
-/// The version that is written, and the only one that is read.
-const VERSION: &str = "2";
+/// The version that is written.
+const VERSION: &str = "3";
+
+/// The version before, which is read too: its multipliers have none of slip bounds.
+const WITHOUT_SLIP_BOUNDS: &str = "2";
 
 /// Most bytes that a certificate may have when it is not compressed: some 200 slices of 33 blocks.
 const LARGEST: u64 = 256 << 20;
@@ -38,7 +41,7 @@ impl fmt::Display for Unreadable {
             }
             Unreadable::Version(version) => write!(
                 f,
-                "it is of version `{version}`, and this program reads version {VERSION}"
+                "it is of version `{version}`, and this program reads versions {WITHOUT_SLIP_BOUNDS} and {VERSION}"
             ),
             Unreadable::Damaged => write!(f, "it is cut off or damaged"),
         }
@@ -54,6 +57,7 @@ impl Certificate {
         plain.extend_from_slice(scene);
         numbers(&mut plain, &[self.lower, self.cap]);
         list(&mut plain, &self.opening);
+        count(&mut plain, usize::from(self.slip_bounds));
         count(&mut plain, self.slices.len());
         for slice in &self.slices {
             numbers(&mut plain, &[slice.from, slice.to, slice.sigma]);
@@ -83,7 +87,8 @@ impl Certificate {
         let end = after.iter().take(40).position(|&byte| byte == b'\n');
         let end = end.ok_or(Unreadable::Damaged)?;
         let version = String::from_utf8_lossy(&after[..end]).into_owned();
-        if version != VERSION {
+        let has_flag = version == VERSION;
+        if !has_flag && version != WITHOUT_SLIP_BOUNDS {
             return Err(Unreadable::Version(version));
         }
         let mut plain = Vec::new();
@@ -95,7 +100,7 @@ impl Certificate {
             return Err(Unreadable::Damaged);
         }
         let mut rest = Rest(&plain);
-        let certificate = rest.certificate().ok_or(Unreadable::Damaged)?;
+        let certificate = rest.certificate(has_flag).ok_or(Unreadable::Damaged)?;
         if rest.0.is_empty() {
             Ok(certificate)
         } else {
@@ -171,17 +176,29 @@ impl<'a> Rest<'a> {
             .collect()
     }
 
-    fn certificate(&mut self) -> Option<Certificate> {
+    fn flag(&mut self) -> Option<bool> {
+        match self.count()? {
+            0 => Some(false),
+            1 => Some(true),
+            _ => None,
+        }
+    }
+
+    /// A certificate, of the version that says whether it has multipliers of slip bounds or of the one
+    /// that never has.
+    fn certificate(&mut self, has_flag: bool) -> Option<Certificate> {
         let length = self.count()?;
         let scene = String::from_utf8(self.bytes(length)?.to_vec()).ok()?;
         let (lower, cap) = (self.number()?, self.number()?);
         let opening = self.list()?;
+        let slip_bounds = has_flag && self.flag()?;
         let slices = self.count()?;
         let mut certificate = Certificate {
             scene,
             lower,
             cap,
             opening,
+            slip_bounds,
             slices: Vec::new(),
         };
         for _ in 0..slices {
@@ -218,6 +235,7 @@ mod tests {
             lower: 0.25,
             cap: 1e4,
             opening: vec![0.1, 0.2],
+            slip_bounds: true,
             slices: vec![slice.clone(), slice],
         }
     }
@@ -257,6 +275,6 @@ mod tests {
         other[TITLE.len()] = b'7';
         let refused = Certificate::from_bytes(&other).unwrap_err();
         assert_eq!(refused, Unreadable::Version("7".to_owned()));
-        assert!(refused.to_string().contains("reads version 2"));
+        assert!(refused.to_string().contains("reads versions 2 and 3"));
     }
 }

@@ -43,6 +43,7 @@ mod encoding;
 mod forces;
 mod proof;
 mod rounding;
+mod slips;
 mod sum;
 mod tree;
 mod types;

@@ -38,6 +38,11 @@ pub fn prove(scene: &Scene, certificate: &Certificate) -> Result<Proved, Refusal
     if !(certificate.cap.is_finite() && certificate.lower.is_finite() && certificate.cap >= 0.0) {
         return Err(Refusal::NotFinite);
     }
+    let conditions = if certificate.slip_bounds {
+        conditions.with_slip_bounds(scene)
+    } else {
+        conditions
+    };
     let prover = Prover::new(scene, conditions, &certificate.opening)?;
     let slices = certificate.slices.iter().enumerate();
     let parts = slices.map(|(index, slice)| prover.slice(slice, certificate.cap, index));

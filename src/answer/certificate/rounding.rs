@@ -20,11 +20,30 @@ impl Rounding {
             columns[c][1].add(live);
             columns[c][0].add_product(-slice.sigma, live);
         }
+        let steps = 64.0 * (conditions.rate_rows() + velocities) as f64;
+        // What slip bounds leave out, by column and force.
+        let mut left_out = vec![vec![0.0; forces]; motions];
         for rate in 0..conditions.rate_rows() {
             let multiple = force_combination(conditions, slice, rate);
-            for (c, value) in rate_entries(conditions, rate) {
-                for (sum, part) in columns[c].iter_mut().zip(&multiple) {
-                    sum.add_multiple(-value, *part);
+            let mut add = |rate: usize, multiple: &[Sum]| {
+                for (c, value) in rate_entries(conditions, rate) {
+                    for (sum, part) in columns[c].iter_mut().zip(multiple) {
+                        sum.add_multiple(-value, *part);
+                    }
+                }
+            };
+            let Some(bound) = rate.checked_sub(conditions.power() + 1) else {
+                add(rate, &multiple);
+                continue;
+            };
+            let bound = &conditions.slip_bounds[bound];
+            let forward = (4 * bound.joint + 2, -1.0);
+            for &(part, share) in bound.shares.iter().chain([&forward]) {
+                add(part, &times(share, &multiple));
+            }
+            for &(c, rounding) in &bound.rounding {
+                for (own, part) in left_out[c].iter_mut().zip(&multiple) {
+                    *own += rounding * part.largest(steps);
                 }
             }
         }
@@ -42,11 +61,15 @@ impl Rounding {
                 }
             }
         }
-        // No entry is a sum of more than this: the power's column of every joint and the loads.
-        let steps = 64.0 * (conditions.rate_rows() + velocities) as f64;
-        let largest = |column: Vec<Sum>| column.iter().map(|sum| sum.largest(steps)).collect();
+        let columns = columns.into_iter().zip(left_out);
+        let largest = |(column, left_out): (Vec<Sum>, Vec<f64>)| {
+            let sums = column.iter().map(|sum| sum.largest(steps));
+            sums.zip(left_out)
+                .map(|(sum, left)| sum + left * OUTWARD)
+                .collect()
+        };
         Self {
-            columns: columns.into_iter().map(largest).collect(),
+            columns: columns.map(largest).collect(),
         }
     }
 
@@ -72,6 +95,16 @@ impl Rounding {
         let of_joints = of_joint.fold(0.0, f64::max);
         (column[0] + of_lambda * column[1] + forces.total(slice.to) * of_joints) * OUTWARD
     }
+}
+
+/// A multiple of sums.
+fn times(factor: f64, sums: &[Sum]) -> Vec<Sum> {
+    let multiple = |sum: &Sum| {
+        let mut multiple = Sum::default();
+        multiple.add_multiple(factor, *sum);
+        multiple
+    };
+    sums.iter().map(multiple).collect()
 }
 
 /// Σ over the force conditions of multiplier · condition, for one rate: 1, λ and three a joint.
@@ -100,7 +133,7 @@ fn force_combination(conditions: &Conditions, slice: &Slice, rate: usize) -> Vec
     parts
 }
 
-/// A rate as a combination of the kinematic unknowns.
+/// A rate of a joint, or the power, as a combination of the kinematic unknowns.
 fn rate_entries(conditions: &Conditions, rate: usize) -> Vec<Entry> {
     let (joint, kind) = (rate / 4, rate % 4);
     let Some(rows) = conditions.joints.get(joint) else {

@@ -18,7 +18,7 @@ pub struct Slice {
     /// What λ* is at least, but for rounding; more than `to` where no state is in the slice.
     pub sigma: f64,
     /// One row a force condition (four a joint in the scene's order, then 1, λ − a, b − λ), in it one
-    /// number a rate (four a joint, then the power of the live load).
+    /// number a rate (four a joint, then the power of the live load, then those of slip bounds).
     pub multipliers: Vec<f64>,
     /// One row an equilibrium condition (three a block), in it one number a kinematic unknown
     /// (three velocities a block, then the forward slip of each joint).
@@ -98,6 +98,8 @@ pub struct Certificate {
     pub cap: f64,
     /// Velocities of a motion that opens every joint by more than μ times its slip.
     pub opening: Vec<f64>,
+    /// Whether its multipliers have those of slip bounds.
+    pub slip_bounds: bool,
     /// Slices. Those with the same assumptions stand in ascending order, each from no more than what
     /// is proved before it: by those of the same assumptions, or of fewer.
     pub slices: Vec<Slice>,

@@ -140,8 +140,9 @@ pub(super) fn most_violated(
     let rates = lift.motion.rates(&multipliers.unknowns);
     let conditions = lift.force_conditions(request.from, request.to);
     let products = conditions * rates;
-    let power = products.ncols() - 1;
-    let one = 4 * lift.joints();
+    let power = lift.conditions.power();
+    // The condition 1 stands behind those of the joints.
+    let one = power;
     let both = |pair: usize| products[(pair, power)] * products[(one, pair)];
     let pairs = (0..one).filter(|&pair| !zeros.is_zero(pair, power) && !zeros.is_zero(one, pair));
     pairs
@@ -178,7 +179,7 @@ mod tests {
 
     /// The certificate of slices that are divided by these products from the start.
     fn divided(scene: &Scene, pairs: &[usize]) -> (Certificate, f64) {
-        let conditions = Conditions::of(scene);
+        let conditions = Conditions::of(scene).with_slip_bounds(scene);
         let opening = opening(scene, &mut Work::default()).unwrap();
         let prover = Prover::new(scene, conditions.clone(), &opening).unwrap();
         let lift = Lift::new(conditions, &orders(scene)).unwrap();

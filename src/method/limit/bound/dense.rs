@@ -71,13 +71,6 @@ pub(super) fn solve_right(a: &mut DMatrix<f64>, factor: &DMatrix<f64>) {
     }
 }
 
-/// Solves L X = B in place, many columns at once.
-pub(super) fn solve_left(factor: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
-    let mut transposed = b.transpose();
-    solve_right(&mut transposed, factor);
-    transposed.transpose()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -94,6 +87,5 @@ mod tests {
         let mut right = root.clone();
         solve_right(&mut right, &factored);
         assert!((&right * lower.transpose() - &root).amax() < 1e-10);
-        assert!((&lower * solve_left(&factored, &root) - &root).amax() < 1e-10);
     }
 }

@@ -11,7 +11,7 @@
 
 use nalgebra::DMatrix;
 
-use super::lift::{Columns, Lift};
+use super::lift::Lift;
 use super::newton::Newton;
 use crate::answer::certificate::Zeros;
 
@@ -40,7 +40,7 @@ pub(super) struct Multipliers {
     /// The products that they belong to: where they are larger, a multiplier is on its way to zero.
     pub(super) products: DMatrix<f64>,
     /// The lifted state.
-    pub(super) unknowns: Columns,
+    pub(super) unknowns: DMatrix<f64>,
     /// The bound on λ* that they give, but for what they leave of the identity.
     pub(super) sigma: f64,
     /// Steps done.
@@ -82,14 +82,14 @@ const OF_LEFT: f64 = 1e4;
 
 /// Iterates: products w with multipliers m, and of the scale condition.
 struct Point {
-    unknowns: Columns,
+    unknowns: DMatrix<f64>,
     products: DMatrix<f64>,
     multipliers: DMatrix<f64>,
     scale: [f64; 2],
 }
 
 struct Step {
-    unknowns: Columns,
+    unknowns: DMatrix<f64>,
     products: DMatrix<f64>,
     multipliers: DMatrix<f64>,
     scale: [f64; 2],
@@ -99,7 +99,7 @@ struct Step {
 struct Residual {
     products: DMatrix<f64>,
     scale: f64,
-    identity: Columns,
+    identity: DMatrix<f64>,
 }
 
 /// Solves one slice.
@@ -128,10 +128,9 @@ pub(super) fn solve(lift: &Lift, request: Request, zeros: &Zeros) -> Multipliers
     let mut stalled = 0;
     let mut best: Option<(f64, Multipliers)> = None;
     for steps in 0..=request.steps {
-        let mut identity = lift.motion.of_rates(&(&transposed * &at.multipliers));
-        identity.velocities = &cost - identity.velocities + &scale_row * at.scale[1];
-        identity.slips.neg_mut();
-        let work = (one.transpose() * &at.unknowns.velocities * &power)[(0, 0)];
+        let identity = lift.motion.of_rates(&(&transposed * &at.multipliers));
+        let identity = &cost - identity + &scale_row * at.scale[1];
+        let work = (one.transpose() * &at.unknowns * &power)[(0, 0)];
         let residual = Residual {
             products: &conditions * lift.motion.rates(&at.unknowns) - &at.products,
             scale: 1.0 - work - at.scale[0],
@@ -139,8 +138,8 @@ pub(super) fn solve(lift: &Lift, request: Request, zeros: &Zeros) -> Multipliers
         };
         let mean = (at.products.dot(&at.multipliers) + at.scale[0] * at.scale[1]) / count;
         let sigma = request.most - at.scale[1];
-        let above = cost.dot(&at.unknowns.velocities) + request.most;
-        let left = residual.identity.largest();
+        let above = cost.dot(&at.unknowns) + request.most;
+        let left = residual.identity.amax();
         let violated = residual.products.amax();
         if !(sigma.is_finite() && left.is_finite()) {
             break;
@@ -194,8 +193,8 @@ pub(super) fn solve(lift: &Lift, request: Request, zeros: &Zeros) -> Multipliers
             }
             let of_scale = scale / at.scale[0] - at.scale[1] / at.scale[0] * residual.scale;
             let mut right = lift.motion.of_rates(&(&transposed * &target));
-            right.add(-1.0, &residual.identity);
-            right.velocities -= &scale_row * of_scale;
+            right -= &residual.identity;
+            right -= &scale_row * of_scale;
             let unknowns = newton.solve(&right, 1e-11);
             let moved = &conditions * lift.motion.rates(&unknowns);
             let multipliers = target - weights.component_mul(&moved);
@@ -205,7 +204,7 @@ pub(super) fn solve(lift: &Lift, request: Request, zeros: &Zeros) -> Multipliers
                     *product = 0.0;
                 }
             }
-            let work = (one.transpose() * &unknowns.velocities * &power)[(0, 0)];
+            let work = (one.transpose() * &unknowns * &power)[(0, 0)];
             let first = residual.scale - work;
             let second = of_scale + at.scale[1] / at.scale[0] * work;
             Step {
@@ -250,7 +249,7 @@ pub(super) fn solve(lift: &Lift, request: Request, zeros: &Zeros) -> Multipliers
             }
         }
         let [primal, dual] = reach.map(|l| (SHORT * l).min(1.0));
-        at.unknowns.add(primal, &corrected.unknowns);
+        at.unknowns += corrected.unknowns * primal;
         at.products += corrected.products * primal;
         at.multipliers += corrected.multipliers * dual;
         at.scale[0] += primal * corrected.scale[0];

@@ -23,30 +23,6 @@ pub(super) struct Lift {
     pub(super) pattern: Pattern,
 }
 
-/// Unknowns, or what is dual to the conditions on them: one column a motion.
-#[derive(Clone, Debug)]
-pub(super) struct Columns {
-    /// Of the motion's unknowns, three a block.
-    pub(super) velocities: DMatrix<f64>,
-    /// Of the forward slips, one a joint.
-    pub(super) slips: DMatrix<f64>,
-}
-
-impl Columns {
-    pub(super) fn dot(&self, other: &Self) -> f64 {
-        self.velocities.dot(&other.velocities) + self.slips.dot(&other.slips)
-    }
-
-    pub(super) fn add(&mut self, factor: f64, other: &Self) {
-        self.velocities += &other.velocities * factor;
-        self.slips += &other.slips * factor;
-    }
-
-    pub(super) fn largest(&self) -> f64 {
-        self.velocities.amax().max(self.slips.amax())
-    }
-}
-
 impl Lift {
     /// Of a scene's conditions, with sums of the power along its blocks in one of these orders: that
     /// which makes the linear systems cheapest. `None` where the equilibrium conditions are not
@@ -81,7 +57,7 @@ impl Lift {
         }
         let motions = orders.iter().map(|order| {
             let motion = Motion::with_sums(&conditions, order);
-            let pattern = Pattern::new(rows, motion.meetings());
+            let pattern = Pattern::new(motion.unknowns, motion.meetings());
             (motion, pattern)
         });
         let (motion, pattern) = motions.min_by(|a, b| a.1.cost().total_cmp(&b.1.cost()))?;
@@ -104,18 +80,15 @@ impl Lift {
         self.conditions.joints.len()
     }
 
-    /// Neither unknown nor dual.
-    pub(super) fn zero(&self) -> Columns {
-        Columns {
-            velocities: DMatrix::zeros(self.free(), self.conditions.velocities()),
-            slips: DMatrix::zeros(self.free(), self.joints()),
-        }
+    /// Unknowns that are all zero: one column an unknown of the motion.
+    pub(super) fn zero(&self) -> DMatrix<f64> {
+        DMatrix::zeros(self.free(), self.motion.unknowns)
     }
 
     /// The live load's power as a column of the motion's unknowns.
     pub(super) fn power(&self) -> DVector<f64> {
-        let mut power = DVector::zeros(self.conditions.velocities());
-        for &(k, value) in &self.motion.power {
+        let mut power = DVector::zeros(self.motion.unknowns);
+        for &(k, value) in self.motion.power() {
             power[k] = value;
         }
         power

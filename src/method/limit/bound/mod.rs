@@ -81,7 +81,7 @@ impl Method for Bound {
             return without_state(found);
         };
         let mut work = found.work;
-        let conditions = Conditions::of(scene);
+        let conditions = Conditions::of(scene).with_slip_bounds(scene);
         let Some(lift) = Lift::new(conditions.clone(), &orders(scene)) else {
             return answer(scene, state, None, work, vec![BoundFact::NoState.into()]);
         };

@@ -7,27 +7,39 @@
 
 use nalgebra::DMatrix;
 
-use super::lift::Columns;
 use crate::answer::certificate::{Conditions, Entry};
 
-/// How rates follow from a motion's unknowns, as many as there are velocities.
+/// How rates follow from a motion's unknowns: three a block, then the forward slip of every joint.
 pub(super) struct Motion {
-    /// Of every joint: the openings of its corners, and its slip.
-    pub(super) joints: Vec<[Vec<Entry>; 3]>,
-    /// Of the live load's power.
-    pub(super) power: Vec<Entry>,
-    unknowns: usize,
+    /// Of every rate: four a joint, the power, then those of slip bounds.
+    pub(super) rates: Vec<Vec<Entry>>,
+    /// Row of the live load's power among them.
+    power: usize,
+    pub(super) unknowns: usize,
 }
 
 impl Motion {
     /// In the velocities of the blocks.
     pub(super) fn of_velocities(conditions: &Conditions) -> Self {
+        let velocities = conditions.velocities();
+        let mut rates: Vec<Vec<Entry>> = Vec::with_capacity(conditions.rate_rows());
+        for (j, joint) in conditions.joints.iter().enumerate() {
+            let forward = (velocities + j, 1.0);
+            let [one, other, slip] = joint.rates.clone();
+            let slip = slip.into_iter().map(|(k, value)| (k, -value));
+            rates.extend([one, other, vec![forward], slip.chain([forward]).collect()]);
+        }
         let live = conditions.live.iter().copied().enumerate();
-        let joints = conditions.joints.iter();
+        rates.push(live.filter(|entry| entry.1 != 0.0).collect());
+        for bound in &conditions.slip_bounds {
+            let forward = (4 * bound.joint + 2, -1.0);
+            let shares = bound.shares.iter().copied().chain([forward]);
+            rates.push(combined(shares, |rate| rates[rate].clone()));
+        }
         Self {
-            joints: joints.map(|joint| joint.rates.clone()).collect(),
-            power: live.filter(|entry| entry.1 != 0.0).collect(),
-            unknowns: conditions.velocities(),
+            rates,
+            power: conditions.power(),
+            unknowns: conditions.motions(),
         }
     }
 
@@ -50,105 +62,104 @@ impl Motion {
             replaced[at] = Some([(at, 1.0)].into_iter().chain(others).collect());
             sum = Some((at, load));
         }
-        let in_sums = |entries: &[Entry]| {
-            let mut found: Vec<Entry> = Vec::new();
-            for &(k, value) in entries {
-                let unchanged = vec![(k, 1.0)];
-                for &(other, factor) in replaced[k].as_ref().unwrap_or(&unchanged) {
-                    match found.iter_mut().find(|entry| entry.0 == other) {
-                        Some(entry) => entry.1 += value * factor,
-                        None => found.push((other, value * factor)),
-                    }
-                }
-            }
-            found
+        let in_sums = |entries: &Vec<Entry>| {
+            combined(entries.iter().copied(), |k| {
+                replaced[k].clone().unwrap_or_else(|| vec![(k, 1.0)])
+            })
         };
-        let joints = plain.joints.iter();
-        Self {
-            joints: joints
-                .map(|rates| [0, 1, 2].map(|kind| in_sums(&rates[kind])))
-                .collect(),
-            power: sum.into_iter().collect(),
-            unknowns: plain.unknowns,
-        }
+        let mut rates: Vec<Vec<Entry>> = plain.rates.iter().map(in_sums).collect();
+        // The sum of all, without what rounding leaves of the others.
+        rates[plain.power] = sum.into_iter().collect();
+        Self { rates, ..plain }
     }
 
     /// The unknowns that meet in one rate, for each of them.
     pub(super) fn meetings(&self) -> impl Iterator<Item = Vec<usize>> {
-        let rates = self.joints.iter().flatten().chain([&self.power]);
-        rates.map(|entries| entries.iter().map(|entry| entry.0).collect())
+        let unknowns = |entries: &Vec<Entry>| entries.iter().map(|entry| entry.0).collect();
+        self.rates.iter().map(unknowns)
     }
 
-    /// Columns of all rates: four a joint, then the power.
-    pub(super) fn rates(&self, unknowns: &Columns) -> DMatrix<f64> {
-        let velocities = &unknowns.velocities;
-        let mut rates = DMatrix::zeros(velocities.nrows(), 4 * self.joints.len() + 1);
-        let mut combine = |at: usize, entries: &[Entry], sign: f64| {
+    /// The live load's power.
+    pub(super) fn power(&self) -> &[Entry] {
+        &self.rates[self.power]
+    }
+
+    /// Columns of all rates, from those of the unknowns.
+    pub(super) fn rates(&self, unknowns: &DMatrix<f64>) -> DMatrix<f64> {
+        let mut rates = DMatrix::zeros(unknowns.nrows(), self.rates.len());
+        for (mut rate, entries) in rates.column_iter_mut().zip(&self.rates) {
             for &(k, value) in entries {
-                let mut column = rates.column_mut(at);
-                column.axpy(sign * value, &velocities.column(k), 1.0);
+                rate.axpy(value, &unknowns.column(k), 1.0);
             }
-        };
-        for (j, joint) in self.joints.iter().enumerate() {
-            combine(4 * j, &joint[0], 1.0);
-            combine(4 * j + 1, &joint[1], 1.0);
-            combine(4 * j + 3, &joint[2], -1.0);
-        }
-        combine(4 * self.joints.len(), &self.power, 1.0);
-        for (j, slip) in unknowns.slips.column_iter().enumerate() {
-            rates.set_column(4 * j + 2, &slip);
-            let mut backward = rates.column_mut(4 * j + 3);
-            backward += slip;
         }
         rates
     }
 
     /// The transpose of [`Motion::rates`].
-    pub(super) fn of_rates(&self, rates: &DMatrix<f64>) -> Columns {
-        let mut out = Columns {
-            velocities: DMatrix::zeros(rates.nrows(), self.unknowns),
-            slips: DMatrix::zeros(rates.nrows(), self.joints.len()),
-        };
-        let mut spread = |at: usize, entries: &[Entry], sign: f64| {
+    pub(super) fn of_rates(&self, rates: &DMatrix<f64>) -> DMatrix<f64> {
+        let mut unknowns = DMatrix::zeros(rates.nrows(), self.unknowns);
+        for (rate, entries) in rates.column_iter().zip(&self.rates) {
             for &(k, value) in entries {
-                let mut column = out.velocities.column_mut(k);
-                column.axpy(sign * value, &rates.column(at), 1.0);
+                unknowns.column_mut(k).axpy(value, &rate, 1.0);
             }
-        };
-        for (j, joint) in self.joints.iter().enumerate() {
-            spread(4 * j, &joint[0], 1.0);
-            spread(4 * j + 1, &joint[1], 1.0);
-            spread(4 * j + 3, &joint[2], -1.0);
         }
-        spread(4 * self.joints.len(), &self.power, 1.0);
-        for j in 0..self.joints.len() {
-            out.slips
-                .set_column(j, &(rates.column(4 * j + 2) + rates.column(4 * j + 3)));
-        }
-        out
+        unknowns
     }
 }
+
+/// A combination of rows, without what cancels.
+fn combined(entries: impl Iterator<Item = Entry>, row: impl Fn(usize) -> Vec<Entry>) -> Vec<Entry> {
+    let mut found: Vec<(Entry, f64)> = Vec::new();
+    for (place, value) in entries {
+        for (k, factor) in row(place) {
+            let part = value * factor;
+            match found.iter_mut().find(|(entry, _)| entry.0 == k) {
+                Some((entry, magnitude)) => {
+                    entry.1 += part;
+                    *magnitude += part.abs();
+                }
+                None => found.push(((k, part), part.abs())),
+            }
+        }
+    }
+    let is_left = |&(entry, magnitude): &(Entry, f64)| entry.1.abs() > ROUNDING * magnitude;
+    found
+        .into_iter()
+        .filter(is_left)
+        .map(|(entry, _)| entry)
+        .collect()
+}
+
+/// What rounding leaves of a sum that cancels, over its magnitudes.
+const ROUNDING: f64 = 1e-14;
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::method::Settings;
+    use crate::method::limit::interval::lowest;
     use crate::method::limit::walls::wall;
     use crate::scene::Push;
 
     /// Rates of velocities are those of the same motion in sums, whose last one is its power.
     #[test]
     fn sums_describe_the_same_motions() {
-        let conditions = Conditions::of(&wall(3, Push::Right));
+        let scene = wall(3, Push::Right);
+        let conditions = Conditions::of(&scene).with_slip_bounds(&scene);
         let blocks = conditions.velocities() / 3;
-        let joints = conditions.joints.len();
         let order: Vec<usize> = (0..blocks).rev().collect();
         let (plain, sums) = (
             Motion::of_velocities(&conditions),
             Motion::with_sums(&conditions, &order),
         );
-        let columns = |of: &dyn Fn(usize) -> f64| Columns {
-            velocities: DMatrix::from_fn(1, 3 * blocks, |_, k| of(k)),
-            slips: DMatrix::from_fn(1, joints, |_, j| (j as f64).cos()),
+        let columns = |of: &dyn Fn(usize) -> f64| {
+            DMatrix::from_fn(1, plain.unknowns, |_, k| {
+                if k < 3 * blocks {
+                    of(k)
+                } else {
+                    (k as f64).cos()
+                }
+            })
         };
         let velocity = |k: usize| (2.0 + k as f64).sin();
         let live = &conditions.live;
@@ -163,11 +174,36 @@ mod tests {
             (block..blocks).map(power).sum::<f64>() / live[k]
         });
         let (expected, found) = (plain.rates(&columns(&velocity)), sums.rates(&in_sums));
-        assert!((expected - &found).amax() < 1e-12);
-        assert_eq!(sums.power.len(), 1);
+        assert!((expected - &found).amax() < 1e-11);
+        assert_eq!(sums.power().len(), 1);
 
         let multipliers = DMatrix::from_fn(1, found.ncols(), |_, rate| (rate as f64).sin());
         let transposed = sums.of_rates(&multipliers).dot(&in_sums);
-        assert!((found.dot(&multipliers) - transposed).abs() < 1e-12);
+        assert!((found.dot(&multipliers) - transposed).abs() < 1e-11);
+    }
+
+    /// Slips of verified collapse states are within their bounds, all rates not negative.
+    #[test]
+    fn slips_of_collapse_states_are_within_their_bounds() {
+        let scene = wall(4, Push::Right);
+        let conditions = Conditions::of(&scene).with_slip_bounds(&scene);
+        assert!(!conditions.slip_bounds.is_empty());
+        let motion = Motion::of_velocities(&conditions);
+        let found = lowest(&scene, &Settings::default(), f64::NEG_INFINITY);
+        assert!(!found.states.is_empty());
+        for state in &found.states {
+            let velocities = state.mechanism.motions.iter().map(|&motion| motion.into());
+            let scaled =
+                velocities.flat_map(|[x, y, turn]: [f64; 3]| [x, y, turn * scene.height()]);
+            let mut unknowns: Vec<f64> = scaled.collect();
+            let largest = unknowns.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
+            for joint in &conditions.joints {
+                let slip = joint.rates[2].iter().map(|&(k, value)| value * unknowns[k]);
+                let slip: f64 = slip.sum();
+                unknowns.push(slip.max(0.0));
+            }
+            let rates = motion.rates(&DMatrix::from_row_slice(1, motion.unknowns, &unknowns));
+            assert!(rates.iter().all(|rate| *rate > -1e-6 * largest), "{rates}");
+        }
     }
 }

@@ -39,14 +39,12 @@ pub(super) fn best_proof(
     let power = lift.power();
     let (one, lambda) = (lift.basis.row(0).transpose(), lift.basis.row(1).transpose());
     let left = |(values, sigma): &(DMatrix<f64>, f64)| {
-        let mut left = lift.motion.of_rates(&(&transposed * values));
-        left.velocities = (&lambda - &one * *sigma) * power.transpose() - left.velocities;
-        left.slips.neg_mut();
-        left
+        let left = lift.motion.of_rates(&(&transposed * values));
+        (&lambda - &one * *sigma) * power.transpose() - left
     };
     let clean = |values: DMatrix<f64>, of_sigma: f64| {
         let mut now = (values, multipliers.sigma);
-        let mut least = (left(&now).largest(), now.clone());
+        let mut least = (left(&now).amax(), now.clone());
         for _ in 0..ROUNDS {
             if least.0 <= ENOUGH {
                 break;
@@ -71,9 +69,9 @@ pub(super) fn best_proof(
                 let mut change = &conditions * lift.motion.rates(&moved);
                 change.component_mul_assign(&weights);
                 now.0 += change;
-                now.1 += of_sigma * (one.transpose() * &moved.velocities * &power)[(0, 0)];
+                now.1 += of_sigma * (one.transpose() * &moved * &power)[(0, 0)];
                 clip(&mut now.0, zeros);
-                let remaining = left(&now).largest();
+                let remaining = left(&now).amax();
                 if remaining < least.0 {
                     least = (remaining, now.clone());
                 }
@@ -179,20 +177,11 @@ pub(super) fn balance(
         target[0] = one - from * above + to * below;
         target[1] = above - below;
     }
-    let mut missing = Motion::of_velocities(&lift.conditions).of_rates(&forces);
-    missing.velocities.neg_mut();
-    missing.slips.neg_mut();
+    let mut missing = -Motion::of_velocities(&lift.conditions).of_rates(&forces);
     for (k, &live) in lift.conditions.live.iter().enumerate() {
-        missing.velocities[(1, k)] += live;
-        missing.velocities[(0, k)] -= sigma * live;
+        missing[(1, k)] += live;
+        missing[(0, k)] -= sigma * live;
     }
-    let velocities = lift.balance(&missing.velocities);
-    let slips = lift.balance(&missing.slips);
-    let rows = velocities.nrows();
-    let row = |row: usize| {
-        let of_row = velocities.row(row).iter().copied().collect::<Vec<_>>();
-        let slips = slips.row(row).iter().copied().collect::<Vec<_>>();
-        of_row.into_iter().chain(slips)
-    };
-    (0..rows).flat_map(row).collect()
+    let balance = lift.balance(&missing);
+    balance.transpose().as_slice().to_vec()
 }

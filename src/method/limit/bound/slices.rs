@@ -268,6 +268,7 @@ impl Slices {
             lower: proved.lower,
             cap,
             opening,
+            slip_bounds: true,
             slices: self.slices.iter().map(|(slice, _)| slice.clone()).collect(),
         };
         (certificate, proved)
@@ -279,7 +280,7 @@ impl Slices {
 fn normals(lift: &Lift, multipliers: &Multipliers) -> Vec<Vec<f64>> {
     let rates = lift.motion.rates(&multipliers.unknowns);
     let weights = lift.basis.row(0) * &rates;
-    let power = rates.ncols() - 1;
+    let power = lift.conditions.power();
     let mut order: Vec<usize> = (0..power).collect();
     order.sort_by(|&a, &b| weights[b].total_cmp(&weights[a]));
     let chosen = [power].into_iter().chain(order).take(STATES);

@@ -141,9 +141,11 @@ impl Vanishing {
         let sigma = to * 1.01 + 0.01;
         let rates = lift.conditions.rate_rows();
         let values = DMatrix::from_fn(rows, rates, |force, rate| {
-            if rate == rates - 1 {
+            if rate == lift.conditions.power() {
                 let of_slice = if force == one + 1 { 1.0 } else { 0.0 };
                 grain((sigma - from) * impossible[force] + of_slice)
+            } else if rate > lift.conditions.power() {
+                0.0
             } else {
                 let of_one = if force == one { 1.0 } else { 0.0 };
                 grain(ABSORBED * (impossible[force] + of_one))

@@ -1,0 +1,204 @@
+//! How far a joint can slip: no farther than the joints along another way between its two sides let it.
+//!
+//! Around a closed chain of joints all relative motions add up to zero, so that a slip is
+//! Σ c · rate over the other joints of the chain, with c of both signs. Its forward part g⁺ = max(slip, 0)
+//! is at most the sum of the terms that add to it:
+//!
+//! ```text
+//! g⁺ ≤ P = Σ over c > 0 of c · rate    where slip = P − Q, P ≥ 0 and Q ≥ 0;
+//! g⁻ ≤ Q says the same
+//! ```
+//!
+//! (c · slip of another joint is c g⁺ − c g⁻.) This needs that no slip has both parts, which the products
+//! of forces and rates alone do not tell of a joint without pressure: there g⁺ and g⁻ could grow together
+//! without limit, and with them what the lift allows.
+
+use super::conditions::{Conditions, Entry, SlipBound, relative};
+use super::sum::Sum;
+use crate::scene::{Scene, Side};
+
+/// One joint of a way, and whether it leads from its `to` back to its `from`.
+type Leg = (usize, bool);
+
+/// The bounds of all joints along the shortest other ways between their sides, of two joints, or of three
+/// where there are none of two.
+pub(super) fn slip_bounds(scene: &Scene, conditions: &Conditions) -> Vec<SlipBound> {
+    let ways = Ways::of(scene);
+    let joints = 0..scene.joints().len();
+    joints
+        .flat_map(|joint| {
+            let found = ways.between(joint);
+            found.into_iter().map(move |way| (joint, way))
+        })
+        .map(|(joint, way)| bound(scene, conditions, joint, &way))
+        .collect()
+}
+
+/// The joints of every body; all supports are one, behind the blocks.
+struct Ways {
+    bodies: Vec<[usize; 2]>,
+    legs: Vec<Vec<(Leg, usize)>>,
+}
+
+impl Ways {
+    fn of(scene: &Scene) -> Self {
+        let ground = scene.blocks().len();
+        let bodies = scene.joints().iter().map(|joint| match joint.from {
+            Side::Block(from) => [from, joint.to],
+            Side::Support(_) => [ground, joint.to],
+        });
+        let bodies: Vec<[usize; 2]> = bodies.collect();
+        let mut legs = vec![Vec::new(); ground + 1];
+        for (joint, &[from, to]) in bodies.iter().enumerate() {
+            legs[from].push(((joint, false), to));
+            legs[to].push(((joint, true), from));
+        }
+        Self { bodies, legs }
+    }
+
+    /// The shortest ways from a joint's `from` to its `to` through other bodies.
+    fn between(&self, joint: usize) -> Vec<Vec<Leg>> {
+        let [from, to] = self.bodies[joint];
+        let onward = |way: Vec<Leg>, seen: &[usize]| {
+            let at = *seen.last().expect("it begins somewhere");
+            let seen = seen.to_vec();
+            let next = self.legs[at]
+                .iter()
+                .filter(move |(_, body)| !seen.contains(body));
+            next.map(move |&(leg, body)| ([&way[..], &[leg]].concat(), body))
+        };
+        let first: Vec<_> = onward(Vec::new(), &[from])
+            .filter(|(_, body)| *body != to)
+            .collect();
+        let mut two = Vec::new();
+        let mut three = Vec::new();
+        for (way, through) in first {
+            for (longer, body) in onward(way, &[from, through]) {
+                if body == to {
+                    two.push(longer);
+                    continue;
+                }
+                let ends = onward(longer, &[from, through, body]).filter(|(_, end)| *end == to);
+                three.extend(ends.map(|(way, _)| way));
+            }
+        }
+        if two.is_empty() { three } else { two }
+    }
+}
+
+/// Shares smaller than this are rounding.
+const SMALL: f64 = 1e-15;
+
+/// The bound of a joint's slip along a way.
+fn bound(scene: &Scene, conditions: &Conditions, joint: usize, way: &[Leg]) -> SlipBound {
+    let own = &scene.joints()[joint];
+    let direction = own.tangent();
+    let mut shares = Vec::new();
+    // What is left of the slip, by velocity.
+    let mut left: Vec<(usize, Sum)> = Vec::new();
+    let mut add = |row: &[Entry], factor: f64| {
+        for &(k, value) in row {
+            let at = left.iter().position(|(other, _)| *other == k);
+            let at = at.unwrap_or_else(|| {
+                left.push((k, Sum::default()));
+                left.len() - 1
+            });
+            left[at].1.add_product(factor, value);
+        }
+    };
+    add(&conditions.joints[joint].rates[2], 1.0);
+    for &(other, is_back) in way {
+        let sign = if is_back { -1.0 } else { 1.0 };
+        for (_, kind, [x, y, _]) in relative(scene, other, own.ends[0], sign) {
+            let share = direction.x * x + direction.y * y;
+            if share.abs() <= SMALL {
+                continue;
+            }
+            add(&conditions.joints[other].rates[kind], -share);
+            if share > 0.0 {
+                shares.push((4 * other + kind, share));
+            } else if kind == 2 {
+                shares.push((4 * other + 3, -share));
+            }
+        }
+    }
+    let rounding = left.into_iter().map(|(k, sum)| (k, sum.largest(64.0)));
+    SlipBound {
+        joint,
+        shares,
+        rounding: rounding.collect(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scene::{HeadJoints, OfBlocks, Piece, Push, Wall};
+
+    fn scene(courses: &[&[Piece]]) -> Scene {
+        let wall = Wall {
+            unit_length: 4.0,
+            unit_height: 2.0,
+            thickness: 1.0,
+            unit_weight: 1.0,
+            courses: courses.iter().map(|course| course.to_vec()).collect(),
+            friction: 0.65.into(),
+            overburden: 0.0,
+            push: Push::Right,
+            of_blocks: OfBlocks::default(),
+        };
+        wall.scene(HeadJoints::Contact).expect("it can be laid")
+    }
+
+    /// A unit on two halves: it slips on the one no farther than on the other and what their head joint
+    /// opens at its upper end.
+    #[test]
+    fn a_unit_slips_on_one_half_as_on_the_other() {
+        use Piece::{Half, Unit};
+        let scene = scene(&[&[Half, Half], &[Unit]]);
+        let conditions = Conditions::of(&scene);
+        let is_bed = |joint: &&usize| scene.joints()[**joint].to == 2;
+        let all: Vec<usize> = (0..scene.joints().len()).collect();
+        let beds: Vec<usize> = all.iter().filter(is_bed).copied().collect();
+        let bounds = slip_bounds(&scene, &conditions);
+        let shares = |joint: usize| {
+            let mut own = bounds.iter().filter(|bound| bound.joint == joint);
+            let found = own.next().expect("there is another way");
+            assert!(own.next().is_none());
+            found.shares.clone()
+        };
+        let [one, other] = [shares(beds[0]), shares(beds[1])];
+        // One of them slips farther by what the head joint opens.
+        let [with, without] = if one.len() > other.len() {
+            [one, other]
+        } else {
+            [other, one]
+        };
+        assert_eq!((with.len(), without.len()), (2, 1));
+        let all = with.iter().chain(&without);
+        assert!(all.clone().all(|(_, share)| (share - 1.0).abs() < 1e-12));
+        assert_eq!(
+            all.filter(|(rate, _)| beds.contains(&(rate / 4))).count(),
+            2
+        );
+    }
+
+    /// What bounds are made of is the slip, to rounding, on walls with openings too.
+    #[test]
+    fn slips_are_made_of_the_rates_of_other_joints() {
+        use Piece::{Gap, Half, Unit};
+        let scene = scene(&[
+            &[Half, Unit, Half],
+            &[Unit, Unit],
+            &[Half, Gap, Half],
+            &[Unit, Unit],
+        ]);
+        let bounds = slip_bounds(&scene, &Conditions::of(&scene));
+        assert_eq!(bounds.len(), 15);
+        for bound in bounds {
+            let rounding = bound.rounding.iter().map(|entry| entry.1);
+            assert!(rounding.fold(0.0, f64::max) < 1e-13, "{bound:?}");
+            assert!(bound.shares.iter().all(|entry| entry.1 > 0.0));
+        }
+    }
+}
