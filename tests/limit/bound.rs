@@ -330,12 +330,12 @@ fn nothing_contradicts_the_bounds_of_random_walls() {
     assert_eq!(random_walls(7, 2, 8).len(), 2);
 }
 
-/// How many of the walls that `TRILITH_BOUND_WALLS` asks for (6 where it is not set, to 60) are enclosed
+/// How many of the walls that `TRILITH_BOUND_WALLS` asks for (60 where it is not set) are enclosed
 /// within 0.1 %, how wide the widest is, and how long they take. None may contradict a verified state.
 #[test]
 #[ignore = "takes minutes"]
 fn many_random_walls_are_enclosed() {
-    let count = std::env::var("TRILITH_BOUND_WALLS").map_or(6, |count| count.parse().unwrap());
+    let count = std::env::var("TRILITH_BOUND_WALLS").map_or(60, |count| count.parse().unwrap());
     let answers = random_walls(2026, count, 15);
     let narrow = answers
         .iter()
@@ -353,5 +353,5 @@ fn many_random_walls_are_enclosed() {
         seconds[count / 2],
         seconds[count - 1]
     );
-    assert!(2 * narrow >= count);
+    assert!(30 * narrow >= 29 * count);
 }

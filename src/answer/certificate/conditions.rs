@@ -108,6 +108,11 @@ impl Conditions {
         self.velocities() + self.joints.len()
     }
 
+    /// Number of force unknowns that equilibrium leaves free.
+    pub(crate) fn free_forces(&self) -> usize {
+        self.forces().saturating_sub(self.velocities())
+    }
+
     /// Number of force unknowns: 1, λ, then three a joint.
     pub(crate) fn forces(&self) -> usize {
         2 + 3 * self.joints.len()

@@ -10,7 +10,8 @@
 //! ```
 //!
 //! is not negative, and zero where a corner force meets its own opening, μN + t its own g⁺, μN − t
-//! its own g⁻. Forces are in equilibrium, E s = 0. A certificate of a slice [a, b] gives multipliers
+//! its own g⁻. Further rates are what each slip falls short of its bounds: with g⁺ = max(slip, 0), the
+//! other joints of a closed chain limit it (`slips.rs`). Forces are in equilibrium, E s = 0. A certificate of a slice [a, b] gives multipliers
 //! m, not negative but for those of the zero products, and ν of any sign, such that for all s and k
 //!
 //! ```text
@@ -25,6 +26,8 @@
 //! slices, one with each, prove it of all states. The products are those of a first-level reformulation-linearisation
 //! (Sherali and Adams, SIAM J. Discrete Math. 3 (1990) 411-430) of a linear program with
 //! complementarity constraints; nothing is ever asked of a solver here.
+//!
+//! The slips' bounds hold but for the rounding of their shares, which is part of R.
 //!
 //! What rounding leaves, R, is computed in twice the working precision. It is bounded over
 //! everything that s and k can be:

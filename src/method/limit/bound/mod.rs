@@ -18,6 +18,13 @@
 //! the program forgets is that Y has rank one: it is a first-level reformulation-linearisation
 //! (Sherali and Adams, SIAM J. Discrete Math. 3 (1990) 411-430) of a program with complementarity
 //! constraints (Luo, Pang and Ralph, Mathematical Programs with Equilibrium Constraints, 1996).
+//! Where a joint carries nothing, its g⁺ and g⁻ could grow together without limit, and the products with
+//! them would lose most of their force. But a slip has one of them only, and around a closed chain of
+//! joints it is a combination of the other rates: g⁺ is at most the terms that add to it. What it falls
+//! short of them is a further rate, that is not negative (`certificate/slips.rs`; our own, as is the lift's
+//! use here). On 60 random walls of 6 to 15 blocks all are enclosed to 1e-4 with these bounds, most of them
+//! by one lift; without them ten stayed up to 9 % apart.
+//!
 //! No product needs a large constant, and velocities may be as large as they like: all conditions on
 //! the motion are homogeneous but f_L·u = 1.
 //!
@@ -81,16 +88,17 @@ impl Method for Bound {
             return without_state(found);
         };
         let mut work = found.work;
-        let conditions = Conditions::of(scene).with_slip_bounds(scene);
-        let Some(lift) = Lift::new(conditions.clone(), &orders(scene)) else {
-            return answer(scene, state, None, work, vec![BoundFact::NoState.into()]);
-        };
+        let conditions = Conditions::of(scene);
         let most = settings.bound.lift_unknowns;
-        let unknowns = lift.free() * lift.conditions.velocities();
+        let unknowns = conditions.free_forces() * conditions.velocities();
         if unknowns > most {
             let fact = BoundFact::TooLarge { unknowns, most };
             return answer(scene, state, None, work, vec![fact.into()]);
         }
+        let conditions = conditions.with_slip_bounds(scene);
+        let Some(lift) = Lift::new(conditions.clone(), &orders(scene)) else {
+            return answer(scene, state, None, work, vec![BoundFact::NoState.into()]);
+        };
         let opening = opening(scene, &mut work);
         let prover = opening
             .as_deref()

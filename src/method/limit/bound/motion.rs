@@ -11,8 +11,8 @@ use crate::answer::certificate::{Conditions, Entry};
 
 /// How rates follow from a motion's unknowns: three a block, then the forward slip of every joint.
 pub(super) struct Motion {
-    /// Of every rate: four a joint, the power, then those of slip bounds.
-    pub(super) rates: Vec<Vec<Entry>>,
+    /// Every rate in the unknowns: four a joint, the power, then those of slip bounds.
+    pub(super) rows: Vec<Vec<Entry>>,
     /// Row of the live load's power among them.
     power: usize,
     pub(super) unknowns: usize,
@@ -22,22 +22,22 @@ impl Motion {
     /// In the velocities of the blocks.
     pub(super) fn of_velocities(conditions: &Conditions) -> Self {
         let velocities = conditions.velocities();
-        let mut rates: Vec<Vec<Entry>> = Vec::with_capacity(conditions.rate_rows());
+        let mut rows: Vec<Vec<Entry>> = Vec::with_capacity(conditions.rate_rows());
         for (j, joint) in conditions.joints.iter().enumerate() {
             let forward = (velocities + j, 1.0);
             let [one, other, slip] = joint.rates.clone();
             let slip = slip.into_iter().map(|(k, value)| (k, -value));
-            rates.extend([one, other, vec![forward], slip.chain([forward]).collect()]);
+            rows.extend([one, other, vec![forward], slip.chain([forward]).collect()]);
         }
         let live = conditions.live.iter().copied().enumerate();
-        rates.push(live.filter(|entry| entry.1 != 0.0).collect());
+        rows.push(live.filter(|entry| entry.1 != 0.0).collect());
         for bound in &conditions.slip_bounds {
             let forward = (4 * bound.joint + 2, -1.0);
             let shares = bound.shares.iter().copied().chain([forward]);
-            rates.push(combined(shares, |rate| rates[rate].clone()));
+            rows.push(combined(shares, |rate| rows[rate].clone()));
         }
         Self {
-            rates,
+            rows,
             power: conditions.power(),
             unknowns: conditions.motions(),
         }
@@ -67,27 +67,27 @@ impl Motion {
                 replaced[k].clone().unwrap_or_else(|| vec![(k, 1.0)])
             })
         };
-        let mut rates: Vec<Vec<Entry>> = plain.rates.iter().map(in_sums).collect();
+        let mut rows: Vec<Vec<Entry>> = plain.rows.iter().map(in_sums).collect();
         // The sum of all, without what rounding leaves of the others.
-        rates[plain.power] = sum.into_iter().collect();
-        Self { rates, ..plain }
+        rows[plain.power] = sum.into_iter().collect();
+        Self { rows, ..plain }
     }
 
     /// The unknowns that meet in one rate, for each of them.
     pub(super) fn meetings(&self) -> impl Iterator<Item = Vec<usize>> {
         let unknowns = |entries: &Vec<Entry>| entries.iter().map(|entry| entry.0).collect();
-        self.rates.iter().map(unknowns)
+        self.rows.iter().map(unknowns)
     }
 
     /// The live load's power.
     pub(super) fn power(&self) -> &[Entry] {
-        &self.rates[self.power]
+        &self.rows[self.power]
     }
 
     /// Columns of all rates, from those of the unknowns.
     pub(super) fn rates(&self, unknowns: &DMatrix<f64>) -> DMatrix<f64> {
-        let mut rates = DMatrix::zeros(unknowns.nrows(), self.rates.len());
-        for (mut rate, entries) in rates.column_iter_mut().zip(&self.rates) {
+        let mut rates = DMatrix::zeros(unknowns.nrows(), self.rows.len());
+        for (mut rate, entries) in rates.column_iter_mut().zip(&self.rows) {
             for &(k, value) in entries {
                 rate.axpy(value, &unknowns.column(k), 1.0);
             }
@@ -98,7 +98,7 @@ impl Motion {
     /// The transpose of [`Motion::rates`].
     pub(super) fn of_rates(&self, rates: &DMatrix<f64>) -> DMatrix<f64> {
         let mut unknowns = DMatrix::zeros(rates.nrows(), self.unknowns);
-        for (rate, entries) in rates.column_iter().zip(&self.rates) {
+        for (rate, entries) in rates.column_iter().zip(&self.rows) {
             for &(k, value) in entries {
                 unknowns.column_mut(k).axpy(value, &rate, 1.0);
             }

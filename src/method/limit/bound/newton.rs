@@ -41,7 +41,7 @@ impl<'a> Newton<'a> {
         let free = lift.free();
         let one = lift.basis.row(0).transpose();
         let one = DMatrix::from_column_slice(free, 1, one.as_slice());
-        let rates = lift.motion.rates.iter().enumerate();
+        let rates = lift.motion.rows.iter().enumerate();
         let mut parts: Vec<_> = rates.map(|(rate, row)| (rate, row, None)).collect();
         let power = lift.conditions.power();
         each(&mut parts, &|(rate, _, part)| {
