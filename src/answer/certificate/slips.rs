@@ -20,8 +20,8 @@ use crate::scene::{Scene, Side};
 /// One joint of a way, and whether it leads from its `to` back to its `from`.
 type Leg = (usize, bool);
 
-/// The bounds of all joints along the other ways between their sides of up to two joints, or of three where
-/// there are none of two.
+/// The bounds of all joints along the other ways between their sides of up to two joints. Longer ones make
+/// the linear systems of the lift much denser, and were not needed on random walls.
 pub(super) fn slip_bounds(scene: &Scene, conditions: &Conditions) -> Vec<SlipBound> {
     let ways = Ways::of(scene);
     let joints = 0..scene.joints().len();
@@ -56,7 +56,7 @@ impl Ways {
         Self { bodies, legs }
     }
 
-    /// The shortest ways from a joint's `from` to its `to` without it.
+    /// The ways of up to two joints from a joint's `from` to its `to` without it.
     fn between(&self, joint: usize) -> Vec<Vec<Leg>> {
         let [from, to] = self.bodies[joint];
         let onward = |way: Vec<Leg>, seen: &[usize]| {
@@ -68,22 +68,15 @@ impl Ways {
             next.map(move |&(leg, body)| ([&way[..], &[leg]].concat(), body))
         };
         let mut short = Vec::new();
-        let mut three = Vec::new();
         for (way, through) in onward(Vec::new(), &[from]) {
             if through == to {
                 short.extend(Some(way).filter(|way| way[0].0 != joint));
                 continue;
             }
-            for (longer, body) in onward(way, &[from, through]) {
-                if body == to {
-                    short.push(longer);
-                    continue;
-                }
-                let ends = onward(longer, &[from, through, body]).filter(|(_, end)| *end == to);
-                three.extend(ends.map(|(way, _)| way));
-            }
+            let ends = onward(way, &[from, through]).filter(|(_, end)| *end == to);
+            short.extend(ends.map(|(way, _)| way));
         }
-        if short.is_empty() { three } else { short }
+        short
     }
 }
 
