@@ -22,7 +22,7 @@ const BEYOND: [f64; 2] = [0.01, 0.01];
 const BEHIND: f64 = 0.1;
 
 /// Interior-point steps of one slice at most.
-const STEPS: usize = 80;
+const STEPS: usize = 250;
 
 /// Least share of the distance to the lowest state that a slice spans.
 const LEAST_SHARE: f64 = 0.2;
