@@ -3,7 +3,6 @@
 
 use std::collections::VecDeque;
 
-use super::slips::slip_bounds;
 use crate::scene::{Joint, Point, Scene, Side, Vector};
 
 /// One entry of a sparse row: its place and its value.
@@ -74,12 +73,6 @@ impl Conditions {
             unit,
             slip_bounds: Vec::new(),
         }
-    }
-
-    /// The same with what limits slips.
-    pub(crate) fn with_slip_bounds(mut self, scene: &Scene) -> Self {
-        self.slip_bounds = slip_bounds(scene, &self);
-        self
     }
 
     /// Number of velocities, and of equilibrium conditions.

@@ -20,18 +20,20 @@ use crate::scene::{Scene, Side};
 /// One joint of a way, and whether it leads from its `to` back to its `from`.
 type Leg = (usize, bool);
 
-/// The bounds of all joints along the other ways between their sides of up to two joints. Longer ones make
-/// the linear systems of the lift much denser, and were not needed on random walls.
-pub(super) fn slip_bounds(scene: &Scene, conditions: &Conditions) -> Vec<SlipBound> {
-    let ways = Ways::of(scene);
-    let joints = 0..scene.joints().len();
-    joints
-        .flat_map(|joint| {
-            let found = ways.between(joint);
-            found.into_iter().map(move |way| (joint, way))
-        })
-        .map(|(joint, way)| bound(scene, conditions, joint, &way))
-        .collect()
+impl Conditions {
+    /// The same with bounds of all slips, along the other ways between the sides of a joint of up to two
+    /// joints. Longer ones make the linear systems of the lift much denser, and were not needed on random
+    /// walls.
+    pub(crate) fn with_slip_bounds(mut self, scene: &Scene) -> Self {
+        let ways = Ways::of(scene);
+        for joint in 0..scene.joints().len() {
+            let bounds = ways.between(joint).into_iter();
+            let bounds = bounds.map(|way| bound(scene, &self, joint, &way));
+            let bounds: Vec<_> = bounds.collect();
+            self.slip_bounds.extend(bounds);
+        }
+        self
+    }
 }
 
 /// The joints of every body; all supports are one, behind the blocks.
@@ -150,11 +152,11 @@ mod tests {
     fn a_unit_slips_on_one_half_as_on_the_other() {
         use Piece::{Half, Unit};
         let scene = scene(&[&[Half, Half], &[Unit]]);
-        let conditions = Conditions::of(&scene);
+        let conditions = Conditions::of(&scene).with_slip_bounds(&scene);
         let is_bed = |joint: &&usize| scene.joints()[**joint].to == 2;
         let all: Vec<usize> = (0..scene.joints().len()).collect();
         let beds: Vec<usize> = all.iter().filter(is_bed).copied().collect();
-        let bounds = slip_bounds(&scene, &conditions);
+        let bounds = conditions.slip_bounds;
         let shares = |joint: usize| {
             let mut own = bounds.iter().filter(|bound| bound.joint == joint);
             let found = own.next().expect("there is another way");
@@ -187,7 +189,7 @@ mod tests {
             &[Half, Gap, Half],
             &[Unit, Unit],
         ]);
-        let bounds = slip_bounds(&scene, &Conditions::of(&scene));
+        let bounds = Conditions::of(&scene).with_slip_bounds(&scene).slip_bounds;
         assert_eq!(bounds.len(), 15);
         for bound in bounds {
             let rounding = bound.rounding.iter().map(|entry| entry.1);
