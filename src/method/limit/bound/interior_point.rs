@@ -66,10 +66,9 @@ const CENTRE: f64 = 0.4;
 /// The gap at which the bound is as good as the optimum.
 const GAP: f64 = 1e-8;
 
-/// Share of what a slice gains that its bound may fall short of, where a lifted state lies further
-/// below its end than this share of its width.
+/// Share of what a slice gains, and of what is left above it, that its bound may fall short of where it
+/// has a lifted state.
 const ROUGH: f64 = 0.02;
-const NEAR: f64 = 0.05;
 
 /// What multipliers and products may leave there.
 const ROUGHLY_LEFT: f64 = 3e-6;
@@ -124,7 +123,6 @@ pub(super) fn solve(lift: &Lift, request: Request, zeros: &Zeros) -> Multipliers
         multipliers: start,
         scale: [1.0, 1.0],
     };
-    let width = request.to - request.from;
     let mut stalled = 0;
     let mut best: Option<(f64, Multipliers)> = None;
     for steps in 0..=request.steps {
@@ -157,8 +155,7 @@ pub(super) fn solve(lift: &Lift, request: Request, zeros: &Zeros) -> Multipliers
         }
         let excludes = sigma > request.enough && left < LEFT;
         // A lifted state well inside the slice: where exactly the bound ends is of no use.
-        let inside =
-            above < request.enough - NEAR * width && above - sigma < ROUGH * (above - request.from);
+        let inside = above - sigma < ROUGH * (above - request.from).min(request.enough - above);
         let optimal = above - sigma < GAP && left < LEFT && violated < LEFT;
         let rough = !request.exact && inside && left < ROUGHLY_LEFT && violated < ROUGHLY_LEFT;
         if excludes || optimal || rough || stalled > 8 || mean < 1e-13 || steps == request.steps {

@@ -26,8 +26,9 @@ pub(super) struct Newton<'a> {
 /// Share of each diagonal entry, and of the largest, that is added to it.
 const REGULAR: [f64; 2] = [1e-14, 1e-17];
 
-/// Steps of conjugate gradients at most.
+/// Steps of conjugate gradients at most, and those after which the residual is to be half as large.
 const STEPS: usize = 20;
+const TO_HALVE: usize = 4;
 
 impl<'a> Newton<'a> {
     /// Assembles and factors.
@@ -104,8 +105,12 @@ impl<'a> Newton<'a> {
         let mut best = (residual.amax(), x.clone());
         let mut direction = self.solve_once(&residual);
         let mut rho = residual.dot(&direction);
-        for _ in 0..STEPS {
-            if best.0 <= enough || !rho.is_finite() || rho <= 0.0 {
+        let mut halved = (best.0, 0);
+        for step in 0..STEPS {
+            if best.0 < 0.5 * halved.0 {
+                halved = (best.0, step);
+            }
+            if best.0 <= enough || step - halved.1 >= TO_HALVE || !rho.is_finite() || rho <= 0.0 {
                 break;
             }
             let image = self.times(&direction);
