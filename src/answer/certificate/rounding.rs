@@ -20,6 +20,7 @@ impl Rounding {
             columns[c][1].add(live);
             columns[c][0].add_product(-slice.sigma, live);
         }
+        // No entry is a sum of more than this: the power's column of every joint, the slip bounds, the loads.
         let steps = 64.0 * (conditions.rate_rows() + velocities) as f64;
         // What slip bounds leave out, by column and force.
         let mut left_out = vec![vec![0.0; forces]; motions];
