@@ -11,8 +11,9 @@
 //!
 //! is not negative, and zero where a corner force meets its own opening, μN + t its own g⁺, μN − t
 //! its own g⁻. Further rates are what each slip falls short of its bounds: with g⁺ = max(slip, 0), the
-//! other joints of a closed chain limit it (`slips.rs`). Forces are in equilibrium, E s = 0. A certificate of a slice [a, b] gives multipliers
-//! m, not negative but for those of the zero products, and ν of any sign, such that for all s and k
+//! other joints of a closed chain limit it (`slips.rs`). Forces are in equilibrium, E s = 0. A
+//! certificate of a slice [a, b] gives multipliers m, not negative but for those of the zero products,
+//! and ν of any sign, such that for all s and k
 //!
 //! ```text
 //! λ·(f_L·u) − σ·(1·f_L·u) = Σ m · (force condition × rate) + Σ ν · (E s)·k + ⟨R, s kᵀ⟩
