@@ -1,10 +1,10 @@
 //! From the answers about one scene to their conclusion.
 
 use super::claims::{Answered, Answers, Claims, Role};
-use super::conclusion::{ALIKE, Basis, Conclusion, Difference, Doubt, Explanation};
+use super::conclusion::{ALIKE, Basis, Conclusion, Difference, Doubt, Explanation, Floor};
 use super::heard::{UNSTATED_ERROR, lower_states};
 use super::outside::is_impossible;
-use crate::answer::{Bracket, Claim, Outcome, Status};
+use crate::answer::{BoundFact, Bracket, Claim, Fact, Outcome, Status};
 use crate::scene::Scene;
 
 /// The conclusion from the answers about one scene: of a multiplier that is proved; else that it
@@ -69,12 +69,19 @@ fn without_multiplier(
 }
 
 /// The largest proved lower bound.
-fn floor(claims: &Claims) -> Option<(String, f64)> {
+fn floor(claims: &Claims) -> Option<Floor> {
     let floors = claims.answered.iter().filter_map(|answer| {
-        let floor = answer.floor?;
-        Some((answer.name.to_owned(), floor))
+        let proved = answer.outcome.facts.iter().find_map(|fact| match fact {
+            Fact::Bound(BoundFact::Proved(proved)) => Some(proved),
+            _ => None,
+        });
+        Some(Floor {
+            by: answer.name.to_owned(),
+            lower: answer.floor?,
+            cap: proved.and_then(|proved| proved.cap),
+        })
     });
-    floors.max_by(|a, b| a.1.total_cmp(&b.1))
+    floors.max_by(|a, b| a.lower.total_cmp(&b.lower))
 }
 
 fn of_answer(claims: &Claims, basis: Basis, answer: &Answered) -> Conclusion {

@@ -26,13 +26,41 @@ pub struct Conclusion {
     /// Of a lowest state, the highest state that is verified beside it: with head joints in contact,
     /// say, several mechanisms have one.
     pub highest_state: Option<f64>,
-    /// Whose proof it is that no collapse state in which the push does work lies below a multiplier,
-    /// and that multiplier.
-    pub floor: Option<(String, f64)>,
+    /// The multiplier below which a proof leaves no collapse state in which the push does work.
+    pub floor: Option<Floor>,
     /// What the other proofs say that is not the same.
     pub difference: Option<Difference>,
     /// What speaks against the best answer and is not explained.
     pub doubts: Vec<Doubt>,
+}
+
+/// A proved lower bound.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Floor {
+    /// Whose proof it is.
+    pub by: String,
+    /// No collapse state in which the push does work lies below this.
+    pub lower: f64,
+    /// How large openings and slips are at most in the states that it speaks of, over the push's own
+    /// motion; `None` where that has no limit.
+    pub cap: Option<f64>,
+}
+
+impl fmt::Display for Floor {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let lower = number(self.lower, 5);
+        write!(
+            f,
+            "no collapse state in which the push does work lies below {lower}"
+        )?;
+        match self.cap {
+            Some(cap) => write!(
+                f,
+                " where openings and slips are at most {cap:.0e} times its motion"
+            ),
+            None => Ok(()),
+        }
+    }
 }
 
 /// What the best answer rests on, from best to worst.
@@ -198,12 +226,8 @@ impl fmt::Display for Conclusion {
             Basis::Nothing if self.methods.is_empty() => write!(f, "there is no answer"),
             Basis::Nothing => write!(f, "there is no answer ({by})"),
         }?;
-        if let Some((by, floor)) = &self.floor {
-            write!(
-                f,
-                "; it is proved that no collapse state in which the push does work lies below {} ({by})",
-                number(*floor, 5)
-            )?;
+        if let Some(floor) = &self.floor {
+            write!(f, "; it is proved that {floor} ({})", floor.by)?;
         }
         if let Some(difference) = &self.difference {
             write!(f, "; {difference}")?;

@@ -13,7 +13,7 @@ mod references;
 
 pub use check::{Check, Verdict};
 pub(crate) use conclude::conclude;
-pub use conclusion::{Basis, Conclusion, Difference, Doubt, Explanation};
+pub use conclusion::{Basis, Conclusion, Difference, Doubt, Explanation, Floor};
 pub(crate) use cross_check::{cross_check, open_never_raises};
 pub use heard::LowerState;
 pub use proof::judge;

@@ -117,15 +117,18 @@ fn answers(rows: &[Row], head_joints: HeadJoints) -> Vec<(&str, &Outcome)> {
         .collect()
 }
 
-/// Where another method proves a lower bound, says so instead of that none is known.
+/// Where another method proves a higher lower bound, says so instead of that none is known.
 fn name_bound(outcome: &mut Outcome, conclusion: &Conclusion) {
-    let Some((by, lower)) = &conclusion.floor else {
+    let Some(floor) = &conclusion.floor else {
         return;
     };
     for fact in &mut outcome.facts {
-        if let Fact::Limit(own @ LimitFact::FoundNoBounds { .. }) = fact {
-            let (lower, by) = (*lower, by.clone());
-            *own = LimitFact::FoundAboveBound { lower, by };
+        let Fact::Limit(LimitFact::FoundNoBounds { frictionless }) = fact else {
+            continue;
+        };
+        if frictionless.is_none_or(|lambda| lambda < floor.lower) {
+            let (proof, by) = (floor.to_string(), floor.by.clone());
+            *fact = LimitFact::FoundAboveBound { proof, by }.into();
         }
     }
 }

@@ -46,10 +46,10 @@ pub enum LimitFact {
         /// Rigorous lower bound: λ without friction, where that is proved. The upper one is λ_A.
         frictionless: Option<f64>,
     },
-    /// The same, where another method of the run proves that none lies lower.
+    /// The same, where another method of the run proves more.
     FoundAboveBound {
-        /// Its proved lower bound of every collapse state in which the push does work.
-        lower: f64,
+        /// What it proves, in words.
+        proof: String,
         /// Whose it is.
         by: String,
     },
@@ -110,11 +110,9 @@ impl fmt::Display for LimitFact {
                      associative multiplier"
                 ),
             },
-            LimitFact::FoundAboveBound { lower, by } => write!(
+            LimitFact::FoundAboveBound { proof, by } => write!(
                 f,
-                "the search may have missed other collapse states, but {by} proves that in none below {} the \
-                 push does work",
-                number(*lower, 5)
+                "the search may have missed other collapse states, but {by} proves that {proof}"
             ),
             LimitFact::FoundWithoutBound => write!(
                 f,

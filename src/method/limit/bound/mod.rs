@@ -23,7 +23,7 @@
 //! joints it is a combination of the other rates: g⁺ is at most the terms that add to it. What it falls
 //! short of them is a further rate, which is not negative (`answer/certificate/slips.rs`; our own, as is
 //! the lift's use here). All of 60 random walls of 6 to 15 blocks are enclosed to 1e-4 with these bounds;
-//! without them ten of the 60 were 0.3 to 9 % apart.
+//! without them ten of the 60 were 0.5 to 9 % apart.
 //!
 //! No product needs a large constant, and velocities may be as large as they like: all conditions on
 //! the motion are homogeneous but f_L·u = 1.
