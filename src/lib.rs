@@ -10,7 +10,7 @@
 //! ```
 //!
 //! The modules are floors of a house. Each uses only those before it, and no two files use each
-//! other (a test holds both): number, text, files; scene; answer; method; case; external; judge; run;
+//! other (a test holds both): number, text, files; scene; mechanics, certificate; answer; method; case; external; judge; run;
 //! record; picture; study; report. The command line stands on top.
 //!
 //! A case read, solved and judged:
@@ -44,10 +44,13 @@
 
 pub mod answer;
 pub mod case;
+mod certificate;
+mod command;
 pub mod external;
 pub mod files;
 mod fingerprint;
 pub mod judge;
+mod mechanics;
 pub mod method;
 pub mod number;
 pub mod picture;
@@ -57,6 +60,12 @@ pub mod run;
 pub mod scene;
 pub mod study;
 pub mod text;
+
+/// The program: reads the command line, and returns its exit status.
+#[doc(hidden)]
+pub fn main() -> std::process::ExitCode {
+    command::main()
+}
 
 /// The example of README compiles and runs.
 #[cfg(doctest)]

@@ -1,9 +1,5 @@
 //! The command line of trilith.
 
-mod command;
-
-use std::process::ExitCode;
-
-fn main() -> ExitCode {
-    command::main()
+fn main() -> std::process::ExitCode {
+    trilith::main()
 }

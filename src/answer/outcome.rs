@@ -5,16 +5,14 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use super::bracket::Bracket;
-use super::certificate::Certificate;
 use super::claim::Claim;
-use super::crack::Crack;
 use super::fact::{self, Fact, JudgedFact, SearchFacts};
-use super::mechanism::Mechanism;
 use super::recording::Recording;
 use super::self_check::SelfCheck;
-use super::state::{CollapseState, JointForce};
 use super::status::Status;
 use super::work::Work;
+use crate::certificate::Certificate;
+use crate::mechanics::{CollapseState, Crack, JointForce, Mechanism};
 
 /// The answer of one method for one scene.
 #[derive(Clone, Debug, Serialize, Deserialize)]

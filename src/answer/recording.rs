@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::mechanism::Mechanism;
+use crate::mechanics::Mechanism;
 
 /// How the blocks move from when a collapse was called until some point has moved by a course height H,
 /// or for 100 √(H/g). Here the motions are displacements since the scene settled: of the

@@ -2,10 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
+use crate::method::without_lower_bounds;
+use crate::run::{Keeps, Partial, Row, marked, run_rows};
+use crate::study::atlas::{self, Atlas, CellVerdict, Grid};
 use clap::Args;
-use trilith::method::without_lower_bounds;
-use trilith::run::{Keeps, Partial, Row, marked, run_rows};
-use trilith::study::atlas::{self, Atlas, CellVerdict, Grid};
 
 use super::output;
 use super::plan::externals;

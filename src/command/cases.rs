@@ -4,12 +4,12 @@ use clap::ValueEnum;
 use std::fmt::Write;
 use std::path::Path;
 
-use trilith::case::{self, Case, Geometry, Template};
-use trilith::files::write_whole;
-use trilith::method::{METHODS, PushoverSettings, pushover};
-use trilith::scene::{Forces, Friction, Push};
-use trilith::study::sweep::{self, Sweep};
-use trilith::text::{GridColumn, grid, words};
+use crate::case::{self, Case, Geometry, Template};
+use crate::files::write_whole;
+use crate::method::{METHODS, PushoverSettings, pushover};
+use crate::scene::{Forces, Friction, Push};
+use crate::study::sweep::{self, Sweep};
+use crate::text::{GridColumn, grid, words};
 
 use super::plan::warn;
 use super::screen::{layout, print, print_lines};
@@ -91,11 +91,7 @@ fn description(case: &Case) -> String {
     let _ = writeln!(text, "pushed {}", pushes(&case.pushes));
     for head_joints in &case.head_joints {
         let scene = case.scene(*head_joints);
-        let _ = writeln!(
-            text,
-            "{}",
-            trilith::record::fingerprint(*head_joints, &scene)
-        );
+        let _ = writeln!(text, "{}", crate::record::fingerprint(*head_joints, &scene));
     }
     for r in &case.references {
         let joints = r.head_joints.map_or("both", |h| h.name());

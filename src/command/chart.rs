@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
+use crate::run::{Keeps, Partial, Row, marked};
+use crate::study::chart::{self, Chart};
 use clap::Args;
-use trilith::run::{Keeps, Partial, Row, marked};
-use trilith::study::chart::{self, Chart};
 
 use super::head_joints::HeadJointsArgument;
 use super::output;

@@ -3,10 +3,10 @@
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use crate::case;
+use crate::report;
+use crate::run::{CaseResult, Partial, stored};
 use clap::Args;
-use trilith::case;
-use trilith::report;
-use trilith::run::{CaseResult, Partial, stored};
 
 use super::output;
 use super::plan::PlanArguments;

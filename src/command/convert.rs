@@ -2,9 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
+use crate::case::{self, Case};
+use crate::files::write_together;
 use clap::{Args, ValueEnum};
-use trilith::case::{self, Case};
-use trilith::files::write_together;
 
 use super::cases::quoted;
 use super::plan::warn;

@@ -2,13 +2,13 @@
 
 use std::path::{Path, PathBuf};
 
+use crate::case;
+use crate::files::write_whole;
+use crate::method::{Kind, METHODS, Method, MethodEntry, kind, methods};
+use crate::picture::{Options, View, figure};
+use crate::run::{CaseResult, Plan};
+use crate::scene::HeadJoints;
 use clap::Args;
-use trilith::case;
-use trilith::files::write_whole;
-use trilith::method::{Kind, METHODS, Method, MethodEntry, kind, methods};
-use trilith::picture::{Options, View, figure};
-use trilith::run::{CaseResult, Plan};
-use trilith::scene::HeadJoints;
 
 use super::output;
 use super::plan::PlanArguments;
@@ -154,9 +154,9 @@ impl Format {
         match self {
             Format::Svg => Ok(svg.into_bytes()),
             #[cfg(feature = "print")]
-            Format::Png => trilith::picture::png(&svg).map_err(|error| error.to_string()),
+            Format::Png => crate::picture::png(&svg).map_err(|error| error.to_string()),
             #[cfg(feature = "print")]
-            Format::Pdf => trilith::picture::pdf(&svg).map_err(|error| error.to_string()),
+            Format::Pdf => crate::picture::pdf(&svg).map_err(|error| error.to_string()),
         }
     }
 }

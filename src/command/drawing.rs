@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
+use crate::case::{Case, DrawingOptions, Imported};
+use crate::files::{Input, read_input};
+use crate::scene::Push;
 use clap::{Args, ValueEnum};
-use trilith::case::{Case, DrawingOptions, Imported};
-use trilith::files::{Input, read_input};
-use trilith::scene::Push;
 
 use super::screen::tell;
 use super::stop::Stop;

@@ -2,12 +2,12 @@
 
 use std::path::Path;
 
-use trilith::answer::thrust;
-use trilith::files::write_whole;
-use trilith::method::{Settings, methods};
-use trilith::picture::dxf;
-use trilith::run::{Plan, run};
-use trilith::scene::Push;
+use crate::answer::thrust;
+use crate::files::write_whole;
+use crate::method::{Settings, methods};
+use crate::picture::dxf;
+use crate::run::{Plan, run};
+use crate::scene::Push;
 
 use super::convert::one_case;
 use super::head_joints::HeadJointsArgument;

@@ -1,9 +1,9 @@
 //! `trilith export`, `trilith schema`.
 
+use crate::case;
+use crate::external;
+use crate::scene::Push;
 use clap::ValueEnum;
-use trilith::case;
-use trilith::external;
-use trilith::scene::Push;
 
 use super::head_joints::HeadJointsArgument;
 use super::plan::warn;

@@ -1,8 +1,8 @@
 //! Settings of head joints as an argument.
 
+use crate::case::{Case, Geometry};
+use crate::scene::HeadJoints;
 use clap::ValueEnum;
-use trilith::case::{Case, Geometry};
-use trilith::scene::HeadJoints;
 
 #[derive(Clone, Copy, ValueEnum)]
 pub(super) enum HeadJointsArgument {

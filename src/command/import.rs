@@ -3,10 +3,10 @@
 use std::fmt::Write;
 use std::path::PathBuf;
 
+use crate::case::BlocksFiles;
+use crate::files::write_together;
+use crate::scene::HeadJoints;
 use clap::Args;
-use trilith::case::BlocksFiles;
-use trilith::files::write_together;
-use trilith::scene::HeadJoints;
 
 use super::cases::quoted;
 use super::convert::in_files;

@@ -16,9 +16,9 @@ use std::sync::{Arc, OnceLock};
 use std::thread;
 use std::time::Duration;
 
+use crate::external::stop_all;
 use signal_hook::consts::{SIGINT, SIGTERM};
 use signal_hook::flag;
-use trilith::external::stop_all;
 
 use super::screen::tell;
 

@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use trilith::files::{test_folder, write_together, write_whole};
-use trilith::method::{Kind, kind};
-use trilith::run::{CaseResult, Journal, Keeps, Task, certificates};
+use crate::files::{test_folder, write_together, write_whole};
+use crate::method::{Kind, kind};
+use crate::run::{CaseResult, Journal, Keeps, Task, certificates};
 
 use super::screen::tell;
 use super::stop::Stop;

@@ -1,10 +1,10 @@
 //! Which methods run, and with which settings: the arguments that several commands share.
 
+use crate::case::{self, Case};
+use crate::external::{self, External};
+use crate::method::{self, Collapse, Kind, Method, kind};
+use crate::run::Plan;
 use clap::Args;
-use trilith::case::{self, Case};
-use trilith::external::{self, External};
-use trilith::method::{self, Collapse, Kind, Method, kind};
-use trilith::run::Plan;
 
 use super::drawing::{DrawingArguments, is_drawing};
 use super::head_joints::HeadJointsArgument;

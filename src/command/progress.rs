@@ -4,8 +4,8 @@ use std::fmt::Write;
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
+use crate::run::{Progress, Remaining, Row, Task};
 use indicatif::{ProgressBar, ProgressState, ProgressStyle};
-use trilith::run::{Progress, Remaining, Row, Task};
 
 /// A bar that fills with the seconds expected of the work: tasks differ much in length. In a pipe,
 /// nothing is ever printed.

@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use trilith::case;
-use trilith::record::{RecordChange, compare as compare_record, record, records_beside};
-use trilith::run::CaseResult;
+use crate::case;
+use crate::record::{RecordChange, compare as compare_record, record, records_beside};
+use crate::run::CaseResult;
 
 use super::screen::tell;
 use super::stop::Stop;

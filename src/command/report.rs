@@ -4,11 +4,11 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use trilith::case;
-use trilith::method::Settings;
-use trilith::report::html::{Report, manual, page};
-use trilith::run::{CaseResult, Partial};
-use trilith::study::sweep::SweepTable;
+use crate::case;
+use crate::method::Settings;
+use crate::report::html::{Report, manual, page};
+use crate::run::{CaseResult, Partial};
+use crate::study::sweep::SweepTable;
 
 use super::output;
 use super::plan::PlanArguments;

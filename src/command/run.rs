@@ -2,13 +2,13 @@
 
 use std::path::PathBuf;
 
+use crate::answer::Status;
+use crate::case;
+use crate::judge::Verdict;
+use crate::record::record;
+use crate::report;
+use crate::run::{CaseResult, Partial, marked};
 use clap::{Args, ValueEnum};
-use trilith::answer::Status;
-use trilith::case;
-use trilith::judge::Verdict;
-use trilith::record::record;
-use trilith::report;
-use trilith::run::{CaseResult, Partial, marked};
 
 use super::output;
 use super::plan::PlanArguments;

@@ -4,10 +4,10 @@
 use std::io::{IsTerminal, Write};
 use std::sync::OnceLock;
 
+use crate::text::{LEAST_WIDTH, Layout, wrapped};
 use anstream::{AutoStream, ColorChoice};
 use anstyle::{AnsiColor, Style};
 use clap::Args;
-use trilith::text::{LEAST_WIDTH, Layout, wrapped};
 
 use super::stop::Stop;
 

@@ -1,10 +1,10 @@
 //! Settings of the methods as arguments, made from their table: every setting is a flag, and
 //! `--set NAME=VALUE` is the same.
 
+use crate::method::{Allowed, Setting, Settings};
 use clap::builder::{PossibleValue, TypedValueParser};
 use clap::error::ErrorKind;
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, Error, FromArgMatches};
-use trilith::method::{Allowed, Setting, Settings};
 
 use super::stop::Stop;
 

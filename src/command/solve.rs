@@ -3,8 +3,8 @@
 use std::path::Path;
 use std::sync::Mutex;
 
-use trilith::case::Case;
-use trilith::run::{CaseResult, CaseRuns, Journal, Keeps, Partial, Plan};
+use crate::case::Case;
+use crate::run::{CaseResult, CaseRuns, Journal, Keeps, Partial, Plan};
 
 use super::progress::Bar;
 use super::screen::tell;

@@ -5,7 +5,7 @@ use std::io;
 use std::path::Path;
 use std::sync::Mutex;
 
-use trilith::run::{Journal, Progress, Row, Task};
+use crate::run::{Journal, Progress, Row, Task};
 
 use super::interrupt;
 use super::progress::Bar;

@@ -4,17 +4,15 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
+use crate::answer::Status;
+use crate::case::Complaint;
+use crate::judge::Verdict;
+use crate::number::number;
+use crate::run::{Keeps, Partial, Row, Task, marked, run_rows};
+use crate::study::sweep::{self, MOST_SHARDS, Shard, Sweep, SweepCheck, SweepTable, sweep_picture};
+use crate::text::{ended, grid, numbers, words};
 use clap::Args;
 use indexmap::IndexSet;
-use trilith::answer::Status;
-use trilith::case::Complaint;
-use trilith::judge::Verdict;
-use trilith::number::number;
-use trilith::run::{Keeps, Partial, Row, Task, marked, run_rows};
-use trilith::study::sweep::{
-    self, MOST_SHARDS, Shard, Sweep, SweepCheck, SweepTable, sweep_picture,
-};
-use trilith::text::{ended, grid, numbers, words};
 
 use super::output;
 use super::plan::externals;
@@ -229,7 +227,7 @@ fn compared(checks: &[SweepCheck]) -> String {
         for SweepCheck { wall, check } in of_verdict.iter().take(SHOWN) {
             let words = format!("{wall}: {}", ended(&check.text));
             let lead = format!("{:<9} ", verdict.name());
-            text.push_str(&layout().paragraph(&lead, trilith::report::of_verdict(verdict), &words));
+            text.push_str(&layout().paragraph(&lead, crate::report::of_verdict(verdict), &words));
         }
         if let Some(more) = of_verdict.len().checked_sub(SHOWN).filter(|&more| more > 0) {
             let _ = writeln!(text, "{:<9} and {more} more", verdict.name());

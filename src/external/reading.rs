@@ -2,9 +2,9 @@
 
 use super::answer::{AnswerFile, AnswerKind};
 use super::text::shortened;
-use crate::answer::{
-    Bracket, Claim, Fact, JointForce, Mechanism, Motion, Outcome, ProgramFailure, Status,
-    VELOCITY_THRESHOLDS, crack_slope, kinematic_multiplier,
+use crate::answer::{Bracket, Claim, Fact, Outcome, ProgramFailure, Status};
+use crate::mechanics::{
+    JointForce, Mechanism, Motion, VELOCITY_THRESHOLDS, crack_slope, kinematic_multiplier,
 };
 use crate::scene::{Scene, Vector};
 

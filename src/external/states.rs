@@ -2,7 +2,8 @@
 //! from forces and velocities, by any program.
 
 use super::answer::{AnswerFile, AnswerKind};
-use crate::answer::{Claim, CollapseState, JointForce, Mechanism, Outcome, Status};
+use crate::answer::{Claim, Outcome, Status};
+use crate::mechanics::{CollapseState, JointForce, Mechanism};
 
 /// The judged outcome as answers: none where it answers nothing, several where it rests on several
 /// collapse states, lowest λ first.

@@ -1,7 +1,8 @@
 //! What the answers about one scene claim, whoever gives them: outside programs say it themselves,
 //! of our own methods the table does.
 
-use crate::answer::{Bracket, Claim, Outcome, Status, VERIFIED_RESIDUAL, magnitude};
+use crate::answer::{Bracket, Claim, Outcome, Status, magnitude};
+use crate::mechanics::VERIFIED_RESIDUAL;
 use crate::method::{Kind, kind};
 use crate::scene::{HeadJoints, JointClass, Scene};
 

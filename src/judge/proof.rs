@@ -1,11 +1,13 @@
 //! What an answer's own forces and mechanism prove of its claim.
 
 use crate::answer::{
-    BlockResidual, Bracket, CeilingSlack, Claim, CollapseResidual, JudgedFact, Mechanism, Outcome,
-    Residuals, StaticResidual, Status, VERIFIED_RESIDUAL, associative_violation, falling_violation,
-    kinematic_multiplier, magnitude,
+    Bracket, CeilingSlack, Claim, JudgedFact, Outcome, Residuals, Status, magnitude,
 };
-use crate::answer::{Refusal, prove};
+use crate::certificate::{Refusal, prove};
+use crate::mechanics::{
+    BlockResidual, CollapseResidual, Mechanism, StaticResidual, VERIFIED_RESIDUAL,
+    associative_violation, falling_violation, kinematic_multiplier,
+};
 use crate::scene::Scene;
 
 /// Recomputes the residual of an outcome and sets its status to what that proves of its claim.

@@ -9,7 +9,7 @@ use crate::scene::HeadJoints;
 
 /// The computed value that a reference is about, as a bracket.
 pub fn computed(outcome: &Outcome, quantity: Quantity) -> Option<Bracket> {
-    let crack = |value: fn(&crate::answer::Crack) -> Option<f64>| {
+    let crack = |value: fn(&crate::mechanics::Crack) -> Option<f64>| {
         outcome.crack.as_ref().and_then(value).map(Bracket::point)
     };
     match quantity {

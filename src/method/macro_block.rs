@@ -1,7 +1,8 @@
 //! The macro-block model: one crack, two macro-blocks, closed form (paper, section 2).
 
 use super::{Method, Settings};
-use crate::answer::{Bracket, Crack, InapplicableForm, Invalid, Outcome, Status};
+use crate::answer::{Bracket, InapplicableForm, Invalid, Outcome, Status};
+use crate::mechanics::Crack;
 use crate::scene::{RegularWall, Scene};
 
 /// The closed-form method. `lower` and `upper` are λ_low and λ_upp of Eq. (5): a range that

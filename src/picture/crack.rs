@@ -5,7 +5,7 @@ use super::frame::Frame;
 use super::palette::{CRACK, FAINT, INK, LARGEST, MACRO_CRACK};
 use super::path::{Path, Pixel};
 use super::svg::{Anchor, Svg, style};
-use crate::answer::Crack;
+use crate::mechanics::Crack;
 use crate::number::short;
 use crate::scene::{Point, Push, Scene, Vector};
 

@@ -6,7 +6,7 @@
 use std::fmt::Write;
 
 use super::frame::Displacement;
-use crate::answer::{Mechanism, Thrust};
+use crate::mechanics::{Mechanism, Thrust};
 use crate::scene::{Point, Scene};
 
 /// Layers and their colours, by CAD's numbers.

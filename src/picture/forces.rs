@@ -6,7 +6,7 @@ use super::palette::{FORCE, THRUST};
 use super::path::Path;
 use super::svg::{Svg, style};
 use super::wall::line_width;
-use crate::answer::{JointForce, thrust};
+use crate::mechanics::{JointForce, thrust};
 use crate::scene::{Joint, Point, Scene, Vector};
 
 /// Part of the scene's height that the line of the largest contact force is long.

@@ -1,7 +1,7 @@
 //! From the scene's lengths to pixels.
 
 use super::path::Pixel;
-use crate::answer::Mechanism;
+use crate::mechanics::Mechanism;
 use crate::scene::{Point, Polygon, Scene, Side, Vector};
 
 /// Where a scene lies in a drawing.

@@ -3,13 +3,24 @@
 
 use super::frame::{Displacement, Frame};
 use super::palette::{BLOCK_LINE, LARGEST, OPENING, PARTS, SCALE, SLIDING, STILL, WHITE};
-use super::parts::{RigidPart, in_words, parts, threshold};
 use super::path::{Path, Pixel};
 use super::svg::{Svg, style};
 use super::tints::tints;
 use super::wall::line_width;
-use crate::answer::Mechanism;
+use crate::mechanics::Mechanism;
+use crate::mechanics::{RigidPart, in_words, parts};
+use crate::method::{Kind, kind};
 use crate::scene::{Joint, Scene, Side};
+
+/// Relative motion, as a fraction of the scene's largest corner velocity, below which two blocks
+/// move alike and a joint neither slides nor opens. It is larger for what was observed in a pushover, whose displacements
+/// include the compression of its contacts.
+pub fn threshold(method: &str) -> f64 {
+    match kind(method) {
+        Kind::Observed => 1e-2,
+        _ => 1e-4,
+    }
+}
 
 /// Bodies that move from which on tints say nothing any more: blocks are coloured by how far they move.
 const MANY: usize = 20;

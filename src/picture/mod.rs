@@ -26,7 +26,6 @@ mod metrics;
 mod names;
 pub(crate) mod palette;
 mod panel;
-mod parts;
 mod path;
 mod plot;
 mod plotted;
@@ -51,7 +50,7 @@ pub(crate) use replay::{Replay, replay};
 
 pub use dxf::dxf;
 pub use figure::figure;
-pub use parts::{RigidPart, parts, threshold};
+pub use mechanism::threshold;
 #[cfg(feature = "print")]
 pub use print::{PrintError, pdf, png};
 pub use view::{Options, View};

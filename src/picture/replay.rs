@@ -8,7 +8,7 @@ use super::palette::{BEFORE, BLOCK_LINE};
 use super::path::Path;
 use super::svg::{Svg, style};
 use super::wall::{outline, supports};
-use crate::answer::{Mechanism, Motion};
+use crate::mechanics::{Mechanism, Motion};
 use crate::run::Row;
 use crate::scene::{Point, Polygon, Scene, Vector};
 

@@ -1,6 +1,6 @@
 //! Tints of rigid parts: neighbours get different ones.
 
-use super::parts::RigidPart;
+use crate::mechanics::RigidPart;
 use crate::scene::{Scene, Side};
 
 /// Steps of the search for tints; real walls take hundreds.

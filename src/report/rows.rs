@@ -3,9 +3,9 @@
 use serde_json::json;
 
 use super::terms::terms;
-use crate::answer::{Mechanism, Thrust, thrust};
 use crate::external::{SceneFile, answers};
 use crate::judge::Conclusion;
+use crate::mechanics::{Mechanism, Thrust, thrust};
 use crate::run::{self, Audience, COLUMNS, CaseResult, Column, Partial, Row, Value};
 
 fn for_programs() -> impl Iterator<Item = &'static Column> {

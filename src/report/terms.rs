@@ -4,10 +4,11 @@
 use std::cmp::Reverse;
 use std::fmt;
 
-use crate::answer::Mechanism;
 use crate::judge::Conclusion;
+use crate::mechanics::Mechanism;
+use crate::mechanics::{RigidPart, parts};
 use crate::number::short;
-use crate::picture::{RigidPart, parts, threshold};
+use crate::picture::threshold;
 use crate::run::{CaseResult, Row};
 use crate::scene::{Joint, JointClass, Point, Push, Scene, Side, Vector};
 
@@ -116,7 +117,7 @@ impl<'a> Moved<'a> {
 
     fn first_joints(&self) -> Vec<String> {
         let rates = self.mechanism.joint_rates(self.scene).into_iter();
-        let rate = |rate: crate::answer::JointRate| {
+        let rate = |rate: crate::mechanics::JointRate| {
             let [a, b] = rate.opening;
             a.max(b).max(rate.slip.abs())
         };

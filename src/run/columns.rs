@@ -265,7 +265,7 @@ fn note(row: &Row) -> String {
     let mut note = row.outcome.settled_reason();
     let fails = row
         .residual
-        .is_some_and(|r| r > crate::answer::VERIFIED_RESIDUAL);
+        .is_some_and(|r| r > crate::mechanics::VERIFIED_RESIDUAL);
     if fails && row.status() != Status::Failed {
         note.push_str(if note.is_empty() { "" } else { "; " });
         note.push_str("the largest residual is above 1e-8");

@@ -4,8 +4,9 @@
 use serde::{Deserialize, Deserializer, Serialize, Serializer, de::Error};
 
 use super::row::{Row, StrongerSide};
-use crate::answer::{Bracket, Claim, Crack, Fact, Outcome, Status, Work};
+use crate::answer::{Bracket, Claim, Fact, Outcome, Status, Work};
 use crate::fingerprint::Fingerprint;
+use crate::mechanics::Crack;
 use crate::number::nine_digits;
 use crate::scene::{HeadJoints, Push};
 

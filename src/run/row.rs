@@ -1,9 +1,10 @@
 //! The one row: a method's judged answer on a scene, with everything that tables, files, plots and
 //! studies tell of it.
 
-use crate::answer::{Bracket, Crack, Outcome, Status};
+use crate::answer::{Bracket, Outcome, Status};
 use crate::case::{Case, Quantity, Reference};
 use crate::judge::{Check, Verdict, computed};
+use crate::mechanics::Crack;
 use crate::method::{Kind, kind};
 use crate::number::short;
 use crate::scene::{HeadJoints, Push};

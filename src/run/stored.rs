@@ -5,7 +5,8 @@ use std::path::Path;
 
 use super::results::CaseResult;
 use super::row::scene_name;
-use crate::answer::{Certificate, Outcome, Proved, Status, magnitude, prove};
+use crate::answer::{Outcome, Status, magnitude};
+use crate::certificate::{Certificate, Proved, prove};
 use crate::files::{Input, read_input};
 use crate::number::number;
 use crate::scene::{HeadJoints, Push, Scene};

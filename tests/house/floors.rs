@@ -10,9 +10,10 @@ use syn::{Item, UseTree};
 use trilith::method::METHODS;
 
 /// Rooms from the ground up; those of one line do not use each other.
-const FLOORS: [&[&str]; 13] = [
+const FLOORS: [&[&str]; 14] = [
     &["number", "text", "files", "fingerprint"],
     &["scene"],
+    &["mechanics", "certificate"],
     &["answer"],
     &["method"],
     &["case"],
@@ -155,13 +156,11 @@ fn read(file: &Path, name: Segments, modules: &mut Modules) {
     modules.insert(name, module);
 }
 
-/// The sources of the library and, under `command`, of the command line.
+/// The sources of the library.
 fn modules() -> Modules {
     let src = Path::new(env!("CARGO_MANIFEST_DIR")).join("src");
     let mut modules = Modules::new();
     read(&src.join("lib.rs"), Vec::new(), &mut modules);
-    let command = vec!["command".to_owned()];
-    read(&src.join("command/mod.rs"), command, &mut modules);
     modules
 }
 
@@ -173,8 +172,7 @@ fn definition(modules: &Modules, at: &Segments, path: &[String], depth: usize) -
     }
     let parent = || at[..at.len().saturating_sub(1)].to_vec();
     let (mut here, mut rest) = match first.as_str() {
-        "crate" if at.first().is_some_and(|room| room == "command") => return None,
-        "crate" | "trilith" => (Vec::new(), rest),
+        "crate" => (Vec::new(), rest),
         "super" => (parent(), rest),
         "self" => (at.clone(), rest),
         _ => (at.clone(), path),

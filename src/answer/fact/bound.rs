@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
-use super::super::certificate::Proved;
+use crate::certificate::Proved;
 use crate::number::number;
 
 /// What a lifted program proves, or why it proves nothing.

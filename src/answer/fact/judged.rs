@@ -4,10 +4,10 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
-use super::super::block_residual::{BlockResidual, VERIFIED_BLOCK};
-use super::super::certificate::Refusal;
-use super::super::residual::{CollapseResidual, StaticResidual};
 use super::super::status::Status;
+use crate::certificate::Refusal;
+use crate::mechanics::{BlockResidual, VERIFIED_BLOCK};
+use crate::mechanics::{CollapseResidual, StaticResidual};
 use crate::number::number;
 
 /// What the judge finds.

@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
-use super::super::block_residual::BlockResidual;
+use crate::mechanics::BlockResidual;
 use crate::number::number;
 
 /// What a limit analysis proves, or fails to.

@@ -6,10 +6,10 @@ use super::equilibration::{UnitPower, needs_own_units, unit_powers};
 use super::own_weight::{own_weight, without_optimum};
 use super::program::{Margins, Program};
 use super::reduction;
-use crate::answer::{
-    BlockResidual, Bracket, Claim, JointForce, LimitFact, Mechanism, Outcome, StaticResidual,
-    Status, VELOCITY_THRESHOLDS, VERIFIED_RESIDUAL, VERIFIED_WIDTH, Work, associative_violation,
-    crack_slope, kinematic_multiplier, magnitude,
+use crate::answer::{Bracket, Claim, LimitFact, Outcome, Status, VERIFIED_WIDTH, Work, magnitude};
+use crate::mechanics::{
+    BlockResidual, JointForce, Mechanism, StaticResidual, VELOCITY_THRESHOLDS, VERIFIED_RESIDUAL,
+    associative_violation, crack_slope, kinematic_multiplier,
 };
 use crate::method::settings::{Engine, LP_TOLERANCE};
 use crate::method::{Method, Settings};

@@ -1,6 +1,7 @@
 //! How a linear program ended.
 
-use crate::answer::{JointForce, SolverEnding};
+use crate::answer::SolverEnding;
+use crate::mechanics::JointForce;
 use crate::method::settings::Engine;
 
 /// How a program ended.

@@ -10,7 +10,7 @@
 use super::columns::Entries;
 use super::scale::Scale;
 use super::vertical;
-use crate::answer::{JointForce, reach};
+use crate::mechanics::{JointForce, reach};
 use crate::scene::{Block, Joint, Scene, Side};
 
 /// Which power of a block's own force its unit is. Of 45 walls and arches whose blocks' weights spread

@@ -5,7 +5,8 @@ use super::ending::Ending;
 use super::equilibration::{UnitPower, needs_own_units};
 use super::program::Program;
 use super::reduction::ScenePart;
-use crate::answer::{BlockResidual, Mechanism, Motion, VERIFIED_RESIDUAL, Work, falling_violation};
+use crate::answer::Work;
+use crate::mechanics::{BlockResidual, Mechanism, Motion, VERIFIED_RESIDUAL, falling_violation};
 use crate::scene::{Scene, Vector, connected};
 
 /// Openings beyond the flow rule, the mechanism's total opening and slip being 1: first enough to

@@ -7,9 +7,9 @@ use super::falling;
 use super::program::{Margins, Program};
 use super::scale::Scale;
 use super::vertical;
-use crate::answer::{
-    BlockResidual, Claim, JointForce, LimitFact, Mechanism, Outcome, StaticResidual, Status,
-    VERIFIED_RESIDUAL, Work, live_unit,
+use crate::answer::{Claim, LimitFact, Outcome, Status, Work};
+use crate::mechanics::{
+    BlockResidual, JointForce, Mechanism, StaticResidual, VERIFIED_RESIDUAL, live_unit,
 };
 use crate::scene::Scene;
 

@@ -17,7 +17,8 @@ use super::ending::{Ending, Solution};
 use super::equilibration::{Equilibration, UnitPower};
 use super::scale::Scale;
 use super::solver::{Numbers, Solver, Verdict};
-use crate::answer::{JointForce, Work};
+use crate::answer::Work;
+use crate::mechanics::JointForce;
 use crate::method::settings::{Engine, LP_TOLERANCE};
 use crate::scene::Scene;
 

@@ -8,7 +8,8 @@
 use super::ending::Ending;
 use super::program::{Margins, Program};
 use super::scale::Scale;
-use crate::answer::{JointForce, Mechanism, Motion, Work};
+use crate::answer::Work;
+use crate::mechanics::{JointForce, Mechanism, Motion};
 use crate::scene::{Joint, Load, Push, Scene, Side};
 
 /// A part of a scene; all other blocks are supports in it.

@@ -1,6 +1,6 @@
 //! Units of the dimensionless program, and the way back to the case's own.
 
-use crate::answer::{JointForce, Mechanism, Motion};
+use crate::mechanics::{JointForce, Mechanism, Motion};
 use crate::scene::{Scene, Vector};
 
 /// Units of the dimensionless program. Without them Clarabel reports "solved" far from the

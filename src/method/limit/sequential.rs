@@ -4,9 +4,9 @@
 use super::ending::{Ending, Solution};
 use super::own_weight::{own_weight, stands_without_dilatancy, without_optimum};
 use super::program::{FrictionLaw, Program};
-use crate::answer::{
-    Bracket, JointForce, Mechanism, Outcome, SequentialEnding, SequentialFacts, Status,
-    VELOCITY_THRESHOLDS, Work, crack_slope, excess_lift, live_unit,
+use crate::answer::{Bracket, Outcome, SequentialEnding, SequentialFacts, Status, Work};
+use crate::mechanics::{
+    JointForce, Mechanism, VELOCITY_THRESHOLDS, crack_slope, excess_lift, live_unit,
 };
 use crate::method::{Method, SequentialSettings, Settings};
 use crate::scene::Scene;

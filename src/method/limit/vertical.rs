@@ -1,7 +1,7 @@
 //! Equilibrium under the own weight by vertical forces alone, from the top block down: a proof that
 //! costs no program, for walls of level beds.
 
-use crate::answer::JointForce;
+use crate::mechanics::JointForce;
 use crate::scene::{Joint, Scene, Side};
 
 /// Largest sideways part of a level joint's normal; the judge decides what it may be.
@@ -101,7 +101,7 @@ fn distribute(rests: &[Rest], weight: f64, x: f64) -> Option<Vec<(Rest, f64)>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::answer::StaticResidual;
+    use crate::mechanics::StaticResidual;
     use crate::scene::{HeadJoints, OfBlocks, Piece, Push, Wall};
 
     fn wall(courses: Vec<Vec<Piece>>) -> Scene {

@@ -7,10 +7,8 @@ use super::model::{GRID, Model};
 use super::parameters::Parameters;
 use super::portion::{Portion, beyond_stagger};
 use super::search::{Observation, SearchEnd, search};
-use crate::answer::{
-    Bracket, Mechanism, Motion, Outcome, PushoverFact, Recording, SelfCheck, Status, Work,
-    crack_slope_by_gap,
-};
+use crate::answer::{Bracket, Outcome, PushoverFact, Recording, SelfCheck, Status, Work};
+use crate::mechanics::{Mechanism, Motion, crack_slope_by_gap};
 use crate::scene::{Scene, Vector};
 
 /// Natural frequency of the contacts times the substep beyond which walls jitter, with a margin

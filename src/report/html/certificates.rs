@@ -3,8 +3,9 @@
 use maud::{Markup, html};
 
 use super::table::{TableCell, plain, sortable};
-use crate::answer::{
-    Claim, CollapseResidual, JointForce, Mechanism, Outcome, StaticResidual, VERIFIED_RESIDUAL,
+use crate::answer::{Claim, Outcome};
+use crate::mechanics::{
+    CollapseResidual, JointForce, Mechanism, StaticResidual, VERIFIED_RESIDUAL,
     associative_violation, kinematic_multiplier,
 };
 use crate::number::number;

@@ -10,7 +10,7 @@ use std::ops::{Index, IndexMut};
 use super::interior_point::{Multipliers, Request};
 use super::lift::Lift;
 use super::vanishing::Vanishing;
-use crate::answer::certificate::{Assumption, Conditions, Factor, Zeros};
+use crate::certificate::{Assumption, Conditions, Factor, Zeros};
 use crate::method::at_once::each;
 
 /// A branch: what it assumes, and how far it is.
@@ -155,8 +155,9 @@ mod tests {
     use super::super::slices::{Search, Slices};
     use super::super::{opening, orders};
     use super::*;
-    use crate::answer::certificate::{Conditions, Prover};
-    use crate::answer::{Certificate, Refusal, Work, prove};
+    use crate::answer::Work;
+    use crate::certificate::{Certificate, Refusal, prove};
+    use crate::certificate::{Conditions, Prover};
     use crate::method::Settings;
     use crate::scene::{HeadJoints, OfBlocks, Piece, Push, Scene, Wall};
 

@@ -13,7 +13,7 @@ use nalgebra::DMatrix;
 
 use super::lift::Lift;
 use super::newton::Newton;
-use crate::answer::certificate::Zeros;
+use crate::certificate::Zeros;
 
 /// A slice of λ*, and when to stop. What is assumed in it is given beside it.
 #[derive(Clone, Copy, Debug)]

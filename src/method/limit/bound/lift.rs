@@ -7,7 +7,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::factor::Pattern;
 use super::motion::Motion;
-use crate::answer::certificate::Conditions;
+use crate::certificate::Conditions;
 
 /// What does not depend on the slice: forces in equilibrium, and the conditions.
 pub(super) struct Lift {

@@ -43,7 +43,7 @@
 //! said of λ < 0.
 //!
 //! What proves it is not the interior point that found the multipliers but the identity that they
-//! satisfy; see [`crate::answer::Certificate`] and the rounding argument there.
+//! satisfy; see [`crate::certificate::Certificate`] and the rounding argument there.
 
 mod branches;
 mod dense;
@@ -61,11 +61,9 @@ use std::sync::Arc;
 use super::ending::Ending;
 use super::interval::{Interval, lowest};
 use super::program::Program;
-use crate::answer::certificate::{Conditions, Prover};
-use crate::answer::{
-    BoundFact, Bracket, Claim, CollapseState, Fact, Outcome, Status, VELOCITY_THRESHOLDS, Work,
-    crack_slope, magnitude,
-};
+use crate::answer::{BoundFact, Bracket, Claim, Fact, Outcome, Status, Work, magnitude};
+use crate::certificate::{Conditions, Prover};
+use crate::mechanics::{CollapseState, VELOCITY_THRESHOLDS, crack_slope};
 use crate::method::settings::LP_TOLERANCE;
 use crate::method::{Method, Settings};
 use crate::scene::{Point, Scene};

@@ -7,7 +7,7 @@
 
 use nalgebra::DMatrix;
 
-use crate::answer::certificate::{Conditions, Entry};
+use crate::certificate::{Conditions, Entry};
 
 /// How rates follow from a motion's unknowns: three a block, then the forward slip of every joint.
 pub(super) struct Motion {

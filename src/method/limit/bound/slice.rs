@@ -6,7 +6,7 @@ use super::interior_point::{Multipliers, Request};
 use super::lift::Lift;
 use super::motion::Motion;
 use super::newton::Newton;
-use crate::answer::certificate::{Assumption, Slice, SliceProof, Zeros};
+use crate::certificate::{Assumption, Slice, SliceProof, Zeros};
 
 /// Rounds of taking away what multipliers leave of the identity.
 const ROUNDS: usize = 3;

@@ -7,10 +7,10 @@ use super::interior_point::{Multipliers, Request, solve};
 use super::lift::Lift;
 use super::slice::best_proof;
 use super::vanishing::Vanishing;
-use crate::answer::certificate::{
+use crate::certificate::{
     Assumption, Factor, Prover, SliceProof, Zeros, scene_fingerprint, together,
 };
-use crate::answer::{Certificate, Proved, Slice};
+use crate::certificate::{Certificate, Proved, Slice};
 use crate::method::settings::BoundSettings;
 use crate::scene::Scene;
 

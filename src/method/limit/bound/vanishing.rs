@@ -11,7 +11,7 @@ use nalgebra::{DMatrix, DVector};
 use super::dense;
 use super::lift::Lift;
 use super::slice::{balance, grain};
-use crate::answer::certificate::{Assumption, Conditions, Factor, Slice};
+use crate::certificate::{Assumption, Conditions, Factor, Slice};
 use crate::method::limit::solver::multipliers;
 
 /// Multipliers that bound λ over all admissible forces some of which vanish:
@@ -208,7 +208,7 @@ fn clean(
 mod tests {
     use super::*;
     use crate::answer::Work;
-    use crate::answer::certificate::Prover;
+    use crate::certificate::Prover;
     use crate::method::Settings;
     use crate::method::limit::bound::{opening, orders};
     use crate::method::limit::interval::lowest;

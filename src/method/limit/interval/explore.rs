@@ -4,10 +4,8 @@ use super::found::{Budget, Found};
 use super::place::Place;
 use super::search::{Numerics, Search, State};
 use super::starts::Starts;
-use crate::answer::{
-    BlockResidual, CollapseState, JointForce, SearchEnding, SearchFacts, SearchFailure,
-    StartEnding, Work,
-};
+use crate::answer::{SearchEnding, SearchFacts, SearchFailure, StartEnding, Work};
+use crate::mechanics::{BlockResidual, CollapseState, JointForce};
 use crate::method::Settings;
 use crate::method::limit::ending::Ending;
 

@@ -19,9 +19,10 @@ use super::ending::Ending;
 use super::own_weight::{own_weight, ray, stands_without_dilatancy, without_optimum};
 use super::reduction;
 use crate::answer::{
-    Bracket, JointForce, LimitFact, Outcome, SearchEnding, SearchFailure, SolverEnding,
-    StartEnding, Status, VELOCITY_THRESHOLDS, Work, crack_slope,
+    Bracket, LimitFact, Outcome, SearchEnding, SearchFailure, SolverEnding, StartEnding, Status,
+    Work,
 };
+use crate::mechanics::{JointForce, VELOCITY_THRESHOLDS, crack_slope};
 use crate::method::{Method, Settings};
 use crate::scene::Scene;
 use explore::{Explored, Request, explore, follow};

@@ -1,6 +1,7 @@
 //! The rigorous outer bound from below, so that nobody takes the lowest state found for one.
 
-use crate::answer::{JointForce, Mechanism, Motion, StaticResidual, VERIFIED_RESIDUAL, Work};
+use crate::answer::Work;
+use crate::mechanics::{JointForce, Mechanism, Motion, StaticResidual, VERIFIED_RESIDUAL};
 use crate::method::limit::ending::Ending;
 use crate::method::limit::program::Program;
 use crate::scene::{Scene, Vector};

@@ -2,9 +2,9 @@
 
 use super::descent::Branch;
 use super::search::{State, totals};
-use crate::answer::{
-    BlockResidual, CollapseResidual, CollapseState, JointForce, SearchFailure, StaticResidual,
-    VERIFIED_RESIDUAL, Work,
+use crate::answer::{SearchFailure, Work};
+use crate::mechanics::{
+    BlockResidual, CollapseResidual, CollapseState, JointForce, StaticResidual, VERIFIED_RESIDUAL,
 };
 use crate::method::limit::reduction::ScenePart;
 use crate::method::limit::scale::Scale;

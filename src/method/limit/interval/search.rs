@@ -10,7 +10,8 @@
 //! it vanishes. It holds no mode that could be guessed wrong: every opening counts with its size.
 
 use super::noise::Noise;
-use crate::answer::{JointForce, SearchFailure, Work, dead_power};
+use crate::answer::{SearchFailure, Work};
+use crate::mechanics::{JointForce, dead_power};
 use crate::method::limit::ending::{Ending, Solution};
 use crate::method::limit::equilibration::{UnitPower, unit_powers};
 use crate::method::limit::program::{FrictionLaw, Program};

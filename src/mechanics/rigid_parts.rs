@@ -1,18 +1,7 @@
 //! Parts of a mechanism that move as one rigid body.
 
 use crate::answer::{Mechanism, Motion};
-use crate::method::{Kind, kind};
 use crate::scene::Scene;
-
-/// Relative motion, as a fraction of the scene's largest corner velocity, below which two blocks
-/// move alike and a joint neither slides nor opens. It is larger for what was observed in a pushover, whose displacements
-/// include the compression of its contacts.
-pub fn threshold(method: &str) -> f64 {
-    match kind(method) {
-        Kind::Observed => 1e-2,
-        _ => 1e-4,
-    }
-}
 
 /// Blocks of one rigid motion.
 #[derive(Clone, Debug, PartialEq)]

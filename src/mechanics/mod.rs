@@ -1,0 +1,30 @@
+//! What follows from scene, forces and motion alone, whoever found them: mechanism, residuals,
+//! crack, thrust, and the parts that move as one body.
+//!
+//! The residuals stand below the methods on purpose: a method may use them to decide whether to go
+//! on, but what counts is the judge's own evaluation, from forces and mechanism alone, on the whole
+//! scene and in the units of the case. No matrix, scaling or tolerance of a method enters it.
+
+mod block_residual;
+mod crack;
+mod excess_lift;
+mod mechanism;
+mod residual;
+mod rigid_parts;
+mod state;
+mod thrust;
+
+pub use block_residual::BlockResidual;
+pub(crate) use block_residual::{VERIFIED_BLOCK, reach};
+pub use crack::Crack;
+pub(crate) use crack::{VELOCITY_THRESHOLDS, crack_slope, crack_slope_by_gap};
+pub use excess_lift::excess_lift;
+pub use mechanism::{JointRate, Mechanism, Motion};
+pub use residual::{
+    CollapseResidual, StaticResidual, dead_power, falling_violation, kinematic_multiplier,
+};
+pub(crate) use residual::{VERIFIED_RESIDUAL, associative_violation, live_unit};
+pub(crate) use rigid_parts::in_words;
+pub use rigid_parts::{RigidPart, parts};
+pub use state::{CollapseState, JointForce};
+pub use thrust::{CourseResultant, Thrust, thrust};
