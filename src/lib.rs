@@ -28,7 +28,7 @@
 //! let row = &results[0].rows[0];
 //! assert_eq!(row.status(), Status::Verified); // the judge's word, and not the method's
 //! let lambda = row.bracket().expect("verified with both ends");
-//! assert!((lambda.upper - 0.642859).abs() < 1e-6 && row.residual.is_some_and(|r| r < 1e-8));
+//! assert!((lambda.upper - 0.642859).abs() < 1e-6 && row.residual().is_some_and(|r| r < 1e-8));
 //! ```
 //!
 //! A case of one's own is a TOML file, or its text in [`case::Case::read`]; a scene of one's own is

@@ -1,7 +1,7 @@
 //! What a method returns. Mechanism, forces, residuals and certificates are of the rooms below.
 
 mod bracket;
-mod claim;
+mod evidence;
 mod fact;
 mod outcome;
 mod recording;
@@ -13,12 +13,12 @@ pub use crate::certificate::{
     Assumption, Certificate, Factor, Proved, Refusal, Slice, Unreadable, prove,
 };
 pub use crate::mechanics::{
-    BlockResidual, CollapseResidual, CollapseState, CourseResultant, Crack, JointForce, JointRate,
-    Mechanism, Motion, RigidPart, StaticResidual, Thrust, dead_power, excess_lift,
-    falling_violation, kinematic_multiplier, parts, thrust,
+    BlockResidual, Ceiling, CollapseResidual, CollapseState, CourseResultant, Crack, ForceState,
+    JointForce, JointRate, Mechanism, Motion, RigidPart, StaticResidual, Thrust, dead_power,
+    excess_lift, falling_violation, kinematic_multiplier, parts, thrust,
 };
 pub use bracket::{Bracket, VERIFIED_WIDTH, is_same_multiplier, magnitude};
-pub use claim::Claim;
+pub use evidence::{Evidence, Observed};
 pub use fact::{
     AutoFact, BoundFact, CeilingSlack, Coverage, Fact, InapplicableForm, Invalid, JudgedFact,
     LimitFact, ProgramEnding, ProgramFailure, PushoverFact, Residuals, SearchEnding, SearchFacts,

@@ -52,9 +52,9 @@ pub(super) fn export(
         return Err(Stop::bad_input("error: there is nothing to draw"));
     };
     let scene = result.scene(row);
-    let forces = row.outcome.forces.as_ref();
-    let thrust = forces.map(|forces| thrust(scene, forces));
-    let text = dxf(scene, row.outcome.mechanism.as_ref(), thrust.as_ref());
+    let forces = row.outcome.evidence.forces();
+    let thrust = forces.map(|(_, forces)| thrust(scene, forces));
+    let text = dxf(scene, row.outcome.evidence.mechanism(), thrust.as_ref());
     write_whole(path, &text)
         .map_err(|e| Stop::bad_input(format!("error: cannot write {}: {e}", path.display())))?;
     print_lines(&format!("wrote {}\n", path.display()))?;

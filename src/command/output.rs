@@ -44,7 +44,7 @@ pub(super) fn write_certificates(folder: &Path, results: &[CaseResult]) -> Resul
         for row in &result.rows {
             if kind(&row.method) == Kind::LowerBound
                 && row.bracket().is_some()
-                && row.outcome.certificate.is_none()
+                && row.outcome.evidence.certificate().is_none()
             {
                 tell!(
                     "there is no certificate for {}: its bound is an estimate, or a journal kept the answer \

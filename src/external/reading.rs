@@ -2,9 +2,10 @@
 
 use super::answer::{AnswerFile, AnswerKind};
 use super::text::shortened;
-use crate::answer::{Bracket, Claim, Fact, Outcome, ProgramFailure, Status};
+use crate::answer::{Bracket, Evidence, Fact, Outcome, ProgramFailure, Status};
 use crate::mechanics::{
-    JointForce, Mechanism, Motion, VELOCITY_THRESHOLDS, crack_slope, kinematic_multiplier,
+    Ceiling, CollapseState, ForceState, JointForce, Mechanism, Motion, VELOCITY_THRESHOLDS,
+    crack_slope, kinematic_multiplier,
 };
 use crate::scene::{Scene, Vector};
 
@@ -21,30 +22,7 @@ const BEGINNING: usize = 60;
 pub(super) fn outcome(scene: &Scene, output: &[u8]) -> Result<Outcome, ProgramFailure> {
     let answer: AnswerFile =
         serde_json::from_slice(output).map_err(|error| no_answer(&error, output))?;
-    let of_joints = |list: &Option<Vec<[f64; 3]>>, key| {
-        let list = list.as_deref();
-        list.map(|list| forces(scene, list, key))
-    };
-    let forces = of_joints(&answer.forces, "forces");
-    let ray = of_joints(&answer.ray, "ray");
-    let of_blocks = |list: &Option<Vec<[f64; 3]>>, key| {
-        let list = list.as_deref();
-        list.map(|list| mechanism(scene, list, key)).transpose()
-    };
-    let mechanism = of_blocks(&answer.velocities, "velocities")?;
-    let ceiling = of_blocks(&answer.ceiling, "ceiling")?;
     let reason = shortened(answer.reason.as_deref().unwrap_or_default(), REASON_LENGTH);
-    let claim = match answer.kind {
-        // A ray within friction proves that no multiplier is too large for associative friction.
-        AnswerKind::Associative | AnswerKind::Stands => Claim::Associative,
-        AnswerKind::Enclosed => Claim::Enclosed,
-        AnswerKind::CollapseState
-        | AnswerKind::Estimate
-        | AnswerKind::StandsWithoutDilatancy
-        | AnswerKind::Falls
-        | AnswerKind::Undecided
-        | AnswerKind::NotApplicable => Claim::CollapseState,
-    };
     if answer.kind != AnswerKind::Estimate
         && (answer.upper.is_some() || answer.stated_error.is_some())
     {
@@ -57,15 +35,101 @@ pub(super) fn outcome(scene: &Scene, output: &[u8]) -> Result<Outcome, ProgramFa
         return Err(ProgramFailure::NoRelativeError { error });
     }
     Ok(Outcome {
-        claim,
-        bracket: bracket(scene, &answer, mechanism.as_ref(), ceiling.as_ref())?,
-        stated_error: answer.stated_error,
-        crack: (mechanism.as_ref()).and_then(|m| crack_slope(scene, m, VELOCITY_THRESHOLDS)),
-        mechanism,
-        forces: forces.transpose()?,
-        ray: ray.transpose()?,
-        ceiling,
+        evidence: evidence(scene, &answer)?,
         ..Outcome::without_number(status(answer.kind), Fact::Words(reason))
+    })
+}
+
+/// What an answer of its kind has to have, each list as long as the scene asks for; `Nothing` where
+/// what would prove `falls` or `stands` is missing, which is the judge's to say.
+fn evidence(scene: &Scene, answer: &AnswerFile) -> Result<Evidence, ProgramFailure> {
+    let of_joints = |list: &Option<Vec<[f64; 3]>>, key| {
+        let list = list.as_deref();
+        list.map(|list| forces(scene, list, key)).transpose()
+    };
+    let of_blocks = |list: &Option<Vec<[f64; 3]>>, key| {
+        let list = list.as_deref();
+        list.map(|list| mechanism(scene, list, key)).transpose()
+    };
+    let velocities = of_blocks(&answer.velocities, "velocities")?;
+    let ceiling = of_blocks(&answer.ceiling, "ceiling")?;
+    let forces = of_joints(&answer.forces, "forces")?;
+    let ray = of_joints(&answer.ray, "ray")?;
+    let crack = velocities.as_ref();
+    let crack = crack.and_then(|m| crack_slope(scene, m, VELOCITY_THRESHOLDS));
+    let needs = |keys: &'static str| ProgramFailure::MissingKeys { keys: keys.into() };
+    let two = "`forces` and `velocities`; a number alone is an `estimate`";
+    let lambda = || answer.lambda.ok_or(needs("`lambda`"));
+    Ok(match answer.kind {
+        AnswerKind::Associative => {
+            let (forces, mechanism) = forces.zip(velocities).ok_or(needs(two))?;
+            let (lambda, above) = below(scene, lambda()?, mechanism);
+            Evidence::Bounds {
+                below: ForceState { lambda, forces },
+                above,
+                crack,
+            }
+        }
+        AnswerKind::CollapseState => {
+            let (forces, mechanism) = forces.zip(velocities).ok_or(needs(two))?;
+            Evidence::State {
+                state: CollapseState {
+                    lambda: lambda()?,
+                    forces,
+                    mechanism,
+                },
+                stated_error: None,
+                crack,
+            }
+        }
+        AnswerKind::Enclosed => {
+            let all = forces.zip(velocities).zip(ceiling);
+            let ((forces, mechanism), ceiling) =
+                all.ok_or(needs("`forces`, `velocities` and `ceiling`"))?;
+            let (lambda, ceiling) = below(scene, lambda()?, ceiling);
+            Evidence::Enclosed {
+                state: CollapseState {
+                    lambda,
+                    forces,
+                    mechanism,
+                },
+                ceiling,
+                crack,
+            }
+        }
+        AnswerKind::Estimate => {
+            let lower = lambda()?;
+            let upper = answer.upper.unwrap_or(lower);
+            // Written so that a NaN is refused.
+            let ordered = lower <= upper;
+            if !ordered {
+                return Err(ProgramFailure::EndsCross { lower, upper });
+            }
+            Evidence::Number {
+                bracket: Bracket { lower, upper },
+                stated_error: answer.stated_error,
+                forces: forces.map(|forces| ForceState {
+                    lambda: lower,
+                    forces,
+                }),
+                mechanism: velocities,
+                crack,
+            }
+        }
+        AnswerKind::Falls => {
+            velocities.map_or(Evidence::Nothing, |mechanism| Evidence::Falls { mechanism })
+        }
+        AnswerKind::Stands | AnswerKind::StandsWithoutDilatancy => {
+            forces.zip(ray).map_or(Evidence::Nothing, |(at_rest, ray)| {
+                // A ray within friction proves that no multiplier is too large for associative friction.
+                Evidence::Stands {
+                    associative: answer.kind == AnswerKind::Stands,
+                    at_rest,
+                    ray,
+                }
+            })
+        }
+        AnswerKind::Undecided | AnswerKind::NotApplicable => Evidence::Nothing,
     })
 }
 
@@ -92,52 +156,14 @@ fn status(kind: AnswerKind) -> Status {
     }
 }
 
-/// The multiplier that an answer of its kind has to have.
-fn bracket(
-    scene: &Scene,
-    answer: &AnswerFile,
-    mechanism: Option<&Mechanism>,
-    ceiling: Option<&Mechanism>,
-) -> Result<Option<Bracket>, ProgramFailure> {
-    let needs = |keys: &'static str| ProgramFailure::MissingKeys { keys: keys.into() };
-    let one = answer.lambda.ok_or(needs("`lambda`"));
-    let proof = answer.forces.is_some() && mechanism.is_some();
-    match answer.kind {
-        AnswerKind::Associative | AnswerKind::CollapseState if !proof => Err(needs(
-            "`forces` and `velocities`; a number alone is an `estimate`",
-        )),
-        AnswerKind::Enclosed if !proof || ceiling.is_none() => {
-            Err(needs("`forces`, `velocities` and `ceiling`"))
-        }
-        AnswerKind::Associative => Ok(Some(below(scene, one?, mechanism))),
-        AnswerKind::Enclosed => Ok(Some(below(scene, one?, ceiling))),
-        AnswerKind::CollapseState => Ok(Some(Bracket::point(one?))),
-        AnswerKind::Estimate => {
-            let lower = one?;
-            let upper = answer.upper.unwrap_or(lower);
-            if lower <= upper {
-                Ok(Some(Bracket { lower, upper }))
-            } else {
-                Err(ProgramFailure::EndsCross { lower, upper })
-            }
-        }
-        AnswerKind::Stands
-        | AnswerKind::StandsWithoutDilatancy
-        | AnswerKind::Falls
-        | AnswerKind::Undecided
-        | AnswerKind::NotApplicable => Ok(None),
-    }
-}
-
-/// From a multiplier to that of a mechanism that bounds it from above.
-fn below(scene: &Scene, lower: f64, ceiling: Option<&Mechanism>) -> Bracket {
-    let upper = ceiling.map_or(f64::NAN, |m| kinematic_multiplier(scene, m));
+/// A multiplier and a mechanism that bounds it from above.
+fn below(scene: &Scene, lower: f64, mechanism: Mechanism) -> (f64, Ceiling) {
+    let upper = kinematic_multiplier(scene, &mechanism);
     // Ends that cross by rounding are one number.
     let rounding = lower > upper && lower - upper <= 1e-9 * upper.abs().max(1e-3);
-    Bracket {
-        lower: if rounding { upper } else { lower },
-        upper,
-    }
+    let lower = if rounding { upper } else { lower };
+    let lambda = upper;
+    (lower, Ceiling { lambda, mechanism })
 }
 
 fn check_length<T>(

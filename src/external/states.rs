@@ -2,16 +2,75 @@
 //! from forces and velocities, by any program.
 
 use super::answer::{AnswerFile, AnswerKind};
-use crate::answer::{Claim, Outcome, Status};
+use crate::answer::{Bracket, Evidence, Outcome, Status};
 use crate::mechanics::{CollapseState, JointForce, Mechanism};
 
 /// The judged outcome as answers: none where it answers nothing, several where it rests on several
-/// collapse states, lowest λ first.
+/// collapse states, lowest λ first. What is an estimate says so, with all that came along.
 pub fn answers(outcome: &Outcome) -> Vec<AnswerFile> {
-    if !outcome.states.is_empty() && outcome.bracket.is_some() {
-        return outcome.states.iter().map(state).collect();
+    match outcome.status {
+        Status::Falls if outcome.evidence.observed().is_some() => {
+            vec![AnswerFile::of(AnswerKind::Falls)]
+        }
+        Status::Verified | Status::Bracketed | Status::Falls | Status::Stands => {
+            proofs(&outcome.evidence)
+        }
+        // Both ends are proved, and far apart.
+        Status::Undecided => match &outcome.evidence {
+            enclosed @ Evidence::Enclosed { .. } => proofs(enclosed),
+            _ => Vec::new(),
+        },
+        Status::Estimate => vec![estimate(&outcome.evidence)],
+        Status::NotApplicable | Status::Failed => Vec::new(),
     }
-    kind(outcome).map_or_else(Vec::new, |kind| vec![answer(outcome, kind)])
+}
+
+/// What evidence proves, each set of forces with its own multiplier.
+fn proofs(evidence: &Evidence) -> Vec<AnswerFile> {
+    match evidence {
+        Evidence::Nothing => Vec::new(),
+        // The lower end of `Bounded` has a file of its own, the certificate.
+        Evidence::States { .. } | Evidence::State { .. } | Evidence::Bounded { .. } => {
+            evidence.states().iter().map(state).collect()
+        }
+        Evidence::Number { bracket, .. } => {
+            let kind = AnswerKind::CollapseState;
+            vec![AnswerFile {
+                lambda: Some(bracket.lower),
+                ..what_came(evidence, kind)
+            }]
+        }
+        Evidence::Bounds { below, above, .. } => vec![AnswerFile {
+            lambda: Some(below.lambda),
+            forces: Some(forces(&below.forces)),
+            velocities: Some(velocities(&above.mechanism)),
+            ..AnswerFile::of(AnswerKind::Associative)
+        }],
+        Evidence::Enclosed {
+            state: of, ceiling, ..
+        } => vec![AnswerFile {
+            kind: AnswerKind::Enclosed,
+            ceiling: Some(velocities(&ceiling.mechanism)),
+            ..state(of)
+        }],
+        Evidence::ClosedForm { .. } | Evidence::Observed(_) => vec![estimate(evidence)],
+        Evidence::Falls { mechanism } => vec![AnswerFile {
+            velocities: Some(velocities(mechanism)),
+            ..AnswerFile::of(AnswerKind::Falls)
+        }],
+        Evidence::Stands {
+            associative,
+            at_rest,
+            ray,
+        } => vec![AnswerFile {
+            forces: Some(forces(at_rest)),
+            ray: Some(forces(ray)),
+            ..AnswerFile::of(match associative {
+                true => AnswerKind::Stands,
+                false => AnswerKind::StandsWithoutDilatancy,
+            })
+        }],
+    }
 }
 
 fn state(state: &CollapseState) -> AnswerFile {
@@ -23,41 +82,27 @@ fn state(state: &CollapseState) -> AnswerFile {
     }
 }
 
-/// What the outcome is put forward as; `None` where it is no answer.
-fn kind(outcome: &Outcome) -> Option<AnswerKind> {
-    let by_claim = match outcome.claim {
-        Claim::Associative => AnswerKind::Associative,
-        Claim::CollapseState => AnswerKind::CollapseState,
-        Claim::Enclosed => AnswerKind::Enclosed,
-        // The lower bound has a file of its own; the state is at the upper end.
-        Claim::Bounded => AnswerKind::CollapseState,
-        Claim::Observed => AnswerKind::Estimate,
+/// A number without a proof. Forces go with it only where they belong to its lower end.
+fn estimate(evidence: &Evidence) -> AnswerFile {
+    let Some(Bracket { lower, upper }) = evidence.bracket() else {
+        return AnswerFile::of(AnswerKind::Estimate);
     };
-    match outcome.status {
-        Status::Verified | Status::Bracketed => Some(by_claim),
-        // Both ends are proved, and far apart.
-        Status::Undecided if outcome.claim == Claim::Enclosed && outcome.bracket.is_some() => {
-            Some(by_claim)
-        }
-        Status::Estimate => Some(AnswerKind::Estimate),
-        Status::Stands if outcome.claim == Claim::Associative => Some(AnswerKind::Stands),
-        Status::Stands => Some(AnswerKind::StandsWithoutDilatancy),
-        Status::Falls => Some(AnswerKind::Falls),
-        Status::Undecided | Status::NotApplicable | Status::Failed => None,
+    AnswerFile {
+        lambda: Some(lower),
+        upper: Some(upper),
+        stated_error: evidence.stated_error(),
+        ..what_came(evidence, AnswerKind::Estimate)
     }
 }
 
-fn answer(outcome: &Outcome, kind: AnswerKind) -> AnswerFile {
-    let estimate = kind == AnswerKind::Estimate;
-    let bracket = outcome.bracket;
+/// Velocities, and the forces that belong to the lower end of the bracket.
+fn what_came(evidence: &Evidence, kind: AnswerKind) -> AnswerFile {
+    let lower = evidence.bracket().map(|bracket| bracket.lower);
+    let at_lower = evidence.forces();
+    let at_lower = at_lower.filter(|(lambda, _)| Some(*lambda) == lower);
     AnswerFile {
-        lambda: bracket.map(|bracket| bracket.lower),
-        upper: bracket.map(|bracket| bracket.upper).filter(|_| estimate),
-        stated_error: outcome.stated_error.filter(|_| estimate),
-        forces: outcome.forces.as_deref().map(forces),
-        velocities: outcome.mechanism.as_ref().map(velocities),
-        ray: outcome.ray.as_deref().map(forces),
-        ceiling: outcome.ceiling.as_ref().map(velocities),
+        forces: at_lower.map(|(_, list)| forces(list)),
+        velocities: evidence.mechanism().map(velocities),
         ..AnswerFile::of(kind)
     }
 }

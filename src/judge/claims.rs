@@ -1,7 +1,7 @@
 //! What the answers about one scene claim, whoever gives them: outside programs say it themselves,
 //! of our own methods the table does.
 
-use crate::answer::{Bracket, Claim, Outcome, Status, magnitude};
+use crate::answer::{Bracket, Evidence, Outcome, Status, magnitude};
 use crate::mechanics::VERIFIED_RESIDUAL;
 use crate::method::{Kind, kind};
 use crate::scene::{HeadJoints, JointClass, Scene};
@@ -47,8 +47,11 @@ impl Answered<'_> {
         match self.role {
             Role::States | Role::Enclosure => true,
             _ => {
-                self.outcome.status == Status::Verified
-                    && self.outcome.claim == Claim::CollapseState
+                let single = matches!(
+                    self.outcome.evidence,
+                    Evidence::State { .. } | Evidence::Number { .. }
+                );
+                single && self.outcome.status == Status::Verified
             }
         }
     }
@@ -74,8 +77,8 @@ pub(super) struct Claims<'a> {
 impl<'a> Claims<'a> {
     pub fn of(scene: &Scene, answers: &'a Answers<'a>) -> Self {
         let answered = answers.iter().filter_map(|&(name, outcome)| {
-            let bracket = outcome.bracket?;
-            let is_floor = kind(name) == Kind::LowerBound;
+            let bracket = outcome.bracket()?;
+            let is_floor = matches!(outcome.evidence, Evidence::Bounded { .. });
             Some(Answered {
                 name,
                 role: role(name, outcome),
@@ -132,26 +135,26 @@ impl<'a> Claims<'a> {
 }
 
 fn role(name: &str, outcome: &Outcome) -> Role {
-    use Status::{Bracketed, Undecided, Verified};
-    match kind(name) {
-        Kind::ClosedForm => Role::ClosedForm,
-        Kind::AssociativeBounds => match outcome.status {
-            Status::Estimate => Role::Loose,
-            _ => Role::Bounds,
-        },
-        Kind::CollapseState => Role::Converged,
-        Kind::CollapseStates => Role::States,
-        Kind::LowerBound => match outcome.status {
-            Status::Estimate => Role::Loose,
-            _ => Role::States,
-        },
-        Kind::Observed => Role::Observed,
-        Kind::Enclosure => Role::Enclosure,
-        Kind::Outside => match (outcome.status, outcome.claim) {
-            (Verified | Bracketed, Claim::Associative) => Role::Bounds,
-            (Verified | Bracketed | Undecided, Claim::Enclosed) => Role::Enclosure,
-            (Verified, Claim::CollapseState) => Role::States,
-            _ => Role::Number,
-        },
+    let is_outside = kind(name) == Kind::Outside;
+    let is_estimate = outcome.status == Status::Estimate;
+    match outcome.evidence {
+        Evidence::ClosedForm { .. } => Role::ClosedForm,
+        Evidence::Bounds { .. } | Evidence::Bounded { .. } if is_estimate => Role::Loose,
+        Evidence::Bounds { .. } => Role::Bounds,
+        Evidence::States { .. } | Evidence::Bounded { .. } => Role::States,
+        Evidence::Enclosed { .. } => Role::Enclosure,
+        Evidence::Observed(_) => Role::Observed,
+        Evidence::State { .. } | Evidence::Number { .. }
+            if is_outside && outcome.status == Status::Verified =>
+        {
+            Role::States
+        }
+        Evidence::State { .. } if !is_outside => Role::Converged,
+        Evidence::State { .. }
+        | Evidence::Number { .. }
+        // Without a multiplier, so that nobody asks.
+        | Evidence::Nothing
+        | Evidence::Falls { .. }
+        | Evidence::Stands { .. } => Role::Number,
     }
 }

@@ -4,7 +4,7 @@ use super::claims::{Answered, Answers, Claims, Role};
 use super::conclusion::{ALIKE, Basis, Conclusion, Difference, Doubt, Explanation, Floor};
 use super::heard::{UNSTATED_ERROR, lower_states};
 use super::outside::is_impossible;
-use crate::answer::{BoundFact, Bracket, Claim, Fact, Outcome, Status};
+use crate::answer::{BoundFact, Bracket, Fact, Outcome, Status};
 use crate::scene::Scene;
 
 /// The conclusion from the answers about one scene: of a multiplier that is proved; else that it
@@ -15,7 +15,7 @@ pub(crate) fn conclude(scene: &Scene, answers: &Answers) -> Conclusion {
         return of_answer(&claims, basis, &answer);
     }
     let falls = with_status(&claims, Status::Falls);
-    let stands = with_status(&claims, Status::Stands).filter(|(_, outcome)| is_proof(outcome));
+    let stands = with_status(&claims, Status::Stands).filter(without_dilatancy);
     for (basis, status, methods) in [
         (Basis::Falls, Status::Falls, names(falls)),
         (Basis::Stands, Status::Stands, names(stands)),
@@ -45,8 +45,8 @@ fn with_status<'a>(
 }
 
 /// Whether `stands` is about friction without dilatancy.
-fn is_proof(stands: &Outcome) -> bool {
-    stands.claim != Claim::Associative
+fn without_dilatancy((_, stands): &(&str, &Outcome)) -> bool {
+    !stands.evidence.stands_by_friction()
 }
 
 fn without_multiplier(
@@ -180,11 +180,10 @@ fn difference(claims: &Claims, lowest: &Answered) -> Option<Difference> {
             },
         });
     }
-    let stands = claims.answers.iter().find(|(_, outcome)| {
-        outcome.status == Status::Stands && outcome.claim == Claim::Associative
-    });
+    let mut stands = with_status(claims, Status::Stands);
+    let stands = stands.find(|answer| !without_dilatancy(answer));
     stands.map(|(name, _)| Difference {
-        method: (*name).to_owned(),
+        method: name.to_owned(),
         associative: None,
         relative: None,
         explanation: Explanation::Dilatancy,
@@ -202,7 +201,7 @@ fn against_state(claims: &Claims, lowest: &Answered) -> Vec<Doubt> {
         by: bound.name.to_owned(),
         lambda: bound.bracket.upper,
     });
-    let stands = with_status(claims, Status::Stands).filter(|(_, outcome)| is_proof(outcome));
+    let stands = with_status(claims, Status::Stands).filter(without_dilatancy);
     let stands = stands.map(|(by, _)| Doubt::Stands { by: by.to_owned() });
     lower.chain(bounds).chain(stands).collect()
 }
@@ -235,7 +234,7 @@ fn above(claims: &Claims) -> Vec<Doubt> {
             Role::Observed => None,
             _ => return None,
         };
-        let error = answer.outcome.stated_error.or(unstated)?;
+        let error = answer.outcome.evidence.stated_error().or(unstated)?;
         let lambda = answer.bracket.lower;
         let most = bound.bracket.upper;
         claims.is_above(lambda, error, most).then(|| Doubt::Above {

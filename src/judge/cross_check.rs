@@ -5,7 +5,7 @@ use super::check::{Check, Verdict};
 use super::claims::{Answered, Answers, Claims, Role};
 use super::heard::{CONVERGED_ERROR, LowerState, UNSTATED_ERROR, lower_states};
 use super::outside::{claims_without_proof, plausible};
-use crate::answer::{Bracket, Claim, Outcome, Status};
+use crate::answer::{Bracket, Outcome, Status};
 use crate::number::{number, percent, short};
 use crate::scene::{HeadJoints, Scene};
 
@@ -101,7 +101,7 @@ fn verified_states<'a>(claims: &Claims<'a>) -> Vec<Answered<'a>> {
 /// Without dilatancy a scene that stands has no collapse state; with associative friction it may.
 fn stands_beside_state(name: &str, stands: &Outcome, state: &Answered) -> (String, Verdict) {
     let (state, lambda) = (state.name, number(state.bracket.lower, 5));
-    if stands.claim == Claim::Associative {
+    if stands.evidence.stands_by_friction() {
         let text = format!(
             "{name} says that it stands, and {state} finds a collapse at {lambda}: joints that wedge with \
              dilatancy slip without it"
@@ -159,7 +159,11 @@ fn bounds_meet(claims: &Claims, one: &Answered, other: &Answered) -> (String, Ve
 fn converged_below_bound(claims: &Claims, bound: &Answered, state: &Answered) -> (String, Verdict) {
     let (lambda, most) = (state.bracket.upper, bound.bracket.upper);
     let excess = claims.excess(lambda, most);
-    let stated = state.outcome.stated_error.unwrap_or(UNSTATED_ERROR);
+    let stated = state
+        .outcome
+        .evidence
+        .stated_error()
+        .unwrap_or(UNSTATED_ERROR);
     let (state, bound) = (state.name, bound.name);
     if excess <= 1e-6 {
         (format!("{state} is not above {bound}"), Verdict::Holds)
@@ -198,7 +202,11 @@ fn states_below_bound(claims: &Claims, bound: &Answered, states: &Answered) -> (
 /// A number without a proof is no multiplier if it is above λ_A by more than its stated error.
 fn number_below_bound(claims: &Claims, bound: &Answered, value: &Answered) -> (String, Verdict) {
     let most = bound.bracket.upper;
-    let stated = value.outcome.stated_error.unwrap_or(UNSTATED_ERROR);
+    let stated = value
+        .outcome
+        .evidence
+        .stated_error()
+        .unwrap_or(UNSTATED_ERROR);
     let (name, bound) = (value.name, bound.name);
     let Bracket { lower, upper } = value.bracket;
     let [low, high] = [lower, upper].map(|lambda| claims.excess(lambda, most));
@@ -223,7 +231,11 @@ fn number_below_bound(claims: &Claims, bound: &Answered, value: &Answered) -> (S
 /// be anything, so that it only has to meet the range.
 fn among_found(claims: &Claims, state: &Answered, states: &Answered) -> (String, Verdict) {
     let (s, i) = (state.bracket, states.bracket);
-    let error = state.outcome.stated_error.unwrap_or(UNSTATED_ERROR);
+    let error = state
+        .outcome
+        .evidence
+        .stated_error()
+        .unwrap_or(UNSTATED_ERROR);
     let below = match state.role {
         Role::Number => claims.is_below(s.upper, error, i.lower),
         _ => claims.is_below(s.lower, CONVERGED_ERROR, i.lower),
@@ -261,7 +273,7 @@ fn range_contains(range: &Answered, answer: &Answered) -> (String, Verdict) {
 /// What was seen meets [lowest known, λ_A], widened by its stated error. Above is a contradiction;
 /// below, a lower state may exist than those known.
 fn seen_among_known(claims: &Claims, seen: &Answered) -> Option<(String, Verdict)> {
-    let (pushover, error) = (seen.bracket, seen.outcome.stated_error?);
+    let (pushover, error) = (seen.bracket, seen.outcome.evidence.stated_error()?);
     let bounds = claims.of_role(Role::Bounds);
     let roles = [Role::Bounds, Role::Converged, Role::States];
     let known = claims.answered.iter();

@@ -52,7 +52,7 @@ pub(super) fn lower_states(claims: &Claims, lowest: &Answered) -> Vec<LowerState
 /// The collapse multiplier that an answer speaks of, and its error relative to that; `None` where it
 /// speaks of none.
 fn heard(claims: &Claims, answer: &Answered) -> Option<(f64, f64)> {
-    let (bracket, stated) = (answer.bracket, answer.outcome.stated_error);
+    let (bracket, stated) = (answer.bracket, answer.outcome.evidence.stated_error());
     if answer.has_state() {
         return Some((bracket.lower, claims.proof_slack(bracket.lower)));
     }

@@ -10,16 +10,16 @@ use crate::scene::HeadJoints;
 /// The computed value that a reference is about, as a bracket.
 pub fn computed(outcome: &Outcome, quantity: Quantity) -> Option<Bracket> {
     let crack = |value: fn(&crate::mechanics::Crack) -> Option<f64>| {
-        outcome.crack.as_ref().and_then(value).map(Bracket::point)
+        outcome.evidence.crack().and_then(value).map(Bracket::point)
     };
     match quantity {
-        Quantity::Lambda => outcome.bracket,
-        Quantity::Lower => outcome.bracket.map(|b| Bracket::point(b.lower)),
-        Quantity::Upper => outcome.bracket.map(|b| Bracket::point(b.upper)),
+        Quantity::Lambda => outcome.bracket(),
+        Quantity::Lower => outcome.bracket().map(|b| Bracket::point(b.lower)),
+        Quantity::Upper => outcome.bracket().map(|b| Bracket::point(b.upper)),
         Quantity::TanBeta => crack(|c| Some(c.tan_beta)),
         Quantity::C => crack(|c| c.c),
         Quantity::E => crack(|c| c.e),
-        Quantity::AtRest => match (outcome.status, outcome.bracket) {
+        Quantity::AtRest => match (outcome.status, outcome.bracket()) {
             (Status::Falls, _) => Some(Bracket::point(0.0)),
             (Status::Stands, _) | (_, Some(_)) => Some(Bracket::point(1.0)),
             _ => None,

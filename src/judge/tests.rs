@@ -2,38 +2,72 @@
 //! λ = 1 pushes with their weight.
 
 use super::*;
-use crate::answer::{Bracket, Claim, Outcome, Status};
+use crate::answer::{Bracket, Evidence, Observed, Outcome, Status};
+use crate::mechanics::{Ceiling, CollapseState, ForceState, Mechanism};
 use crate::scene::{HeadJoints, Push, Scene, Wall};
 
 fn scene(head_joints: HeadJoints) -> Scene {
     Wall::of_cubes(2, Push::Right).scene(head_joints).unwrap()
 }
 
-fn at(status: Status, claim: Claim, lower: f64, upper: f64) -> Outcome {
+fn state_at(lambda: f64) -> CollapseState {
+    CollapseState {
+        lambda,
+        forces: Vec::new(),
+        mechanism: Mechanism::default(),
+    }
+}
+
+fn with(status: Status, evidence: Evidence) -> Outcome {
     Outcome {
-        claim,
-        bracket: Some(Bracket { lower, upper }),
+        evidence,
         ..Outcome::of(status)
     }
 }
 
 fn bound(lambda: f64) -> Outcome {
-    at(Status::Verified, Claim::Associative, lambda, lambda)
+    let evidence = Evidence::Bounds {
+        below: ForceState {
+            lambda,
+            forces: Vec::new(),
+        },
+        above: Ceiling {
+            lambda,
+            mechanism: Mechanism::default(),
+        },
+        crack: None,
+    };
+    with(Status::Verified, evidence)
 }
 
 fn states(lower: f64, upper: f64) -> Outcome {
-    at(Status::Verified, Claim::CollapseState, lower, upper)
+    let evidence = Evidence::States {
+        states: [lower, upper].map(state_at).into(),
+        crack: None,
+    };
+    with(Status::Verified, evidence)
 }
 
 fn number(lambda: f64) -> Outcome {
-    at(Status::Estimate, Claim::CollapseState, lambda, lambda)
+    stating(lambda, None)
 }
 
-fn stating(outcome: Outcome, error: f64) -> Outcome {
-    Outcome {
-        stated_error: Some(error),
-        ..outcome
-    }
+fn stating(lambda: f64, stated_error: Option<f64>) -> Outcome {
+    let evidence = Evidence::State {
+        state: state_at(lambda),
+        stated_error,
+        crack: None,
+    };
+    with(Status::Estimate, evidence)
+}
+
+fn seen(lower: f64, upper: f64, stated_error: Option<f64>) -> Outcome {
+    let observed = Observed {
+        bracket: Some(Bracket { lower, upper }),
+        stated_error,
+        ..Observed::default()
+    };
+    with(Status::Bracketed, Evidence::Observed(observed))
 }
 
 /// The verdicts about a method.
@@ -54,14 +88,13 @@ fn worst(answers: &[(&str, &Outcome)], method: &str) -> Option<Verdict> {
 fn stands_beside_a_verified_state() {
     let scene = scene(HeadJoints::Contact);
     let state = states(0.4, 0.4);
-    for (claim, expected) in [
-        (Claim::CollapseState, Verdict::Violated),
-        (Claim::Associative, Verdict::Holds),
-    ] {
-        let stands = Outcome {
-            claim,
-            ..Outcome::of(Status::Stands)
+    for (associative, expected) in [(false, Verdict::Violated), (true, Verdict::Holds)] {
+        let evidence = Evidence::Stands {
+            associative,
+            at_rest: Vec::new(),
+            ray: Vec::new(),
         };
+        let stands = with(Status::Stands, evidence);
         let answers = [("one", &stands), ("other", &state)];
         assert_eq!(verdicts(&scene, &answers, "one"), [expected]);
         let doubts = conclude(&scene, &answers).doubts;
@@ -87,9 +120,9 @@ fn a_number_above_the_bound_is_none() {
     assert_eq!(with(&number(0.47)), Some(Verdict::Holds));
     // Four digits, or a stated error, reach a little above.
     assert_eq!(with(&number(0.50002)), Some(Verdict::Marked));
-    assert_eq!(with(&stating(number(0.505), 0.02)), Some(Verdict::Marked));
+    assert_eq!(with(&stating(0.505, Some(0.02))), Some(Verdict::Marked));
     assert_eq!(with(&number(0.525)), Some(Verdict::Violated));
-    assert_eq!(with(&stating(number(0.525), 0.02)), Some(Verdict::Violated));
+    assert_eq!(with(&stating(0.525, Some(0.02))), Some(Verdict::Violated));
     for absurd in [-0.1, -1e12, 1e30] {
         assert_eq!(with(&number(absurd)), Some(Verdict::Violated), "{absurd}");
     }
@@ -122,15 +155,12 @@ fn who_lies_lower_is_heard() {
         assert!(!verdicts(&scene, &answers, name).contains(&Verdict::Violated));
         marked
     };
-    let seen = |lower, upper| {
-        let bracket = at(Status::Bracketed, Claim::Observed, lower, upper);
-        stating(bracket, 0.002)
-    };
+    let seen = |lower, upper| seen(lower, upper, Some(0.002));
     let open = HeadJoints::Open;
-    assert!(heard(open, "sequential", &stating(number(0.44), 1e-3)));
-    assert!(!heard(open, "sequential", &stating(number(0.4499), 1e-3)));
+    assert!(heard(open, "sequential", &stating(0.44, Some(1e-3))));
+    assert!(!heard(open, "sequential", &stating(0.4499, Some(1e-3))));
     assert!(heard(open, "mine", &number(0.44)));
-    assert!(!heard(open, "mine", &stating(number(0.44), 0.05)));
+    assert!(!heard(open, "mine", &stating(0.44, Some(0.05))));
     assert!(heard(open, "pushover", &seen(0.4395, 0.44)));
     assert!(!heard(open, "pushover", &seen(0.44, 0.46)));
     // With head joints in contact the lower end of the range is a pushover of its own.
@@ -148,7 +178,7 @@ fn who_lies_lower_is_heard() {
 #[test]
 fn relations_have_a_meaning_at_zero() {
     let (bound, found) = (bound(0.0), states(-1e-12, 1e-10));
-    let sequential = stating(number(3e-5), 0.0301);
+    let sequential = stating(3e-5, Some(0.0301));
     let answers = [
         ("associative", &bound),
         ("sequential", &sequential),
@@ -161,10 +191,10 @@ fn relations_have_a_meaning_at_zero() {
     assert_eq!(worst(&answers, "sequential"), Some(Verdict::Violated));
     // In other units of the live load the same.
     let heavy = scene(HeadJoints::Open).with_loads(|load, _| load.live *= 1e6);
-    let little = stating(number(3e-11), 0.0301);
+    let little = stating(3e-11, Some(0.0301));
     let answers = [("associative", &bound), ("sequential", &little)];
     assert_eq!(verdicts(&heavy, &answers, "sequential"), [Verdict::Marked]);
-    let much = stating(number(3e-8), 0.0301);
+    let much = stating(3e-8, Some(0.0301));
     let answers = [("associative", &bound), ("sequential", &much)];
     assert_eq!(
         verdicts(&heavy, &answers, "sequential"),
@@ -175,12 +205,12 @@ fn relations_have_a_meaning_at_zero() {
 #[test]
 fn the_conclusion_is_the_lowest_state_and_says_what_is_explained() {
     let (bound, found) = (bound(0.407), states(0.285, 0.285));
-    let seen = stating(at(Status::Bracketed, Claim::Observed, 0.297, 0.338), 0.002);
+    let pushed = seen(0.297, 0.338, Some(0.002));
     let scene = scene(HeadJoints::Contact);
     let all = [
         ("associative", &bound),
         ("interval", &found),
-        ("pushover", &seen),
+        ("pushover", &pushed),
     ];
     let conclusion = conclude(&scene, &all);
     assert_eq!(conclusion.basis, Basis::LowestState);
@@ -207,7 +237,7 @@ fn the_conclusion_is_the_lowest_state_and_says_what_is_explained() {
     let conclusion = conclude(&scene, &[("interval", &found), ("pushover", &falls)]);
     assert!(!conclusion.is_explained());
     // A bracket outside what no multiplier exceeds is not explained.
-    let above = stating(at(Status::Bracketed, Claim::Observed, 0.5, 0.5), 0.002);
+    let above = seen(0.5, 0.5, Some(0.002));
     let answers = [all[0], all[1], ("pushover", &above)];
     assert!(!conclude(&scene, &answers).is_explained());
 }

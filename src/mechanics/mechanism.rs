@@ -37,7 +37,7 @@ impl Motion {
 }
 
 /// Motions of all blocks, in the scene's order. Only ratios mean something.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Mechanism {
     /// One motion a block.
     pub motions: Vec<Motion>,

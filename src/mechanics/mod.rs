@@ -26,5 +26,5 @@ pub use residual::{
 pub(crate) use residual::{VERIFIED_RESIDUAL, associative_violation, live_unit};
 pub(crate) use rigid_parts::in_words;
 pub use rigid_parts::{RigidPart, parts};
-pub use state::{CollapseState, JointForce};
+pub use state::{Ceiling, CollapseState, ForceState, JointForce};
 pub use thrust::{CourseResultant, Thrust, thrust};

@@ -13,6 +13,24 @@ pub struct JointForce {
     pub shear: f64,
 }
 
+/// Forces of every joint, and the multiplier at which they are in equilibrium.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ForceState {
+    /// Multiplier of the forces.
+    pub lambda: f64,
+    /// Forces of every joint.
+    pub forces: Vec<JointForce>,
+}
+
+/// A mechanism with dilatancy, and the upper bound that it proves of every collapse multiplier.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Ceiling {
+    /// The bound: no less than the mechanism's own multiplier.
+    pub lambda: f64,
+    /// Velocities of every block.
+    pub mechanism: Mechanism,
+}
+
 /// A non-associative collapse state: forces and mechanism that satisfy every condition together.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct CollapseState {

@@ -24,7 +24,10 @@ use super::limit::{self, Associative, Sequential};
 use super::macro_block::MacroBlock;
 use super::settings::LP_TOLERANCE;
 use super::{Method, Settings};
-use crate::answer::{AutoFact, Bracket, Claim, Fact, Outcome, Status, Uniqueness, Work, magnitude};
+use crate::answer::{
+    AutoFact, Bracket, Evidence, Fact, Outcome, Status, Uniqueness, Work, magnitude,
+};
+use crate::mechanics::Ceiling;
 use crate::scene::Scene;
 
 /// The method that picks among the others.
@@ -42,19 +45,19 @@ impl Method for Auto {
             listened: false,
             work: Work::default(),
         };
-        let closed_form = MacroBlock.solve(scene, settings).bracket;
+        let closed_form = MacroBlock.solve(scene, settings).bracket();
         let bound = ladder.run(&Associative);
         if bound.status == Status::Stands {
             let found = ladder.states(settings, f64::NEG_INFINITY);
             return ladder.without_bound(found);
         }
-        let Some(Bracket { upper, .. }) = bound.bracket else {
+        let Some(Bracket { upper, .. }) = bound.bracket() else {
             return ladder.settled(bound);
         };
         let unit = scene.multiplier_unit();
         let stop_below = upper - settings.auto.tolerance * magnitude(upper, unit);
         let mut found = ladder.states(settings, stop_below);
-        let Some(Bracket { mut lower, .. }) = found.bracket else {
+        let Some(Bracket { mut lower, .. }) = found.bracket() else {
             return ladder.without_state(upper, found);
         };
         let starts = |found: &Outcome| found.search().map_or(0, |search| search.starts.len());
@@ -69,7 +72,7 @@ impl Method for Auto {
             };
             let further = ladder.states(&longer, stop_below);
             searched += starts(&further);
-            if let Some(bracket) = further.bracket.filter(|bracket| bracket.lower < lower) {
+            if let Some(bracket) = further.bracket().filter(|bracket| bracket.lower < lower) {
                 (lower, found) = (bracket.lower, further);
             }
             heard = heard.filter(|_| lower >= stop_below);
@@ -132,7 +135,7 @@ impl Ladder<'_> {
         }
         self.listened = true;
         let other = self.run(&Sequential);
-        let lambda = other.bracket?.upper;
+        let lambda = other.bracket()?.upper;
         let below = (lowest - lambda) / magnitude(lowest, self.scene.multiplier_unit());
         (lambda < stop_below).then_some(AutoFact::LowerHeard { lambda, below })
     }
@@ -160,7 +163,7 @@ impl Ladder<'_> {
         if found.status == Status::Stands {
             return self.settled(found);
         }
-        let lowest = found.bracket.map(|bracket| bracket.lower);
+        let lowest = found.bracket().map(|bracket| bracket.lower);
         let lowest = lowest.map(|lambda| AutoFact::CollapsesWithoutBound { lambda });
         Outcome {
             work: self.work,
@@ -193,12 +196,7 @@ impl Ladder<'_> {
         let facts = heard.into_iter();
         let facts = facts.chain([AutoFact::Uniqueness(uniqueness), self.saved()]);
         Outcome {
-            claim: Claim::Enclosed,
-            bracket: Some(bracket),
-            crack: found.crack,
-            mechanism: found.mechanism,
-            forces: found.forces,
-            ceiling: bound.mechanism,
+            evidence: enclosed(bound.evidence, found.evidence, bracket.upper),
             work: self.work,
             facts: facts.map(Fact::from).collect(),
             ..Outcome::of(if is_answer {
@@ -222,6 +220,25 @@ impl Ladder<'_> {
             },
             of_blocks,
         }
+    }
+}
+
+/// The lowest state, and the mechanism of λ_A as the proof that none is above `upper`.
+fn enclosed(bound: Evidence, found: Evidence, upper: f64) -> Evidence {
+    match (bound, found) {
+        (Evidence::Bounds { above, .. }, Evidence::States { mut states, crack })
+            if !states.is_empty() =>
+        {
+            Evidence::Enclosed {
+                state: states.swap_remove(0),
+                ceiling: Ceiling {
+                    lambda: upper,
+                    ..above
+                },
+                crack,
+            }
+        }
+        _ => Evidence::Nothing,
     }
 }
 

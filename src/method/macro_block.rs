@@ -1,7 +1,7 @@
 //! The macro-block model: one crack, two macro-blocks, closed form (paper, section 2).
 
 use super::{Method, Settings};
-use crate::answer::{Bracket, InapplicableForm, Invalid, Outcome, Status};
+use crate::answer::{Bracket, Evidence, InapplicableForm, Invalid, Outcome, Status};
 use crate::mechanics::Crack;
 use crate::scene::{RegularWall, Scene};
 
@@ -17,19 +17,21 @@ impl Method for MacroBlock {
     fn solve(&self, scene: &Scene, _settings: &Settings) -> Outcome {
         match of_scene(scene) {
             Err(reason) => Outcome::without_number(Status::NotApplicable, reason),
-            Ok(range) => Outcome {
-                bracket: Some(Bracket {
-                    lower: range.lower,
-                    upper: range.upper,
-                }),
-                crack: Some(Crack {
-                    c: None,
-                    e: None,
-                    tan_beta: range.tan_beta,
-                    sharp: true,
-                }),
-                ..Outcome::of(Status::Estimate)
-            },
+            Ok(range) => {
+                let evidence = Evidence::ClosedForm {
+                    bracket: Bracket {
+                        lower: range.lower,
+                        upper: range.upper,
+                    },
+                    crack: Crack {
+                        c: None,
+                        e: None,
+                        tan_beta: range.tan_beta,
+                        sharp: true,
+                    },
+                };
+                Outcome::with(Status::Estimate, evidence)
+            }
         }
     }
 }

@@ -99,7 +99,7 @@ fn panels<'a>(views: &'a [View], options: &Options) -> (Vec<Panel<'a>>, Vec<Stri
         } else {
             left_out.push(panel.in_a_line());
         }
-        if options.forces && view.row.outcome.forces.is_some() {
+        if options.forces && view.row.outcome.evidence.forces().is_some() {
             panels.push(Panel::new(view, Contents::Forces));
         }
     }

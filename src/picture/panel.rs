@@ -11,7 +11,7 @@ use super::svg::{Anchor, Svg, style};
 use super::view::{Contents, View};
 use super::wall;
 use super::words::fitting;
-use crate::method::Kind;
+use crate::answer::Evidence;
 use crate::number::{number, short};
 use crate::run::column;
 use crate::scene::{HeadJoints, Point, Push, Vector};
@@ -43,7 +43,7 @@ impl<'a> Panel<'a> {
     pub fn new(view: &'a View<'a>, contents: Contents) -> Self {
         let (scene, outcome) = (view.scene, &view.row.outcome);
         let mechanism = match contents {
-            Contents::Mechanism => outcome.mechanism.as_ref(),
+            Contents::Mechanism => outcome.evidence.mechanism(),
             Contents::Forces => None,
         };
         let drawn = DrawnMechanism::new(scene, mechanism, &view.row.method);
@@ -106,20 +106,20 @@ impl<'a> Panel<'a> {
         let above = frame.at(high)[1] - 12.0;
         match self.contents {
             Contents::Forces => {
-                if let Some(forces) = &outcome.forces {
+                if let Some((_, forces)) = outcome.evidence.forces() {
                     forces::forces(svg, &frame, scene, forces);
                     forces::lines_of_thrust(svg, &frame, scene, forces);
                 }
             }
             Contents::Mechanism => {
                 if self.view.is_macro_block() {
-                    let tan_beta = outcome.crack.map(|crack| crack.tan_beta);
+                    let tan_beta = outcome.evidence.crack().map(|crack| crack.tan_beta);
                     tan_beta.inspect(|&t| crack::turned_macro_block(svg, &frame, scene, t));
                 }
                 if let Some(tan_beta) = self.view.macro_slope {
                     crack::macro_crack(svg, &frame, scene, tan_beta);
                 }
-                if let Some(found) = &outcome.crack {
+                if let Some(found) = outcome.evidence.crack() {
                     crack::crack(svg, &frame, scene, found, above);
                 }
             }
@@ -154,7 +154,7 @@ impl<'a> Panel<'a> {
     pub fn holds(&self, scale: f64) -> Holds {
         let (scene, outcome) = (self.view.scene, &self.view.row.outcome);
         let is_mechanism = self.contents == Contents::Mechanism;
-        let forces = outcome.forces.as_deref().filter(|_| !is_mechanism);
+        let forces = outcome.evidence.forces().filter(|_| !is_mechanism);
         Holds {
             mechanism: self.drawn.occurring(scene),
             moved: self.drawn.mechanism.is_some(),
@@ -162,10 +162,11 @@ impl<'a> Panel<'a> {
             crack: is_mechanism
                 && scene.coursing().is_some()
                 && outcome
-                    .crack
+                    .evidence
+                    .crack()
                     .is_some_and(|crack| crack.c.is_some() && crack.e.is_some()),
             macro_crack: is_mechanism && self.view.macro_slope.is_some(),
-            force: forces.and_then(|forces| forces::round_force(scene, forces, scale)),
+            force: forces.and_then(|(_, forces)| forces::round_force(scene, forces, scale)),
         }
     }
 
@@ -187,12 +188,23 @@ impl<'a> Panel<'a> {
         let fastest = drawn.mechanism?.fastest(scene);
         let factor = drawn.displacement.factor();
         let largest = short(factor * fastest, 3);
-        Some(match self.view.row.kind() {
-            Kind::Observed => format!(
+        Some(match self.view.row.outcome.evidence {
+            Evidence::Observed(_) => format!(
                 "displacements × {}, the largest drawn as {largest} units of length",
                 significant(factor)
             ),
-            _ => format!("velocities, the largest drawn as {largest} units of length"),
+            Evidence::Nothing
+            | Evidence::ClosedForm { .. }
+            | Evidence::Number { .. }
+            | Evidence::State { .. }
+            | Evidence::Bounds { .. }
+            | Evidence::States { .. }
+            | Evidence::Enclosed { .. }
+            | Evidence::Bounded { .. }
+            | Evidence::Falls { .. }
+            | Evidence::Stands { .. } => {
+                format!("velocities, the largest drawn as {largest} units of length")
+            }
         })
     }
 
@@ -202,7 +214,7 @@ impl<'a> Panel<'a> {
         let mut sentences = self.sentences();
         if self.contents == Contents::Mechanism {
             sentences.extend(self.amplification());
-            if forces && self.view.row.outcome.forces.is_none() {
+            if forces && self.view.row.outcome.evidence.forces().is_none() {
                 sentences.push("it gives no contact forces".to_owned());
             }
         }
@@ -217,21 +229,22 @@ impl<'a> Panel<'a> {
         let (row, outcome) = (self.view.row, &self.view.row.outcome);
         let status = outcome.status.name();
         if self.contents == Contents::Forces {
-            let largest = forces::largest(self.view.scene, outcome.forces.as_deref());
-            let lambda = outcome.bracket.map_or(0.0, |bracket| bracket.lower);
+            let (lambda, forces) = outcome.evidence.forces().unzip();
+            let lambda = lambda.unwrap_or(0.0);
+            let largest = forces::largest(self.view.scene, forces);
             return vec![
                 format!("at λ = {}", number(lambda, 5)),
                 format!("largest force {}", short(largest, 4)),
             ];
         }
-        let mut lines = match outcome.bracket {
+        let mut lines = match outcome.bracket() {
             Some(_) => vec![format!(
                 "λ = {}, {status}",
                 (column("lambda").value)(row).shown()
             )],
             None => vec![format!("no multiplier: {status}")],
         };
-        if let Some(crack) = &outcome.crack {
+        if let Some(crack) = outcome.evidence.crack() {
             let about = if crack.sharp { "=" } else { "≈" };
             let mut slope = format!("tan β {about} {}", number(crack.tan_beta, 4));
             if let (Some(c), Some(e)) = (crack.c, crack.e) {

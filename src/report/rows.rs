@@ -99,9 +99,15 @@ fn object(result: &CaseResult, row: &Row) -> JsonObject {
         (column.name.to_owned(), value.json())
     });
     let mut object: JsonObject = cells.collect();
-    let checks = row.outcome.checks.iter().map(ToString::to_string);
+    let checks = row
+        .outcome
+        .evidence
+        .checks()
+        .iter()
+        .map(ToString::to_string);
     object.insert("checks".to_owned(), checks.collect());
-    if let Some(recording) = &row.outcome.recording {
+    let observed = row.outcome.evidence.observed();
+    if let Some(recording) = observed.and_then(|observed| observed.recording.as_ref()) {
         let frames = recording.frames.iter().map(frame);
         object.insert(
             "recording".to_owned(),
@@ -117,7 +123,7 @@ fn object(result: &CaseResult, row: &Row) -> JsonObject {
         "conclusion".to_owned(),
         of_row.map(|of| conclusion(result, of)).into(),
     );
-    if let Some(forces) = &row.outcome.forces {
+    if let Some((_, forces)) = row.outcome.evidence.forces() {
         object.insert(
             "thrust".to_owned(),
             way_of(&thrust(result.scene(row), forces)),
@@ -183,8 +189,8 @@ fn sides(result: &CaseResult, row: &Row) -> Result<serde_json::Value, serde_json
         Ok(json!({
             "push": push.name(),
             "status": outcome.status.name(),
-            "lower": outcome.bracket.map(|bracket| bracket.lower),
-            "upper": outcome.bracket.map(|bracket| bracket.upper),
+            "lower": outcome.bracket().map(|bracket| bracket.lower),
+            "upper": outcome.bracket().map(|bracket| bracket.upper),
             "scene": serde_json::to_value(SceneFile::from(result.side(row.head_joints, push)))?,
             "answers": serde_json::to_value(answers(outcome))?,
         }))

@@ -60,8 +60,7 @@ pub(crate) fn terms(result: &CaseResult, conclusion: &Conclusion) -> Option<Term
 
 /// The mechanism at the multiplier that the answer gives: of several states, the lowest.
 fn mechanism(row: &Row) -> Option<&Mechanism> {
-    let state = row.outcome.states.first().map(|state| &state.mechanism);
-    state.or(row.outcome.mechanism.as_ref())
+    row.outcome.evidence.mechanism()
 }
 
 /// Whether every live force is its dead one turned sideways, and so the push a tilt of the ground.

@@ -119,7 +119,7 @@ pub static COLUMNS: &[Column] = &[
     data("tan_beta", |row| row.crack().map(|c| c.tan_beta).into()),
     data("c", |row| row.crack().and_then(|c| c.c).into()),
     data("e", |row| row.crack().and_then(|c| c.e).into()),
-    data("residual", |row| row.residual.into()),
+    data("residual", |row| row.residual().into()),
     data("seconds", |row| Value::Number(row.seconds)),
     data("reason", |row| Value::Text(row.outcome.reason())),
     data("blocks", |row| Value::Count(row.blocks)),
@@ -132,7 +132,9 @@ pub static COLUMNS: &[Column] = &[
     data("block_steps", |row| {
         Value::Count(row.outcome.work.block_steps)
     }),
-    data("stated_error", |row| row.outcome.stated_error.into()),
+    data("stated_error", |row| {
+        row.outcome.evidence.stated_error().into()
+    }),
     data("reference", |row| reference_end(row, 0)),
     data("reference_upper", |row| reference_end(row, 1)),
     data("error", |row| row.error().into()),
@@ -264,7 +266,7 @@ fn width(value: Option<f64>) -> Value {
 fn note(row: &Row) -> String {
     let mut note = row.outcome.settled_reason();
     let fails = row
-        .residual
+        .residual()
         .is_some_and(|r| r > crate::mechanics::VERIFIED_RESIDUAL);
     if fails && row.status() != Status::Failed {
         note.push_str(if note.is_empty() { "" } else { "; " });

@@ -1,16 +1,19 @@
 //! The one row: a method's judged answer on a scene, with everything that tables, files, plots and
 //! studies tell of it.
 
+use serde::{Deserialize, Serialize};
+
 use crate::answer::{Bracket, Outcome, Status};
 use crate::case::{Case, Quantity, Reference};
-use crate::judge::{Check, Verdict, computed};
+use crate::judge::{Check, Recomputed, Verdict, computed, largest};
 use crate::mechanics::Crack;
 use crate::method::{Kind, kind};
 use crate::number::short;
 use crate::scene::{HeadJoints, Push};
 
-/// The judged answer of one task. Files keep its flat part, see [`Row::kept`].
-#[derive(Clone, Debug)]
+/// The judged answer of one task. Files of many rows keep a part of it, see [`Row::kept`].
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Row {
     /// Id of the task.
     pub id: String,
@@ -37,19 +40,21 @@ pub struct Row {
     pub outcome: Outcome,
     /// The answer for the other direction of a wall that is pushed both ways.
     pub stronger: Option<StrongerSide>,
-    /// Residual that the judge computed, where there was something to judge.
-    pub residual: Option<f64>,
+    /// Residuals that the judge computed, where there was something to judge.
+    pub residuals: Vec<Recomputed>,
     /// CPU time of the method over all sides, seconds. The only thing here that is not the same in
     /// every run.
     pub seconds: f64,
     /// The case's values about this row: known deviations last, published ones before others.
+    #[serde(skip)]
     pub references: Vec<Reference>,
     /// The worst verdict about this row; `None` where there is nothing to compare it with.
+    #[serde(skip)]
     pub verdict: Option<Verdict>,
 }
 
 /// Of a wall that is pushed both ways, the side that does not count.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct StrongerSide {
     /// Direction of its push.
     pub push: Push,
@@ -83,12 +88,17 @@ impl Row {
 
     /// The multiplier, where there is one to vouch for.
     pub fn bracket(&self) -> Option<Bracket> {
-        self.outcome.bracket
+        self.outcome.bracket()
+    }
+
+    /// The largest residual; `None` where there was nothing to judge.
+    pub fn residual(&self) -> Option<f64> {
+        largest(&self.residuals)
     }
 
     /// The crack, where there is one.
     pub fn crack(&self) -> Option<&Crack> {
-        self.outcome.crack.as_ref()
+        self.outcome.evidence.crack()
     }
 
     /// What kind of claim the answer is.

@@ -4,10 +4,11 @@ use std::fmt;
 use std::path::Path;
 
 use super::results::CaseResult;
-use super::row::scene_name;
-use crate::answer::{Outcome, Status, magnitude};
+use super::row::{Row, scene_name};
+use crate::answer::{Evidence, Outcome, Status, magnitude};
 use crate::certificate::{Certificate, Proved, prove};
 use crate::files::{Input, read_input};
+use crate::mechanics::CollapseState;
 use crate::number::number;
 use crate::scene::{HeadJoints, Push, Scene};
 
@@ -41,7 +42,8 @@ pub fn certificates(result: &CaseResult) -> Vec<(String, Vec<u8>)> {
     for row in &result.rows {
         let stronger = row.stronger.iter().map(|side| (side.push, &*side.outcome));
         for (push, outcome) in [(row.push, &row.outcome)].into_iter().chain(stronger) {
-            if let Some(certificate) = outcome.certificate.as_ref().filter(|_| is_proved(outcome)) {
+            let certificate = outcome.evidence.certificate();
+            if let Some(certificate) = certificate.filter(|_| is_proved(outcome)) {
                 let name = file_name(&row.case, row.head_joints, push);
                 files.push((name, certificate.to_bytes()));
             }
@@ -71,6 +73,14 @@ pub fn stored(result: &CaseResult, folder: &Path) -> Vec<Stored> {
     found
 }
 
+/// The verified collapse states of a search.
+fn verified(row: &Row) -> &[CollapseState] {
+    match &row.outcome.evidence {
+        Evidence::States { states, .. } => states,
+        _ => &[],
+    }
+}
+
 fn verdict(
     result: &CaseResult,
     head_joints: HeadJoints,
@@ -83,7 +93,7 @@ fn verdict(
     let proved = prove(scene, &certificate).map_err(|why| why.to_string())?;
     let rows = result.rows.iter();
     let of_scene = rows.filter(|row| row.head_joints == head_joints && row.push == scene.push());
-    let states = of_scene.flat_map(|row| row.outcome.states.iter().map(move |s| (row, s.lambda)));
+    let states = of_scene.flat_map(|row| verified(row).iter().map(move |s| (row, s.lambda)));
     let margin = 1e-6 * magnitude(proved.lower, scene.multiplier_unit());
     let mut below = states.filter(|(row, lambda)| {
         row.outcome.status == Status::Verified && *lambda < proved.lower - margin

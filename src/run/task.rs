@@ -163,7 +163,7 @@ impl<'a> Task<'a> {
                 push: stronger.scene.push(),
                 outcome: Box::new(stronger.outcome),
             }),
-            residual: answer.residual,
+            residuals: answer.residuals,
             seconds: answer.seconds,
             references: Vec::new(),
             verdict: None,
@@ -179,17 +179,17 @@ impl<'a> Task<'a> {
         let solved = catch_unwind(AssertUnwindSafe(|| {
             let (mut outcome, spent) = self.method.solve_timed(scene, &self.settings);
             let spent = spent.unwrap_or_else(elapsed);
-            let residual = judge(scene, &mut outcome);
-            (outcome, residual, spent)
+            let residuals = judge(scene, &mut outcome).residuals;
+            (outcome, residuals, spent)
         }));
-        let (outcome, residual, spent) = solved.unwrap_or_else(|panic| {
+        let (outcome, residuals, spent) = solved.unwrap_or_else(|panic| {
             let failed = Outcome::without_number(Status::Failed, panicked(&*panic));
-            (failed, None, elapsed())
+            (failed, Vec::new(), elapsed())
         });
         Answer {
             scene,
             outcome,
-            residual,
+            residuals,
             seconds: spent.as_secs_f64(),
             stronger: None,
         }

@@ -1,6 +1,7 @@
 //! Of a wall that is pushed both ways, the side that gives way first.
 
 use crate::answer::{Outcome, SideFact, Status, magnitude};
+use crate::judge::Recomputed;
 use crate::scene::Scene;
 
 /// The judged answer of a method for one side of the push.
@@ -9,8 +10,8 @@ pub(super) struct Answer<'a> {
     pub scene: &'a Scene,
     /// The answer, its status set by the judge.
     pub outcome: Outcome,
-    /// Residual that the judge computed, where there was something to judge.
-    pub residual: Option<f64>,
+    /// Residuals that the judge computed, where there was something to judge.
+    pub residuals: Vec<Recomputed>,
     /// CPU time of the method, seconds.
     pub seconds: f64,
     /// The answer of the side that does not count, where the wall is pushed both ways.
@@ -43,7 +44,7 @@ pub(super) fn weaker(mut answers: Vec<Answer>) -> Answer {
     let mut answer = answers.swap_remove(first);
     let alike = answers.iter().all(|other| !is_weaker(&answer, other));
     let push = answer.scene.push();
-    let side = match answer.outcome.bracket {
+    let side = match answer.outcome.bracket() {
         Some(_) if alike => SideFact::Alike,
         Some(_) => SideFact::Weaker(push),
         None => SideFact::Unanswered(push),
@@ -67,7 +68,7 @@ fn is_weaker(a: &Answer, b: &Answer) -> bool {
 
 /// How early a side gives way: first by the status, then by the multiplier.
 fn rank(answer: &Answer) -> (u8, f64) {
-    match (answer.outcome.status, answer.outcome.bracket) {
+    match (answer.outcome.status, answer.outcome.bracket()) {
         (Status::Failed, _) => (0, 0.0),
         (Status::Falls, _) => (1, 0.0),
         (Status::Stands, _) => (4, 0.0),
@@ -79,7 +80,7 @@ fn rank(answer: &Answer) -> (u8, f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::answer::Bracket;
+    use crate::answer::{Bracket, Evidence};
     use crate::scene::{HeadJoints, Push, Wall};
 
     fn side(push: Push) -> Scene {
@@ -87,8 +88,15 @@ mod tests {
     }
 
     fn at(lambda: f64) -> Outcome {
+        let evidence = Evidence::Number {
+            bracket: Bracket::point(lambda),
+            stated_error: None,
+            forces: None,
+            mechanism: None,
+            crack: None,
+        };
         Outcome {
-            bracket: Some(Bracket::point(lambda)),
+            evidence,
             ..Outcome::without_number(Status::Estimate, "told")
         }
     }
@@ -100,7 +108,7 @@ mod tests {
         let answers = answers.map(|(outcome, scene)| Answer {
             scene,
             outcome,
-            residual: None,
+            residuals: Vec::new(),
             seconds: 1.0,
             stronger: None,
         });
@@ -112,7 +120,7 @@ mod tests {
     #[test]
     fn the_weaker_side_answers_and_is_named() {
         let (push, outcome) = of([at(0.5), at(0.4)]);
-        assert_eq!(outcome.bracket, Some(Bracket::point(0.4)));
+        assert_eq!(outcome.bracket(), Some(Bracket::point(0.4)));
         assert_eq!(push, Push::Left);
         assert_eq!(
             outcome.reason(),

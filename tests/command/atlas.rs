@@ -1,6 +1,6 @@
 //! The small atlas: no method is wrong anywhere on it, and it notices methods that are.
 
-use trilith::answer::{Bracket, Claim, Outcome, Status};
+use trilith::answer::{Bracket, Observed, Outcome, Status};
 use trilith::method::limit::{Associative, Ending, Interval, Program};
 use trilith::method::pushover::{Parameters, solve_with};
 use trilith::method::{Method, Settings, without_lower_bounds};
@@ -64,10 +64,8 @@ impl Method for StopsEarly {
     fn solve(&self, scene: &Scene, _settings: &Settings) -> Outcome {
         match Program::to_tolerance(scene, 1e-2).solve() {
             Ending::Solved(solution) => Outcome {
-                claim: Claim::Observed,
-                bracket: Some(Bracket::point(solution.lambda)),
-                stated_error: Some(1e-4),
-                ..Outcome::without_number(Status::Bracketed, "the solver says solved")
+                facts: vec!["the solver says solved".into()],
+                ..observed(Some(Bracket::point(solution.lambda)))
             },
             ending => Outcome::without_number(Status::Undecided, ending.kind().to_string()),
         }
@@ -91,7 +89,7 @@ impl Method for SeesTheHeavy {
         let supports = scene.supports().to_vec();
         let parts = SceneParts::new(heavy.cloned().collect(), supports, friction);
         let seen = Scene::new(parts).expect("the numbers stay proper");
-        observed(Associative.solve(&seen, settings).bracket)
+        observed(Associative.solve(&seen, settings).bracket())
     }
 }
 
@@ -104,7 +102,7 @@ impl Method for AbsoluteGrid {
     }
 
     fn solve(&self, scene: &Scene, settings: &Settings) -> Outcome {
-        let bracket = Associative.solve(scene, settings).bracket;
+        let bracket = Associative.solve(scene, settings).bracket();
         observed(bracket.map(|exact| Bracket {
             lower: ((exact.lower / 1e-4).floor() * 1e-4).min(100.0 - 1e-4),
             upper: ((exact.upper / 1e-4).ceil() * 1e-4).min(100.0),
@@ -121,18 +119,19 @@ impl Method for TakesTheBoundForTheState {
     }
 
     fn solve(&self, scene: &Scene, settings: &Settings) -> Outcome {
-        observed(Associative.solve(scene, settings).bracket)
+        observed(Associative.solve(scene, settings).bracket())
     }
 }
 
 /// A bracket that claims to be right to 1e-4 and gives no proof that the judge could refute.
 fn observed(bracket: Option<Bracket>) -> Outcome {
-    Outcome {
-        claim: Claim::Observed,
+    let stated_error = Some(1e-4);
+    let observed = Observed {
         bracket,
-        stated_error: Some(1e-4),
-        ..Outcome::of(Status::Bracketed)
-    }
+        stated_error,
+        ..Observed::default()
+    };
+    Outcome::with(Status::Bracketed, observed)
 }
 
 /// The pushover as rapier comes: four substeps of 1/240 s, contacts of 30 Hz, points renewed; no
@@ -147,7 +146,7 @@ impl Method for Uncalibrated {
     fn solve(&self, scene: &Scene, settings: &Settings) -> Outcome {
         // Units of √(H_c/g) for courses of 1.75 m.
         let second = (9.81_f64 / 1.75).sqrt();
-        let outcome = solve_with(scene, &settings.pushover, |own| Parameters {
+        solve_with(scene, &settings.pushover, |own| Parameters {
             substep: second / 240.0,
             substeps: 4,
             contact_frequency: 30.0 / second,
@@ -156,11 +155,7 @@ impl Method for Uncalibrated {
             drift: f64::INFINITY,
             self_checks: false,
             ..own
-        });
-        Outcome {
-            claim: Claim::Observed,
-            ..outcome
-        }
+        })
     }
 }
 

@@ -200,7 +200,7 @@ fn rigid_parts_hold_every_block_once() {
     let outcome = row(&scene, &Interval).outcome;
     let found = parts(
         &scene,
-        outcome.mechanism.as_ref().unwrap(),
+        outcome.evidence.mechanism().unwrap(),
         threshold("interval"),
     );
     let mut blocks: Vec<usize> = found.iter().flat_map(|part| part.blocks.clone()).collect();

@@ -37,7 +37,7 @@ fn answer(case: &Case, method: &str) -> Outcome {
 }
 
 fn associative(case: &Case) -> f64 {
-    let bracket = answer(case, "associative").bracket;
+    let bracket = answer(case, "associative").bracket();
     bracket.expect("there is a multiplier").lower
 }
 
@@ -371,7 +371,7 @@ fn pushovers_of_walls_that_come_back_overlap() {
         let blocks = Case::read_with("a.toml", files.toml.as_bytes(), &beside);
         let blocks = blocks.unwrap_or_else(|complaint| panic!("{complaint}"));
         let [one, blocks, drawn] =
-            [one, blocks, drawn].map(|case| answer(&case, "pushover").bracket);
+            [one, blocks, drawn].map(|case| answer(&case, "pushover").bracket());
         for other in [blocks, drawn] {
             let (Some(one), Some(other)) = (one, other) else {
                 assert_eq!(one.is_some(), other.is_some(), "{}", case.name);
@@ -394,10 +394,10 @@ fn the_exported_mechanism_is_no_wall() {
     let outcome = answer(&case, "associative");
     let scene = case.scene(HeadJoints::Contact);
     let thrust = outcome
-        .forces
-        .as_ref()
-        .map(|forces| trilith::answer::thrust(&scene, forces));
-    let text = dxf(&scene, outcome.mechanism.as_ref(), thrust.as_ref());
+        .evidence
+        .forces()
+        .map(|(_, forces)| trilith::answer::thrust(&scene, forces));
+    let text = dxf(&scene, outcome.evidence.mechanism(), thrust.as_ref());
     for layer in ["blocks", "support", "names", "mechanism", "resultants"] {
         assert!(text.contains(&format!("\n8\n{layer}\n")), "{layer}");
     }

@@ -52,15 +52,22 @@ fn answered(scene: &Scene, answer: &Value) -> Row {
 /// An outcome's proof as a program would write it.
 fn written(outcome: &Outcome, kind: &str) -> Value {
     let force = |f: &JointForce| [f.normal[0], f.normal[1], f.shear];
-    let forces: Vec<_> = outcome.forces.iter().flatten().map(force).collect();
-    let motions = &outcome.mechanism.as_ref().unwrap().motions;
+    let forces: Vec<_> = outcome
+        .evidence
+        .forces()
+        .unwrap()
+        .1
+        .iter()
+        .map(force)
+        .collect();
+    let motions = &outcome.evidence.mechanism().unwrap().motions;
     let velocities: Vec<_> = motions
         .iter()
         .map(|m| [m.velocity.x, m.velocity.y, m.rotation])
         .collect();
     json!({
         "kind": kind,
-        "lambda": outcome.bracket.unwrap().lower,
+        "lambda": outcome.bracket().unwrap().lower,
         "forces": forces,
         "velocities": velocities,
     })
@@ -83,7 +90,7 @@ fn highs_earns_verified_on_the_small_walls() {
     for (name, wall) in scenes::small_walls() {
         for head_joints in [HeadJoints::Contact, HeadJoints::Open] {
             let scene = scenes::laid(&wall, head_joints);
-            let ours = ask(&Associative, &scene).outcome.bracket.unwrap();
+            let ours = ask(&Associative, &scene).outcome.bracket().unwrap();
             let theirs = ask(&highs, &scene);
             let status = theirs.outcome.status;
             assert_eq!(
@@ -92,13 +99,13 @@ fn highs_earns_verified_on_the_small_walls() {
                 "{name}: {}",
                 theirs.outcome.reason()
             );
-            let bracket = theirs.outcome.bracket.unwrap();
+            let bracket = theirs.outcome.bracket().unwrap();
             assert!(bracket.error(ours.lower, 1.0) < 1e-6, "{name}: {bracket:?}");
             assert!(
                 bracket.relative_width(1.0).abs() < 1e-6,
                 "{name}: {bracket:?}"
             );
-            assert!(theirs.residual.unwrap() <= 1e-8);
+            assert!(theirs.residual().unwrap() <= 1e-8);
             assert!(theirs.seconds > 0.01, "an interpreter takes time");
         }
     }
@@ -113,7 +120,7 @@ fn proofs_are_judged_whoever_brings_them() {
         let right = written(outcome, kind);
         let answer = answered(&scene, &right);
         assert_eq!(answer.outcome.status, Status::Verified, "{kind}");
-        assert!(answer.residual.unwrap() <= 1e-8);
+        assert!(answer.residual().unwrap() <= 1e-8);
         // The same as an estimate: a collapse state is found out to be one, bounds are none.
         let mut modest = right.clone();
         modest["kind"] = "estimate".into();
@@ -125,13 +132,13 @@ fn proofs_are_judged_whoever_brings_them() {
         assert_eq!(status, expected, "{kind} as an estimate");
         // Claims that the forces or the velocities do not bear out are refuted.
         let mut high = right.clone();
-        high["lambda"] = (1.001 * outcome.bracket.unwrap().lower).into();
+        high["lambda"] = (1.001 * outcome.bracket().unwrap().lower).into();
         let mut spoiled = right.clone();
         spoiled["velocities"][3][2] = 1e3.into();
         for wrong in [high, spoiled] {
             let answer = answered(&scene, &wrong);
             assert_eq!(answer.outcome.status, Status::Failed, "{kind}");
-            assert_eq!(answer.outcome.bracket, None);
+            assert_eq!(answer.outcome.bracket(), None);
         }
     }
     // One kind of proof is not the other.
@@ -147,7 +154,7 @@ fn numbers_alone_are_estimates_and_nonsense_fails() {
         &json!({"kind": "estimate", "lambda": 0.6, "upper": 0.7}),
     );
     assert_eq!(number.outcome.status, Status::Estimate);
-    assert_eq!(number.outcome.bracket.unwrap().upper, 0.7);
+    assert_eq!(number.outcome.bracket().unwrap().upper, 0.7);
     let declined = answered(
         &scene,
         &json!({"kind": "not-applicable", "reason": "too tall"}),
@@ -215,7 +222,7 @@ fn programs_that_break_are_rows() {
         let outcome = ask(&program(&command, 10.0), &scene).outcome;
         assert_eq!(outcome.status, Status::Failed, "{command:?}");
         assert!(outcome.reason().contains(expected), "{}", outcome.reason());
-        assert_eq!(outcome.bracket, None);
+        assert_eq!(outcome.bracket(), None);
     }
     for (script, ending, messages) in [
         (
@@ -232,7 +239,7 @@ fn programs_that_break_are_rows() {
             failure(&outcome),
             &ProgramFailure::Ended { ending, messages }
         );
-        assert_eq!(outcome.bracket, None);
+        assert_eq!(outcome.bracket(), None);
     }
 }
 

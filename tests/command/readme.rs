@@ -115,10 +115,11 @@ fn solved() -> Solved {
         wall,
         mechanism: row
             .outcome
-            .mechanism
-            .clone()
+            .evidence
+            .mechanism()
+            .cloned()
             .expect("verified by a mechanism"),
-        crack: row.outcome.crack.expect("it rocks"),
+        crack: row.outcome.evidence.crack().copied().expect("it rocks"),
         lambda: row.bracket().expect("verified").upper,
         scene,
     }

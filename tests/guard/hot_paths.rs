@@ -69,14 +69,15 @@ fn assembly() -> Work {
 fn judge() -> Work {
     let scene = running_bond(10);
     let outcome = solved(&Associative, 10);
-    let (Some(forces), Some(mechanism)) = (outcome.forces, outcome.mechanism) else {
+    let (Some((_, forces)), Some(mechanism)) = (outcome.forces, outcome.evidence.mechanism())
+    else {
         return Work::default();
     };
     let mut rounds = 0;
     for round in 0..1000 {
         let lambda = 1e-3 * f64::from(round);
-        let statics = StaticResidual::of(&scene, &forces, lambda).largest();
-        let collapse = CollapseResidual::of(&scene, &forces, &mechanism).largest();
+        let statics = StaticResidual::of(&scene, forces, lambda).largest();
+        let collapse = CollapseResidual::of(&scene, forces, mechanism).largest();
         rounds += usize::from(statics.is_finite() && collapse.is_finite());
     }
     Work {

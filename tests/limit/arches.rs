@@ -20,7 +20,7 @@ fn judged(method: &dyn Method, scene: &Scene) -> Outcome {
 fn multiplier(scene: &Scene) -> f64 {
     let outcome = judged(&Associative, scene);
     assert_eq!(outcome.status, Status::Verified, "{}", outcome.reason());
-    outcome.bracket.expect("verified with a bracket").upper
+    outcome.bracket().expect("verified with a bracket").upper
 }
 
 fn stands(scene: &Scene) -> bool {
@@ -96,14 +96,14 @@ fn intervals_of_arches_are_verified() {
         let scene = arch(0.15, 157.5, voussoirs, ROUGH);
         let (outcome, lambda) = (judged(&Interval, &scene), multiplier(&scene));
         assert_eq!(outcome.status, Status::Verified, "{}", outcome.reason());
-        let bracket = outcome.bracket.expect("verified with a bracket");
+        let bracket = outcome.bracket().expect("verified with a bracket");
         assert!(bracket.error(lambda, 1.0) < 1e-6, "{bracket:?} {lambda}");
     }
     for friction in [0.36, 0.4, 0.5] {
         let scene = arch(0.17, 180.0, 27, friction);
         let (outcome, lambda) = (judged(&Interval, &scene), multiplier(&scene));
         assert_eq!(outcome.status, Status::Verified, "{}", outcome.reason());
-        let bracket = outcome.bracket.expect("verified with a bracket");
+        let bracket = outcome.bracket().expect("verified with a bracket");
         assert!(bracket.upper <= lambda * (1.0 + 1e-6) && bracket.lower > 0.0);
     }
 }

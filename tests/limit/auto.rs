@@ -37,7 +37,7 @@ fn holds_on_the_library(blocks: std::ops::Range<usize>, least: usize) {
             let what = format!("{} {}: {outcome:?}", case.name, head_joints.name());
             assert_ne!(outcome.status, Status::Failed, "{what}");
             assert_ne!(outcome.status, Status::Estimate, "{what}");
-            let (Some(known), Some(bracket)) = (reference(&case, head_joints), outcome.bracket)
+            let (Some(known), Some(bracket)) = (reference(&case, head_joints), outcome.bracket())
             else {
                 without.push(format!("{} {}", case.name, head_joints.name()));
                 continue;
@@ -85,7 +85,7 @@ fn a_branch_far_below_is_not_missed() {
     assert_eq!(outcome.status, Status::Undecided, "{}", outcome.reason());
     let uniqueness = uniqueness(&outcome).expect("both ends are proved");
     assert!(!uniqueness.unique && uniqueness.relative_width > 0.03);
-    let bracket = outcome.bracket.unwrap();
+    let bracket = outcome.bracket().unwrap();
     assert!(bracket.lower < 0.3658 && bracket.upper > 0.3809);
 }
 
@@ -129,9 +129,13 @@ fn auto_listens_before_it_vouches() {
     settings.auto.tolerance = 0.1;
     let alone = answer(&scene, &Interval, settings).outcome;
     let outcome = auto(&scene, settings);
-    let bracket = outcome.bracket.expect("both ends are proved");
+    let bracket = outcome.bracket().expect("both ends are proved");
     let stop_below = 0.9 * bracket.upper;
-    assert!(alone.bracket.is_some_and(|alone| alone.lower > stop_below));
+    assert!(
+        alone
+            .bracket()
+            .is_some_and(|alone| alone.lower > stop_below)
+    );
     assert_eq!(outcome.status, Status::Undecided, "{}", outcome.reason());
     assert!(bracket.lower < 0.41, "{bracket:?}");
     let listened = outcome.facts.iter().any(|fact| {

@@ -76,7 +76,7 @@ fn wall(unit: [f64; 2], courses: &[&str], friction: f64, head_joints: HeadJoints
 }
 
 fn gap(outcome: &Outcome) -> f64 {
-    let bracket = outcome.bracket.expect("there is a bound and a state");
+    let bracket = outcome.bracket().expect("there is a bound and a state");
     (bracket.upper - bracket.lower) / bracket.upper
 }
 
@@ -90,7 +90,7 @@ fn small_walls_are_enclosed() {
     ];
     for (unit, courses, lowest) in walls {
         let outcome = solve(&wall(unit, courses, 0.65, HeadJoints::Contact));
-        let bracket = outcome.bracket.expect("there is a bound and a state");
+        let bracket = outcome.bracket().expect("there is a bound and a state");
         assert!(gap(&outcome) < 1e-4, "{courses:?}: {bracket:?}");
         assert!((bracket.upper - lowest).abs() < 1e-6, "{courses:?}");
         assert!(bracket.lower < lowest + 1e-6, "{courses:?}");
@@ -135,7 +135,7 @@ fn analytic_scenes_are_enclosed() {
             .expect("it has an analytic answer")
             .value;
         let bracket = outcome
-            .bracket
+            .bracket()
             .unwrap_or_else(|| panic!("{name}: {}", outcome.reason()));
         assert!(bracket.lower <= exact * (1.0 + 1e-6), "{name}: {bracket:?}");
         assert!(
@@ -181,7 +181,7 @@ fn a_stone_that_drops_unpushed_is_not_said_to_stand() {
 fn a_changed_certificate_proves_nothing() {
     let scene = wall([4.0, 4.0], &["hh", "1", "hh"], 0.65, HeadJoints::Contact);
     let outcome = solve(&scene);
-    let certificate: &Certificate = outcome.certificate.as_ref().expect("it is certified");
+    let certificate: &Certificate = outcome.evidence.certificate().expect("it is certified");
     assert!(prove(&scene, certificate).is_ok());
     let refused = |change: &dyn Fn(&mut Certificate)| {
         let mut changed = certificate.clone();
@@ -229,7 +229,7 @@ fn a_changed_certificate_proves_nothing() {
     let other = solve(&rougher);
     stolen
         .scene
-        .clone_from(&other.certificate.expect("it is certified").scene);
+        .clone_from(&other.evidence.certificate().expect("it is certified").scene);
     assert!(less(prove(&rougher, &stolen).expect_err("another scene")));
 }
 
@@ -307,14 +307,14 @@ fn random_walls(seed: u64, count: usize, most: usize) -> Vec<(String, Outcome, f
             "{text}: {}",
             outcome.reason()
         );
-        if let Some(bracket) = outcome.bracket {
+        if let Some(bracket) = outcome.bracket() {
             println!("{text}: {bracket:?} {:?} {seconds:.1} s", outcome.status);
             // Nobody else verifies a state below what is proved.
             for method in method::methods() {
                 if ["interval", "sequential"].contains(&method.name()) {
                     let mut other = method.solve(&scene, &Settings::default());
                     judge(&scene, &mut other);
-                    if let (Status::Verified, Some(state)) = (other.status, other.bracket) {
+                    if let (Status::Verified, Some(state)) = (other.status, other.bracket()) {
                         assert!(state.lower >= bracket.lower * (1.0 - 1e-6), "{text}");
                     }
                 }

@@ -16,7 +16,7 @@ fn the_lower_branch_of_an_irregular_bond_is_found() {
     let scene = wall.scene(HeadJoints::Open).expect("the wall can be laid");
     let outcome = Interval.solve(&scene, &Settings::default());
     assert_eq!(outcome.status, Status::Verified);
-    let bracket = outcome.bracket.expect("verified states have a bracket");
+    let bracket = outcome.bracket().expect("verified states have a bracket");
     assert!(bracket.lower < 0.3658, "{bracket:?}");
     assert!(bracket.upper > 0.3809, "{bracket:?}");
 }

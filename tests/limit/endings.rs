@@ -1,7 +1,9 @@
 //! Scenes that fall under their own weight and scenes that no push collapses, each with its proof.
 
 use crate::scenes::{arch, ground, homogeneous, mirrored, polygon, rectangle, scene};
-use trilith::answer::{JointForce, Outcome, StaticResidual, Status, falling_violation};
+use trilith::answer::{
+    Evidence, JointForce, Motion, Outcome, StaticResidual, Status, falling_violation,
+};
 use trilith::judge::judge;
 use trilith::method::limit::{Associative, Interval, Sequential};
 use trilith::method::{Method, Settings};
@@ -26,8 +28,8 @@ fn assert_falls(scene: &Scene) {
             method.name(),
             outcome.reason()
         );
-        assert!(outcome.bracket.is_none());
-        let mechanism = outcome.mechanism.expect("with a mechanism");
+        assert!(outcome.bracket().is_none());
+        let mechanism = outcome.evidence.mechanism().expect("with a mechanism");
         assert!(falling_violation(scene, &mechanism) <= 1e-8);
     }
 }
@@ -44,7 +46,7 @@ fn assert_locks(scene: &Scene) {
     for method in &METHODS[1..] {
         let outcome = judged(*method, scene);
         assert_eq!(outcome.status, Status::Undecided, "{}", outcome.reason());
-        assert!(outcome.bracket.is_none());
+        assert!(outcome.bracket().is_none());
     }
 }
 
@@ -58,10 +60,12 @@ fn assert_proved_to_stand(scene: &Scene, methods: &[&dyn Method]) {
             method.name(),
             outcome.reason()
         );
-        let forces = outcome.forces.expect("with forces");
-        let ray = outcome.ray.expect("with a ray");
+        let forces = outcome.evidence.forces().expect("with forces").1;
+        let Evidence::Stands { ray, .. } = &outcome.evidence else {
+            panic!("without a ray");
+        };
         for lambda in [0.0, 0.5, 100.0] {
-            let sum = forces.iter().zip(&ray).map(|(f, r)| JointForce {
+            let sum = forces.iter().zip(ray).map(|(f, r)| JointForce {
                 normal: [0, 1].map(|k| f.normal[k] + lambda * r.normal[k]),
                 shear: f.shear + lambda * r.shear,
             });
@@ -76,7 +80,7 @@ fn assert_proved_to_stand(scene: &Scene, methods: &[&dyn Method]) {
 fn multiplier(scene: &Scene) -> f64 {
     let outcome = judged(&Associative, scene);
     assert_eq!(outcome.status, Status::Verified, "{}", outcome.reason());
-    outcome.bracket.expect("verified with a bracket").upper
+    outcome.bracket().expect("verified with a bracket").upper
 }
 
 /// Unit squares, each `step` further to the right than the one below.
@@ -196,26 +200,29 @@ fn mirrored_scenes_end_alike() {
     assert_falls(&mirrored(&arch(0.1, 180.0, 9, 10.0)));
 }
 
+fn motions_of(falling: &mut Outcome) -> &mut [Motion] {
+    match &mut falling.evidence {
+        Evidence::Falls { mechanism } => &mut mechanism.motions,
+        other => panic!("{other:?}"),
+    }
+}
+
 /// The judge takes no word for it: a spoiled mechanism or ray is refuted, none at all is undecided.
 #[test]
 fn the_judge_refutes_spoiled_proofs() {
     let falling = leaning(0.4, 4);
     let proof = Associative.solve(&falling, &Settings::default());
     let mut spoiled = proof.clone();
-    let motions = &mut spoiled
-        .mechanism
-        .as_mut()
-        .expect("with a mechanism")
-        .motions;
+    let motions = motions_of(&mut spoiled);
     motions[3].rotation += 1e-3 * motions[3].velocity.norm();
     judge(&falling, &mut spoiled);
     assert_eq!(spoiled.status, Status::Failed);
     let mut nan = proof.clone();
-    nan.mechanism.as_mut().expect("with a mechanism").motions[0].rotation = f64::NAN;
+    motions_of(&mut nan)[0].rotation = f64::NAN;
     judge(&falling, &mut nan);
     assert_eq!(nan.status, Status::Failed);
     let mut none = Outcome {
-        mechanism: None,
+        evidence: Evidence::Nothing,
         ..proof
     };
     judge(&falling, &mut none);
@@ -229,10 +236,16 @@ fn the_judge_refutes_spoiled_proofs() {
     let locked = scene(vec![block], walls, 0.7);
     let proof = Associative.solve(&locked, &Settings::default());
     let mut spoiled = proof.clone();
-    spoiled.ray.as_mut().expect("with a ray")[1].shear += 1e-3;
+    let Evidence::Stands { ray, .. } = &mut spoiled.evidence else {
+        panic!("without a ray");
+    };
+    ray[1].shear += 1e-3;
     judge(&locked, &mut spoiled);
     assert_eq!(spoiled.status, Status::Failed);
-    let mut none = Outcome { ray: None, ..proof };
+    let mut none = Outcome {
+        evidence: Evidence::Nothing,
+        ..proof
+    };
     judge(&locked, &mut none);
     assert_eq!(none.status, Status::Undecided);
 }

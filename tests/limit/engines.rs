@@ -91,7 +91,7 @@ fn assert_agreement(count: usize) {
         assert_eq!(structured.status, clarabel.status, "scene {k}");
         assert_eq!(clarabel.work.fallbacks, 0, "scene {k}");
         if structured.status == Status::Verified {
-            let brackets = [structured.bracket, clarabel.bracket].map(|b| b.expect("verified"));
+            let brackets = [structured.bracket(), clarabel.bracket()].map(|b| b.expect("verified"));
             assert!(overlap(brackets[0], brackets[1]), "scene {k}: {brackets:?}");
             programs += structured.work.programs;
             fallbacks += structured.work.fallbacks;

@@ -23,7 +23,7 @@ fn case(name: &str) -> Case {
 fn multiplier(scene: &Scene) -> [f64; 2] {
     let outcome = Associative.solve(scene, &Settings::default());
     assert_eq!(outcome.status, Status::Verified, "{}", outcome.reason());
-    let bracket = outcome.bracket.expect("verified with a bracket");
+    let bracket = outcome.bracket().expect("verified with a bracket");
     [bracket.lower, bracket.upper]
 }
 
@@ -177,12 +177,17 @@ fn the_weaker_of_both_sides_is_the_answer() {
                 let solved = |sides: &[Scene]| answer(sides, method, settings);
                 let both = solved(&sides);
                 let one = [solved(&sides[..1]), solved(&sides[1..])];
-                let lower = |k: usize| one[k].outcome.bracket.unwrap().lower;
+                let lower = |k: usize| one[k].outcome.bracket().unwrap().lower;
                 let weaker = usize::from(lower(1) < lower(0));
                 assert_eq!(both.push, one[weaker].push, "{name}");
-                assert_eq!(both.outcome.bracket, one[weaker].outcome.bracket, "{name}");
                 assert_eq!(
-                    both.outcome.mechanism, one[weaker].outcome.mechanism,
+                    both.outcome.bracket(),
+                    one[weaker].outcome.bracket(),
+                    "{name}"
+                );
+                assert_eq!(
+                    both.outcome.evidence.mechanism(),
+                    one[weaker].outcome.evidence.mechanism(),
                     "{name}"
                 );
                 let reason = both.outcome.reason();

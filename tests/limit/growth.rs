@@ -27,7 +27,7 @@ fn measure(method: &dyn Method, scene: &Scene) -> Cost {
     let peak = peak();
     judge(scene, &mut outcome);
     assert_eq!(outcome.status, Status::Verified, "{}", outcome.reason());
-    let bracket = outcome.bracket.expect("verified with a bracket");
+    let bracket = outcome.bracket().expect("verified with a bracket");
     println!(
         "  {:12} {:.6} {:5} of {:5} blocks {:4} programs {:5} iterations {seconds:8.3} s {peak:6.0} MB",
         method.name(),

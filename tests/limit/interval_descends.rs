@@ -23,7 +23,7 @@ fn eight_starts_reach_the_lowest_known_states() {
         settings.interval.starts = 8;
         let mut outcome = Interval.solve(&scene, &settings);
         judge(&scene, &mut outcome);
-        let lower = outcome.bracket.expect("states are found").lower;
+        let lower = outcome.bracket().expect("states are found").lower;
         let error = (lower - known).abs() / known;
         assert!(error <= 1e-5, "{name}: {lower} for {known}");
     }

@@ -16,7 +16,7 @@ fn judged(method: &dyn Method, scene: &Scene) -> Outcome {
 
 fn judged_with(method: &dyn Method, scene: &Scene, settings: &Settings) -> Outcome {
     let mut outcome = method.solve(scene, settings);
-    let residual = judge(scene, &mut outcome);
+    let residual = judge(scene, &mut outcome).residual();
     if outcome.status == Status::Verified {
         // NaN fails, and so does nothing to judge.
         assert!(residual.is_some_and(|residual| residual <= 1e-8));
@@ -28,7 +28,7 @@ fn judged_with(method: &dyn Method, scene: &Scene, settings: &Settings) -> Outco
 fn verified(method: &dyn Method, scene: &Scene) -> Bracket {
     let outcome = judged(method, scene);
     assert_eq!(outcome.status, Status::Verified, "{}", outcome.reason());
-    outcome.bracket.expect("verified with a bracket")
+    outcome.bracket().expect("verified with a bracket")
 }
 
 fn assert_same(name: &str, one: &Scene, other: &Scene) {
@@ -128,7 +128,7 @@ fn assert_interval_below(name: &str, scene: &Scene, highest: f64) {
     let outcome = judged_with(&Interval, scene, &settings);
     match outcome.status {
         Status::Verified => {
-            let bracket = outcome.bracket.expect("verified with a bracket");
+            let bracket = outcome.bracket().expect("verified with a bracket");
             let slack = 1e-6 * highest.max(1e-3);
             assert!(bracket.lower >= -slack, "{name}: {bracket:?}");
             assert!(

@@ -62,7 +62,7 @@ fn judged(method: &dyn Method, scene: &Scene) -> Outcome {
 fn multiplier(scene: &Scene) -> Option<f64> {
     let outcome = judged(&Associative, scene);
     match outcome.status {
-        Status::Verified => Some(outcome.bracket.expect("verified with a bracket").upper),
+        Status::Verified => Some(outcome.bracket().expect("verified with a bracket").upper),
         Status::Falls => None,
         status => panic!("{}: {}", status.name(), outcome.reason()),
     }
@@ -118,7 +118,7 @@ proptest! {
         let smooth = laid(&Wall { friction: 0.0.into(), ..wall }, head);
         let outcome = judged(&Interval, &scene);
         prop_assert_eq!(outcome.status, Status::Verified, "{}", outcome.reason());
-        let bracket = outcome.bracket.expect("verified with a bracket");
+        let bracket = outcome.bracket().expect("verified with a bracket");
         prop_assert!(bracket.lower <= bracket.upper);
         let slack = 1e-6 * highest + 1e-8 * scene.multiplier_unit();
         prop_assert!(bracket.upper <= highest + slack, "{bracket:?} above {highest}");
@@ -126,7 +126,7 @@ proptest! {
         if let Some(lowest) = multiplier(&smooth) {
             prop_assert!(bracket.lower >= lowest - 1e-9, "{bracket:?} below {lowest}");
         }
-        for state in &outcome.states {
+        for state in outcome.evidence.states() {
             let statics = StaticResidual::of(&scene, &state.forces, state.lambda).largest();
             let collapse = CollapseResidual::of(&scene, &state.forces, &state.mechanism).largest();
             prop_assert!(statics <= 1e-8 && collapse <= 1e-8, "{statics} {collapse}");
@@ -182,7 +182,7 @@ proptest! {
         let whole = scene.clone().without_wall();
         let (a, b) = (judged(&Associative, &scene), judged(&Associative, &whole));
         prop_assert_eq!(a.status, b.status);
-        if let (Some(a), Some(b)) = (a.bracket, b.bracket) {
+        if let (Some(a), Some(b)) = (a.bracket(), b.bracket()) {
             prop_assert!(close(a.upper, b.upper), "{a:?} {b:?}");
         }
         prop_assert_eq!(b.status == Status::Falls || b.work.modelled == whole.blocks().len(), true);

@@ -72,7 +72,7 @@ fn proved(wall: &Wall, head_joints: HeadJoints) -> f64 {
     let outcome = associative(wall, head_joints);
     assert_eq!(outcome.status, Status::Verified, "{}", outcome.reason());
     outcome
-        .bracket
+        .bracket()
         .expect("a verified outcome has a bracket")
         .upper
 }
@@ -82,7 +82,9 @@ fn proved(wall: &Wall, head_joints: HeadJoints) -> f64 {
 /// own.
 fn stands(wall: &Wall) -> bool {
     let outcome = associative(wall, HeadJoints::Open);
-    outcome.bracket.is_some_and(|bracket| bracket.lower > 0.01)
+    outcome
+        .bracket()
+        .is_some_and(|bracket| bracket.lower > 0.01)
 }
 
 fn close(a: f64, b: f64) -> bool {
@@ -123,7 +125,7 @@ proptest! {
         prop_assert!(proved(&rougher, HeadJoints::Contact) >= lambda * (1.0 - 2e-6));
         let smooth = Wall { friction: 0.0.into(), ..wall };
         // Level base joints carry no push without friction; a wall may also need it to stand.
-        let pushed = associative(&smooth, HeadJoints::Contact).bracket;
+        let pushed = associative(&smooth, HeadJoints::Contact).bracket();
         prop_assert!(pushed.is_none_or(|bracket| bracket.lower < 1e-6), "{pushed:?}");
     }
 
@@ -133,10 +135,10 @@ proptest! {
         prop_assume!(stands(&wall));
         let scene = wall.scene(HeadJoints::Contact).expect("the wall can be laid");
         let outcome = Associative.solve(&scene, &Settings::default());
-        let bracket = outcome.bracket.expect("a wall on level ground collapses");
-        let forces = outcome.forces.expect("with forces");
+        let bracket = outcome.bracket().expect("a wall on level ground collapses");
+        let forces = outcome.evidence.forces().expect("with forces").1;
         prop_assert!(StaticResidual::of(&scene, &forces, bracket.lower).largest() <= 1e-8);
-        let upper = kinematic_multiplier(&scene, &outcome.mechanism.expect("with a mechanism"));
+        let upper = kinematic_multiplier(&scene, &outcome.evidence.mechanism().expect("with a mechanism"));
         prop_assert!((upper - bracket.upper).abs() < 1e-12 && bracket.lower <= upper + 1e-9);
     }
 }
@@ -149,14 +151,14 @@ fn sequential_stays_below_associative() {
     let held = runner.run(&walls(), |wall| {
         prop_assume!(stands(&wall));
         let scene = wall.scene(HeadJoints::Open).expect("the wall can be laid");
-        let highest = Associative.solve(&scene, &Settings::default()).bracket;
+        let highest = Associative.solve(&scene, &Settings::default()).bracket();
         let highest = highest.expect("with a bracket").upper;
         let outcome = Sequential.solve(&scene, &Settings::default());
-        match outcome.bracket {
+        match outcome.bracket() {
             Some(b) => prop_assert!(b.upper <= highest * (1.0 + 1e-4), "{} {highest}", b.upper),
             None => prop_assert!(!outcome.reason().is_empty()),
         }
-        let count = if outcome.bracket.is_some() {
+        let count = if outcome.bracket().is_some() {
             &answered
         } else {
             &refused
@@ -220,10 +222,10 @@ proptest! {
         let scene = Wall { friction, ..wall }.scene(head_joints).expect("the wall can be laid");
         let mut settings = Settings::default();
         settings.set("c0", &format!("1e{cohesion}")).expect("in its range");
-        let bound = Associative.solve(&scene, &Settings::default()).bracket;
+        let bound = Associative.solve(&scene, &Settings::default()).bracket();
         let outcome = Sequential.solve(&scene, &settings);
-        if let (Some(bound), Some(bracket)) = (bound, outcome.bracket) {
-            let stated = outcome.stated_error.expect("what converged states its error");
+        if let (Some(bound), Some(bracket)) = (bound, outcome.bracket()) {
+            let stated = outcome.evidence.stated_error().expect("what converged states its error");
             let lambda = bracket.upper;
             let allowed = (stated + 1e-6) * lambda.abs().max(1e-3);
             prop_assert!(lambda <= bound.upper + allowed, "{lambda} {} {stated}", bound.upper);

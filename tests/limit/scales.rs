@@ -5,7 +5,7 @@
 use std::cell::RefCell;
 
 use crate::scenes::{arch, ground, homogeneous, laid, rectangle, scene, small_walls, weighted};
-use trilith::answer::{Fact, JudgedFact, Outcome, Status, magnitude};
+use trilith::answer::{Evidence, Fact, JudgedFact, Outcome, Status, magnitude};
 use trilith::judge::judge;
 use trilith::method::limit::{Associative, Interval};
 use trilith::method::pushover::Pushover;
@@ -138,7 +138,7 @@ fn judged_with(method: &dyn Method, scene: &Scene, settings: &Settings) -> Outco
 
 impl Counts {
     fn add(&mut self, outcome: &Outcome, truth: Truth, what: &str) {
-        let answer = (outcome.status, outcome.bracket);
+        let answer = (outcome.status, outcome.bracket());
         let count = match (answer, truth) {
             ((Status::Undecided, _), _) => &mut self.refused,
             ((Status::Falls, _), Truth::Falls) => &mut self.right,
@@ -235,7 +235,7 @@ fn a_small_pillar_beside_or_on_a_large_block_is_not_lost() {
                 let outcome = judged(method, &scene);
                 let what = format!("{} {power} {on_top}: {}", method.name(), outcome.reason());
                 assert_eq!(outcome.status, Status::Verified, "{what}");
-                let bracket = outcome.bracket.expect("verified with a bracket");
+                let bracket = outcome.bracket().expect("verified with a bracket");
                 // A block of 1e-8 at 10 has its own sizes to eight digits.
                 let error = bracket.error(exact, 1.0);
                 assert!(error <= 1e-6 + 1e-14 / size, "{what} {bracket:?} {exact}");
@@ -259,13 +259,16 @@ fn a_state_that_violates_a_light_block_is_not_verified() {
     let scene = scene(blocks, vec![ground()], 0.65);
     let mut outcome = judged(&Associative, &scene);
     assert_eq!(outcome.status, Status::Verified);
-    let forces = outcome.forces.as_mut().expect("verified with forces");
+    let Evidence::Bounds { below, .. } = &mut outcome.evidence else {
+        panic!("without bounds");
+    };
+    let forces = &mut below.forces;
     let light = scene.joints().iter().position(|joint| joint.to == 1);
     let light = light.expect("it stands on the ground");
     forces[light].normal = forces[light].normal.map(|n| n * (1.0 + 1e-5));
     judge(&scene, &mut outcome);
     assert_eq!(outcome.status, Status::Undecided);
-    assert!(outcome.bracket.is_none());
+    assert!(outcome.bracket().is_none());
     let told = outcome.facts.iter().find_map(|fact| match fact {
         Fact::Judged(JudgedFact::Unresolved(residual)) => Some(*residual),
         _ => None,
@@ -299,7 +302,7 @@ fn ten() -> Vec<(String, Scene)> {
 fn assert_live_loads_scale(method: &dyn Method, name: &str, one: &Scene, powers: &[i32], to: f64) {
     let reference = judged_quickly(method, one);
     assert!(
-        reference.bracket.is_some(),
+        reference.bracket().is_some(),
         "{name}: {}",
         reference.reason()
     );
@@ -309,7 +312,7 @@ fn assert_live_loads_scale(method: &dyn Method, name: &str, one: &Scene, powers:
         let outcome = judged_quickly(method, &scaled);
         let what = format!("{} {name} {power}: {}", method.name(), outcome.reason());
         assert_eq!(outcome.status, reference.status, "{what}");
-        let ends = |outcome: &Outcome| outcome.bracket.map(|b| [b.lower, b.upper]);
+        let ends = |outcome: &Outcome| outcome.bracket().map(|b| [b.lower, b.upper]);
         let pairs = ends(&outcome).into_iter().zip(ends(&reference));
         for (end, known) in pairs.flat_map(|(ends, known)| ends.into_iter().zip(known)) {
             assert!(
@@ -351,7 +354,7 @@ fn friction_of_any_size_is_answered() {
             let scene = one.clone().with_friction(|_, _| friction);
             let bound = judged(&Associative, &scene);
             let what = format!("{name} {friction:e}: {}", bound.reason());
-            let upper = match (bound.status, bound.bracket) {
+            let upper = match (bound.status, bound.bracket()) {
                 (Status::Verified, Some(bracket)) => bracket.upper,
                 (Status::Falls, None) => 0.0,
                 (Status::Stands, None) => f64::INFINITY,
@@ -364,7 +367,7 @@ fn friction_of_any_size_is_answered() {
             }
             let found = judged_quickly(&Interval, &scene);
             let what = format!("{what}; {:?} {}", found.status, found.reason());
-            match (found.status, found.bracket) {
+            match (found.status, found.bracket()) {
                 (Status::Verified, Some(bracket)) => {
                     let unit = scene.multiplier_unit();
                     let most = upper + 1e-6 * magnitude(upper, unit);

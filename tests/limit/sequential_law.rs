@@ -21,9 +21,10 @@ fn answer(courses: usize, friction: f64) -> [f64; 2] {
     let scene = wall.scene(HeadJoints::Open).expect("it can be laid");
     let outcome = Sequential.solve(&scene, &Settings::default());
     let error = outcome
-        .stated_error
+        .evidence
+        .stated_error()
         .expect("there is a λ_A to measure it by");
-    [outcome.bracket.expect("it slides").upper, error]
+    [outcome.bracket().expect("it slides").upper, error]
 }
 
 /// λ = μ in closed form, to what c0 adds: 1e-6 of the largest normal force.

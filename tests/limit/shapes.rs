@@ -35,7 +35,7 @@ fn answer(case: &Case, method: &str) -> Outcome {
 
 #[track_caller]
 fn lambda(case: &Case) -> f64 {
-    let bracket = answer(case, "associative").bracket;
+    let bracket = answer(case, "associative").bracket();
     bracket.expect("there is a multiplier").lower
 }
 
@@ -58,7 +58,7 @@ fn an_l_rocks_about_its_toe() {
         let case = alone(L, push);
         assert!((lambda(&case) - expected).abs() < 1e-9, "{push}");
         let seen = answer(&case, "pushover")
-            .bracket
+            .bracket()
             .expect("it is pushed over");
         assert!(
             (seen.lower - expected).abs() < 1e-3 * expected,
@@ -193,7 +193,9 @@ fn curved_voussoirs_are_pushed_over_as_straight_ones() {
     let expected = lambda(&curved);
     for case in [curved, straight] {
         let seen = answer(&case, "pushover");
-        let bracket = seen.bracket.unwrap_or_else(|| panic!("{}", seen.reason()));
+        let bracket = seen
+            .bracket()
+            .unwrap_or_else(|| panic!("{}", seen.reason()));
         for end in [bracket.lower, bracket.upper] {
             assert!(
                 (end - expected).abs() < 5e-3 * expected,
@@ -210,7 +212,11 @@ fn thrust_runs_inside_the_arch_and_adds_up_in_a_pier() {
     let [arch, _] = arch(1);
     let outcome = answer(&arch, "associative");
     let scene = arch.scene(HeadJoints::Contact);
-    let line = thrust(&scene, &outcome.forces.expect("forces prove it")).lines;
+    let line = thrust(
+        &scene,
+        &outcome.evidence.forces().expect("forces prove it").1,
+    )
+    .lines;
     assert_eq!(line.len(), 1);
     // One point a joint.
     assert_eq!(line[0].len(), 10);
@@ -225,9 +231,12 @@ fn thrust_runs_inside_the_arch_and_adds_up_in_a_pier() {
         "",
     );
     let outcome = answer(&pier, "associative");
-    let lambda = outcome.bracket.expect("it rocks").lower;
+    let lambda = outcome.bracket().expect("it rocks").lower;
     let scene = pier.scene(HeadJoints::Contact);
-    let way = thrust(&scene, &outcome.forces.expect("forces prove it"));
+    let way = thrust(
+        &scene,
+        &outcome.evidence.forces().expect("forces prove it").1,
+    );
     assert_eq!(way.courses.len(), 4);
     for (course, of) in way.courses.iter().enumerate() {
         let weight = 3.0 * (4 - course) as f64;

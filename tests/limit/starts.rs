@@ -12,7 +12,7 @@ fn verified_starts(scene: &Scene, starts: usize) -> usize {
     let mut settings = Settings::default();
     settings.interval.starts = starts;
     let mut outcome = Interval.solve(scene, &settings);
-    let residual = judge(scene, &mut outcome);
+    let residual = judge(scene, &mut outcome).residual();
     assert_eq!(outcome.status, Status::Verified, "{}", outcome.reason());
     assert!(residual.is_some_and(|residual| residual <= 1e-8));
     let search = outcome.search().expect("starts are reported");
@@ -61,7 +61,7 @@ fn neighbours_come_beside_the_starts_asked_for() {
         let mut settings = Settings::default();
         settings.interval.starts = starts;
         let alone = Interval.solve(&scene, &settings);
-        let forces = alone.forces.as_ref().expect("of the lowest state");
+        let forces = alone.evidence.forces().expect("of the lowest state").1;
         let unit = scene.total_weight();
         let normal = forces.iter().map(|f| (f.normal[0] + f.normal[1]) / unit);
         let outcome = Interval.solve_from(&scene, &settings, &[normal.collect()]);

@@ -24,8 +24,11 @@ fn assert_within(name: &str, exact: f64, accuracy: Accuracy, allowed: f64) {
     settings.pushover.accuracy = accuracy;
     let outcome = Pushover.solve(&scene, &settings);
     assert_eq!(outcome.status, Status::Bracketed, "{}", outcome.reason());
-    let bracket = outcome.bracket.expect("bracketed");
-    let stated = outcome.stated_error.expect("a pushover states its error");
+    let bracket = outcome.bracket().expect("bracketed");
+    let stated = outcome
+        .evidence
+        .stated_error()
+        .expect("a pushover states its error");
     assert!(bracket.relative_width(1.0) <= stated, "{name}: {bracket:?}");
     assert!(bracket.error(exact, 1.0) <= allowed, "{name}: {bracket:?}");
 }
@@ -62,7 +65,11 @@ fn every_accuracy_sees_the_same_crack() {
             let mut settings = Settings::default();
             settings.pushover.accuracy = accuracy;
             let outcome = Pushover.solve(&case[0].scene(HeadJoints::Open), &settings);
-            let crack = outcome.crack.expect("a wall of units and halves");
+            let crack = outcome
+                .evidence
+                .crack()
+                .copied()
+                .expect("a wall of units and halves");
             assert!(crack.sharp, "{name}: {crack:?}");
             assert_eq!((crack.c, crack.e), (Some(c), Some(e)), "{name}");
         }
@@ -79,7 +86,7 @@ fn the_tall_wall_with_and_without_damping() {
     let undamped = solve_with(&scene, &PushoverSettings::default(), Parameters::undamped);
     for outcome in [damped, undamped] {
         let bracket = outcome
-            .bracket
+            .bracket()
             .unwrap_or_else(|| panic!("{}", outcome.reason()));
         assert!(bracket.error(0.5413, 1.0) <= 4e-3, "{bracket:?}");
     }
@@ -113,12 +120,15 @@ fn large_walls_are_within_their_stated_error() {
         let mut lowest = Interval.solve(&scene, &Settings::default());
         judge(&scene, &mut lowest);
         assert_eq!(lowest.status, Status::Verified, "{}", lowest.reason());
-        let exact = lowest.bracket.expect("verified").lower;
+        let exact = lowest.bracket().expect("verified").lower;
         let outcome = Pushover.solve(&scene, &Settings::default());
         let bracket = outcome
-            .bracket
+            .bracket()
             .unwrap_or_else(|| panic!("{}", outcome.reason()));
-        let stated = outcome.stated_error.expect("a pushover states its error");
+        let stated = outcome
+            .evidence
+            .stated_error()
+            .expect("a pushover states its error");
         let error = bracket.error(exact, 1.0);
         println!(
             "{units} × {courses}: {bracket:?}, stated {stated}, verified {exact}, error {error:.1e}"

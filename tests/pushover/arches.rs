@@ -10,8 +10,8 @@ use trilith::scene::{HeadJoints, Scene};
 /// Asserts a bracket within `error` of `[low, high]`, or a refusal with a reason.
 fn assert_right_or_refused(name: &str, scene: &Scene, [low, high]: [f64; 2], error: f64) -> bool {
     let outcome = Pushover.solve(scene, &Settings::default());
-    println!("{name}: {:?} {}", outcome.bracket, outcome.reason());
-    match outcome.bracket {
+    println!("{name}: {:?} {}", outcome.bracket(), outcome.reason());
+    match outcome.bracket() {
         Some(bracket) => {
             let right =
                 bracket.upper >= low * (1.0 - error) && bracket.lower <= high * (1.0 + error);
@@ -70,11 +70,14 @@ fn assert_columns_tilt(columns: &[(usize, f64)]) {
         let outcome = Pushover.solve(&column, &Settings::default());
         let name = format!("a column of {blocks}, {width} wide");
         let reason = outcome.reason();
-        println!("{name}: {:?} {reason}", outcome.bracket);
+        println!("{name}: {:?} {reason}", outcome.bracket());
         let bracket = outcome
-            .bracket
+            .bracket()
             .unwrap_or_else(|| panic!("{name}: {reason}"));
-        let error = outcome.stated_error.expect("levels measure an error");
+        let error = outcome
+            .evidence
+            .stated_error()
+            .expect("levels measure an error");
         assert!(error <= 2e-3, "{name}: {error}");
         assert!(bracket.error(exact, 1.0) <= error, "{name}: {bracket:?}");
     }
@@ -99,7 +102,7 @@ fn semicircles_are_pushed_to_their_multiplier() {
         let arch = arch(0.20, 180.0, voussoirs, 10.0);
         let outcome = Pushover.solve(&arch, &Settings::default());
         let bracket = outcome
-            .bracket
+            .bracket()
             .unwrap_or_else(|| panic!("{voussoirs}: {}", outcome.reason()));
         assert!(
             bracket.error(lambda, 1.0) <= 5e-3,

@@ -216,8 +216,8 @@ fn range(scene: &Scene) -> Option<[Option<f64>; 2]> {
     let (states, bound) = (judged(&Interval), judged(&Associative));
     let of =
         |status: Status, bracket: Option<Bracket>| bracket.filter(|_| status == Status::Verified);
-    let lowest = of(states.status, states.bracket).map(|b| b.lower);
-    let most = of(bound.status, bound.bracket).map(|b| b.upper);
+    let lowest = of(states.status, states.bracket()).map(|b| b.lower);
+    let most = of(bound.status, bound.bracket()).map(|b| b.upper);
     (bound.status != Status::Falls).then_some([lowest, most])
 }
 
@@ -228,8 +228,8 @@ fn fault(name: &str, scene: &Scene) -> Option<Option<String>> {
     let text = format!(
         "{name}: {:?} {:?} {:?} {} for {truth:?}",
         outcome.status,
-        outcome.bracket,
-        outcome.stated_error,
+        outcome.bracket(),
+        outcome.evidence.stated_error(),
         outcome.reason()
     );
     println!("{text}");
@@ -239,7 +239,7 @@ fn fault(name: &str, scene: &Scene) -> Option<Option<String>> {
     if outcome.status == Status::Falls {
         return Some(Some(text));
     }
-    let (bracket, error) = (outcome.bracket?, outcome.stated_error?);
+    let (bracket, error) = (outcome.bracket()?, outcome.evidence.stated_error()?);
     let above = most.is_some_and(|most| bracket.lower > most * (1.0 + error));
     let below = lowest.is_some_and(|lowest| bracket.upper < lowest * (1.0 - error));
     // Below the lowest state that twelve starts find, a lower one may exist.

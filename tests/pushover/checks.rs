@@ -30,7 +30,7 @@ fn the_papers_walls_pass_every_check() {
                 matches!(check.what, Checked::Repetition { with, answer: Ok(_) } if with == repeated)
                     && check.passed()
             };
-            let checks = &outcome.checks;
+            let checks = outcome.evidence.checks();
             assert_eq!(
                 checks.iter().filter(agrees).count(),
                 1,
@@ -49,8 +49,8 @@ fn head_joints_in_contact_give_a_range() {
         ("paper-2", 0.557416, 0.579999),
     ] {
         let outcome = bracketed(&scene(name, HeadJoints::Contact), &Settings::default());
-        let range = outcome.bracket.expect("bracketed");
-        let error = outcome.stated_error.expect("stated");
+        let range = outcome.bracket().expect("bracketed");
+        let error = outcome.evidence.stated_error().expect("stated");
         assert!(range.lower >= lowest * (1.0 - error), "{name}: {range:?}");
         assert!(
             range.upper <= associative * (1.0 + error),
@@ -81,9 +81,9 @@ fn twenty_runs_give_the_same_bits() {
         let first = bracketed(&scene, &Settings::default());
         for _ in 1..20 {
             let again = bracketed(&scene, &Settings::default());
-            assert_eq!(first.bracket, again.bracket);
-            assert_eq!(first.mechanism, again.mechanism);
-            assert_eq!(first.checks, again.checks);
+            assert_eq!(first.bracket(), again.bracket());
+            assert_eq!(first.evidence.mechanism(), again.evidence.mechanism());
+            assert_eq!(first.evidence.checks(), again.evidence.checks());
             assert_eq!(first.work, again.work);
         }
     }
@@ -97,13 +97,13 @@ fn first_slip_is_not_above_the_collapse() {
     settings.pushover.collapse = Collapse::FirstSlip;
     for name in ["paper-1", "paper-2", "sliding-block"] {
         let scene = scene(name, HeadJoints::Open);
-        let collapse = bracketed(&scene, &Settings::default()).bracket;
+        let collapse = bracketed(&scene, &Settings::default()).bracket();
         let outcome = Pushover.solve(&scene, &settings);
         assert_eq!(outcome.status, Status::Estimate, "{}", outcome.reason());
         let first_slip = PushoverFact::FirstSlip { slip: 1e-3 };
         assert_eq!(outcome.facts[0], first_slip.into());
-        assert_eq!(outcome.stated_error, None);
-        let slip = outcome.bracket;
+        assert_eq!(outcome.evidence.stated_error(), None);
+        let slip = outcome.bracket();
         let (collapse, slip) = (collapse.expect("bracketed"), slip.expect("bracketed"));
         assert!(
             slip.lower <= collapse.upper,
@@ -118,7 +118,11 @@ fn a_recording_follows_the_collapse() {
     settings.pushover.recording = true;
     let scene = scene("paper-1", HeadJoints::Open);
     let outcome = bracketed(&scene, &settings);
-    let recording = outcome.recording.as_ref().expect("it was asked for");
+    let recording = outcome
+        .evidence
+        .observed()
+        .and_then(|seen| seen.recording.as_ref())
+        .expect("it was asked for");
     let frames = recording.frames.len();
     assert!((30..200).contains(&frames), "{frames} frames");
     let moved = |frame: &Mechanism| {
@@ -132,5 +136,11 @@ fn a_recording_follows_the_collapse() {
     assert!(at(4) - at(3) > at(2) - at(1), "{:?}", [1, 2, 3, 4].map(at));
     // Without being asked, nothing is kept, and nothing else changes.
     let plain = bracketed(&scene, &Settings::default());
-    assert!(plain.recording.is_none() && plain.bracket == outcome.bracket);
+    assert!(
+        plain
+            .evidence
+            .observed()
+            .is_none_or(|seen| seen.recording.is_none())
+            && plain.bracket() == outcome.bracket()
+    );
 }

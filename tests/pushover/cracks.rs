@@ -71,17 +71,24 @@ fn assert_cracks(seeds: std::ops::Range<u64>) {
         let (Some(state), Some(above)) = (judged(&Interval), judged(&Associative)) else {
             continue;
         };
-        let [lower, upper] = [&state, &above].map(|of| of.bracket.map_or(f64::NAN, |b| b.lower));
+        let [lower, upper] = [&state, &above].map(|of| of.bracket().map_or(f64::NAN, |b| b.lower));
         let narrow = upper - lower <= 0.01 * upper;
         let seen = Pushover.solve(&scene, &settings);
-        let (Some(Bracket { .. }), true) = (seen.bracket, narrow) else {
+        let (Some(Bracket { .. }), true) = (seen.bracket(), narrow) else {
             continue;
         };
-        let agrees = agree(seen.crack, state.crack);
+        let agrees = agree(
+            seen.evidence.crack().copied(),
+            state.evidence.crack().copied(),
+        );
         if !agrees {
-            println!("{seed}: {:?} for {:?}", seen.crack, state.crack);
+            println!(
+                "{seed}: {:?} for {:?}",
+                seen.evidence.crack().copied(),
+                state.evidence.crack().copied()
+            );
         }
-        let rocks = state.crack.is_some();
+        let rocks = state.evidence.crack().copied().is_some();
         walls += 1;
         same += usize::from(agrees);
         rocking += usize::from(rocks);

@@ -91,7 +91,7 @@ fn truth(scene: &Scene) -> Option<Bracket> {
     let judged = |method: &dyn Method| {
         let mut outcome = method.solve(scene, &settings);
         judge(scene, &mut outcome);
-        (outcome.status == Status::Verified).then_some(outcome.bracket)?
+        (outcome.status == Status::Verified).then_some(outcome.bracket())?
     };
     Some(Bracket {
         lower: judged(&Interval)?.lower,
@@ -130,7 +130,7 @@ impl Score {
         self.walls += 1;
         self.work.push(steps(&seen) / steps(&single));
         let narrow = truth.upper - truth.lower <= 0.01 * truth.upper;
-        let (Some(bracket), Some(error)) = (seen.bracket, seen.stated_error) else {
+        let (Some(bracket), Some(error)) = (seen.bracket(), seen.evidence.stated_error()) else {
             println!("{seed}: {:?} {} for {truth:?}", seen.status, seen.reason());
             self.undecided += 1;
             return;
@@ -139,7 +139,7 @@ impl Score {
         let off = distance(bracket, truth);
         if off > error {
             let text = format!("{seed}: {bracket:?} {error} {off:.4} for {truth:?} {narrow}");
-            println!("{text} {}; one level {:?}", seen.reason(), single.bracket);
+            println!("{text} {}; one level {:?}", seen.reason(), single.bracket());
             self.wrong.push(text);
         }
     }

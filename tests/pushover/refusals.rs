@@ -66,11 +66,11 @@ fn is_answered(
     tolerance: f64,
     refused: Option<Refused>,
 ) -> bool {
-    if let Some(bracket) = outcome.bracket {
+    if let Some(bracket) = outcome.bracket() {
         assert!(
             bracket.error(exact, 1.0) <= tolerance,
             "{what}: {bracket:?} for {exact}: {:?}",
-            outcome.checks
+            outcome.evidence.checks()
         );
         return true;
     }
@@ -202,7 +202,7 @@ fn little_and_much_friction() {
     };
     let outcome = pushed(&open(&smooth));
     let still = outcome
-        .bracket
+        .bracket()
         .is_some_and(|b| b.lower == 0.0 && b.upper <= 1e-4);
     assert!(still, "{outcome:?}");
     let rough = Wall {
@@ -213,13 +213,16 @@ fn little_and_much_friction() {
     let associative = trilith::method::METHODS
         .iter()
         .find(|m| m.name() == "associative");
-    let highest =
-        associative.and_then(|m| m.method.solve(&open(&rough), &Settings::default()).bracket);
+    let highest = associative.and_then(|m| {
+        m.method
+            .solve(&open(&rough), &Settings::default())
+            .bracket()
+    });
     let highest = highest.expect("associative answers").upper;
     let sound = outcome
-        .bracket
+        .bracket()
         .is_some_and(|b| b.lower <= highest * 1.002 && b.lower >= 0.639);
-    assert!(sound, "{:?} above {highest}", outcome.bracket);
+    assert!(sound, "{:?} above {highest}", outcome.bracket());
 }
 
 /// The top course 100 and 1000 times heavier, against the associative open value of the same scene
@@ -238,7 +241,8 @@ fn a_heavy_top_course() {
         let associative = trilith::method::METHODS
             .iter()
             .find(|m| m.name() == "associative");
-        let exact = associative.and_then(|m| m.method.solve(&scene, &Settings::default()).bracket);
+        let exact =
+            associative.and_then(|m| m.method.solve(&scene, &Settings::default()).bracket());
         let exact = exact.expect("associative answers").upper;
         let what = format!("top × {factor}");
         assert_answered(&what, &pushed(&scene), exact, 2e-3);
@@ -285,7 +289,7 @@ fn tilted_gravity() {
     for (lambda, stands) in [(PAPER_1 * 0.5, true), (PAPER_1 * 1.01, false)] {
         let tilted = open(&paper_1()).with_loads(|load, _| load.dead += load.live * lambda);
         let outcome = pushed(&tilted);
-        match outcome.bracket {
+        match outcome.bracket() {
             // λ counts on from the tilt.
             Some(rest) => {
                 assert!(stands, "{rest:?}");

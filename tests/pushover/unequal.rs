@@ -25,7 +25,8 @@ fn pushed(scene: &Scene) -> Outcome {
 /// Within the error that the answer itself states.
 fn assert_right(what: &str, scene: &Scene, exact: f64) {
     let outcome = pushed(scene);
-    let (Some(Bracket { lower, upper }), Some(error)) = (outcome.bracket, outcome.stated_error)
+    let (Some(Bracket { lower, upper }), Some(error)) =
+        (outcome.bracket(), outcome.evidence.stated_error())
     else {
         panic!("{what}: {:?} {}", outcome.status, outcome.reason());
     };

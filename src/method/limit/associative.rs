@@ -6,10 +6,12 @@ use super::equilibration::{UnitPower, needs_own_units, unit_powers};
 use super::own_weight::{own_weight, without_optimum};
 use super::program::{Margins, Program};
 use super::reduction;
-use crate::answer::{Bracket, Claim, LimitFact, Outcome, Status, VERIFIED_WIDTH, Work, magnitude};
+use crate::answer::{
+    Bracket, Evidence, LimitFact, Outcome, Status, VERIFIED_WIDTH, Work, magnitude,
+};
 use crate::mechanics::{
-    BlockResidual, JointForce, Mechanism, StaticResidual, VELOCITY_THRESHOLDS, VERIFIED_RESIDUAL,
-    associative_violation, crack_slope, kinematic_multiplier,
+    BlockResidual, Ceiling, ForceState, JointForce, Mechanism, StaticResidual, VELOCITY_THRESHOLDS,
+    VERIFIED_RESIDUAL, associative_violation, crack_slope, kinematic_multiplier,
 };
 use crate::method::settings::{Engine, LP_TOLERANCE};
 use crate::method::{Method, Settings};
@@ -194,7 +196,7 @@ fn sticky_margins(scene: &Scene) -> Option<Margins> {
 
 /// The outcome of both sides of λ_A.
 fn outcome(scene: &Scene, optimum: Optimum, user: &Settings, work: Work) -> Outcome {
-    let mut bracket = optimum.bracket;
+    let bracket = optimum.bracket;
     let unit = scene.multiplier_unit();
     if !loose(user) && needs_own_units(scene) && !proves(scene, &optimum) {
         // Elsewhere ends that prove nothing are a defect, for the judge to refute.
@@ -210,9 +212,6 @@ fn outcome(scene: &Scene, optimum: Optimum, user: &Settings, work: Work) -> Outc
                 ..Outcome::without_number(Status::Undecided, LimitFact::LooseWithoutMultiplier)
             };
         }
-        if bracket.lower > bracket.upper {
-            (bracket.lower, bracket.upper) = (bracket.upper, bracket.lower);
-        }
         (Status::Estimate, Some(LimitFact::Loose))
     } else if bracket.is_one_number(unit) {
         (Status::Verified, None)
@@ -221,11 +220,17 @@ fn outcome(scene: &Scene, optimum: Optimum, user: &Settings, work: Work) -> Outc
         (Status::Bracketed, Some(LimitFact::Apart { relative_width }))
     };
     Outcome {
-        claim: Claim::Associative,
-        bracket: Some(bracket),
-        crack: crack_slope(scene, &optimum.mechanism, VELOCITY_THRESHOLDS),
-        mechanism: Some(optimum.mechanism),
-        forces: Some(optimum.forces),
+        evidence: Evidence::Bounds {
+            crack: crack_slope(scene, &optimum.mechanism, VELOCITY_THRESHOLDS),
+            below: ForceState {
+                lambda: bracket.lower,
+                forces: optimum.forces,
+            },
+            above: Ceiling {
+                lambda: bracket.upper,
+                mechanism: optimum.mechanism,
+            },
+        },
         work,
         facts: fact.into_iter().map(LimitFact::into).collect(),
         ..Outcome::of(status)

@@ -7,7 +7,7 @@ use super::falling;
 use super::program::{Margins, Program};
 use super::scale::Scale;
 use super::vertical;
-use crate::answer::{Claim, LimitFact, Outcome, Status, Work};
+use crate::answer::{Evidence, LimitFact, Outcome, Status, Work};
 use crate::mechanics::{
     BlockResidual, JointForce, Mechanism, StaticResidual, VERIFIED_RESIDUAL, live_unit,
 };
@@ -67,7 +67,7 @@ pub(super) fn own_weight(scene: &Scene, work: &mut Work) -> Result<Vec<JointForc
 fn falls(scene: &Scene, mechanism: Mechanism, work: Work) -> Outcome {
     let first = falling::names(scene, &mechanism);
     Outcome {
-        mechanism: Some(mechanism),
+        evidence: Evidence::Falls { mechanism },
         work,
         ..Outcome::without_number(Status::Falls, LimitFact::MovesUnpushed { first })
     }
@@ -83,7 +83,7 @@ pub(super) fn without_optimum(
 ) -> Outcome {
     let ray = matches!(ending, Ending::Unbounded).then(|| ray(scene, work));
     let outcome = match ray.flatten() {
-        Some(ray) => stands(Claim::Associative, at_rest, ray),
+        Some(ray) => stands(true, at_rest, ray),
         None => Outcome::without_number(Status::Undecided, LimitFact::NoOptimum(ending.kind())),
     };
     Outcome {
@@ -92,11 +92,13 @@ pub(super) fn without_optimum(
     }
 }
 
-fn stands(claim: Claim, at_rest: Vec<JointForce>, ray: Vec<JointForce>) -> Outcome {
+fn stands(associative: bool, at_rest: Vec<JointForce>, ray: Vec<JointForce>) -> Outcome {
     Outcome {
-        claim,
-        forces: Some(at_rest),
-        ray: Some(ray),
+        evidence: Evidence::Stands {
+            associative,
+            at_rest,
+            ray,
+        },
         ..Outcome::without_number(Status::Stands, LimitFact::ForcesWithoutLimit)
     }
 }
@@ -114,7 +116,7 @@ pub(super) fn stands_without_dilatancy(
     let ray = ray(&smooth, work)?;
     Some(Outcome {
         work: *work,
-        ..stands(Claim::CollapseState, at_rest.to_vec(), ray)
+        ..stands(false, at_rest.to_vec(), ray)
     })
 }
 

@@ -4,9 +4,9 @@
 use super::ending::{Ending, Solution};
 use super::own_weight::{own_weight, stands_without_dilatancy, without_optimum};
 use super::program::{FrictionLaw, Program};
-use crate::answer::{Bracket, Outcome, SequentialEnding, SequentialFacts, Status, Work};
+use crate::answer::{Evidence, Outcome, SequentialEnding, SequentialFacts, Status, Work};
 use crate::mechanics::{
-    JointForce, Mechanism, VELOCITY_THRESHOLDS, crack_slope, excess_lift, live_unit,
+    CollapseState, JointForce, Mechanism, VELOCITY_THRESHOLDS, crack_slope, excess_lift, live_unit,
 };
 use crate::method::{Method, SequentialSettings, Settings};
 use crate::scene::Scene;
@@ -99,11 +99,16 @@ fn sequential(scene: &Scene, settings: &Settings) -> Outcome {
     let facts = SequentialFacts { ending, steps };
     let outcome = match last.filter(|_| ending == SequentialEnding::Converged) {
         Some(last) => {
-            let outcome = converged(scene, &program, &last, facts);
-            let stated_error = ceiling.and_then(|ceiling| stated_error(scene, &outcome, &ceiling));
+            let state = state(&program, &last);
+            let ceiling = ceiling.as_ref();
+            let evidence = Evidence::State {
+                stated_error: ceiling.and_then(|ceiling| stated_error(scene, &state, ceiling)),
+                crack: crack_slope(scene, &state.mechanism, VELOCITY_THRESHOLDS),
+                state,
+            };
             Outcome {
-                stated_error,
-                ..outcome
+                evidence,
+                ..Outcome::without_number(Status::Estimate, facts)
             }
         }
         None => Outcome::without_number(Status::Undecided, facts),
@@ -111,25 +116,21 @@ fn sequential(scene: &Scene, settings: &Settings) -> Outcome {
     Outcome { work, ..outcome }
 }
 
-fn converged(scene: &Scene, program: &Program, last: &Solution, facts: SequentialFacts) -> Outcome {
+fn state(program: &Program, last: &Solution) -> CollapseState {
     let scale = program.scale();
-    let mechanism = scale.mechanism(&last.velocity);
-    Outcome {
-        bracket: Some(Bracket::point(last.lambda * scale.multiplier)),
-        crack: crack_slope(scene, &mechanism, VELOCITY_THRESHOLDS),
-        mechanism: Some(mechanism),
-        forces: Some(scale.forces(&last.forces)),
-        ..Outcome::without_number(Status::Estimate, facts)
+    CollapseState {
+        lambda: last.lambda * scale.multiplier,
+        forces: scale.forces(&last.forces),
+        mechanism: scale.mechanism(&last.velocity),
     }
 }
 
 /// What λ may be off by, relative to it: as much as it moves in the steps that settle it, and what
 /// c0 and capacities that lag behind their normal forces let joints carry beyond Coulomb's law,
 /// measured by how far that can lift λ above λ_A, whose mechanism is `ceiling`.
-fn stated_error(scene: &Scene, outcome: &Outcome, ceiling: &Mechanism) -> Option<f64> {
-    let forces = outcome.forces.as_deref()?;
-    let lambda = outcome.bracket?.upper;
-    let lift = excess_lift(scene, forces, ceiling);
+fn stated_error(scene: &Scene, state: &CollapseState, ceiling: &Mechanism) -> Option<f64> {
+    let lambda = state.lambda;
+    let lift = excess_lift(scene, &state.forces, ceiling);
     let least = 1e-3 * scene.total_weight() / live_unit(scene);
     let error = STEPS_SETTLED as f64 * SETTLED + lift / lambda.abs().max(least);
     error.is_finite().then_some(error)

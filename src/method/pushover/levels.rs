@@ -111,7 +111,7 @@ pub fn by_levels(
         let outcome = trial.run(&|model: &Model| halved(parameters(model), halvings));
         let cost = outcome.work.block_steps;
         spent += cost;
-        match (outcome.bracket, outcome.stated_error) {
+        match (outcome.bracket(), outcome.evidence.stated_error()) {
             (Some(bracket), Some(target)) => {
                 let drift = drift(&outcome);
                 levels.seen.push(Level { bracket, drift });
@@ -183,7 +183,8 @@ fn shortens(before: &mut f64, outcome: &Outcome) -> bool {
 /// The figure of the check on drift.
 fn drift(outcome: &Outcome) -> f64 {
     let of = outcome
-        .checks
+        .evidence
+        .checks()
         .iter()
         .find(|check| check.what == Checked::Drift);
     of.map_or(f64::INFINITY, |check| check.value)

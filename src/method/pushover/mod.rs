@@ -33,7 +33,7 @@ mod verify;
 pub use parameters::Parameters;
 pub use single::solve_with;
 
-use crate::answer::{Claim, Outcome, PushoverFact, Status};
+use crate::answer::{Observed, Outcome, PushoverFact, Status};
 use crate::method::{Collapse, Method, PushoverSettings, Settings};
 use crate::scene::Scene;
 use levels::by_levels;
@@ -63,15 +63,20 @@ impl Method for Pushover {
             outcome
         };
         let outcome = match settings.collapse {
-            Collapse::FirstSlip if outcome.bracket.is_some() => first_slip(outcome),
+            Collapse::FirstSlip if outcome.bracket().is_some() => first_slip(outcome),
             _ if is_coarser(settings) => without_calibration(outcome),
             _ => outcome,
         };
-        Outcome {
-            claim: Claim::Observed,
-            ..outcome
-        }
+        seen(outcome, |_| ())
     }
+}
+
+/// The outcome with a change of what was seen.
+fn seen(mut outcome: Outcome, change: impl FnOnce(&mut Observed)) -> Outcome {
+    let mut observed = outcome.evidence.into_observed();
+    change(&mut observed);
+    outcome.evidence = observed.into();
+    outcome
 }
 
 /// The answer of one connected part: levels whose differences tell the error, or a range where there
@@ -91,11 +96,10 @@ fn answer(scene: &Scene, part: &Portion, settings: &PushoverSettings) -> Outcome
     }
     let levels = by_levels(scene, part, &parameters);
     if let Some(agreed) = levels.agreed {
-        return Outcome {
-            bracket: Some(agreed.bracket),
-            stated_error: Some(agreed.error),
-            ..levels.last
-        };
+        return seen(levels.last, |observed| {
+            observed.bracket = Some(agreed.bracket);
+            observed.stated_error = Some(agreed.error);
+        });
     }
     match varied() {
         _ if levels.seen.is_empty() && !levels.drifts() => levels.last,
@@ -133,12 +137,12 @@ fn first_slip(outcome: Outcome) -> Outcome {
 fn qualified(outcome: Outcome, status: Status, fact: PushoverFact) -> Outcome {
     let mut facts = outcome.facts;
     facts.insert(0, fact.into());
-    Outcome {
+    let outcome = Outcome {
         status,
-        stated_error: None,
         facts,
         ..outcome
-    }
+    };
+    seen(outcome, |observed| observed.stated_error = None)
 }
 
 /// Every parameter with its unit, one a line, as the pushover of this scene begins with them.

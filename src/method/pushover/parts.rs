@@ -1,6 +1,7 @@
 //! Scenes of several connected parts: the part that collapses first decides.
 
 use super::portion::Portion;
+use super::seen;
 use crate::answer::{Bracket, Fact, Outcome, PushoverFact, Status};
 use crate::scene::Scene;
 
@@ -24,27 +25,29 @@ pub fn weakest(scene: &Scene, answer: impl Fn(&Portion) -> Outcome) -> Outcome {
             break;
         }
     }
-    let checks = answers.iter().flat_map(|(_, of)| of.checks.clone());
+    let checks = answers
+        .iter()
+        .flat_map(|(_, of)| of.evidence.checks().to_vec());
     let checks = checks.collect();
     let mut outcome = decisive(scene, answers);
     outcome.work.block_steps = block_steps;
-    Outcome { checks, ..outcome }
+    seen(outcome, |observed| observed.checks = checks)
 }
 
 /// The answer of the part that decides.
 fn decisive(scene: &Scene, mut answers: Vec<(&Portion, Outcome)>) -> Outcome {
-    let upper = |outcome: &Outcome| outcome.bracket.map_or(f64::INFINITY, |of| of.upper);
+    let upper = |outcome: &Outcome| outcome.bracket().map_or(f64::INFINITY, |of| of.upper);
     let least = answers.iter().map(|(_, of)| upper(of));
     let least = least.fold(f64::INFINITY, f64::min);
     let unanswered = |(part, outcome): &(&Portion, Outcome)| {
         let pushed = part.is_pushed(scene);
-        outcome.bracket.is_none() && stands_at(outcome).is_none_or(|at| pushed && at < least)
+        outcome.bracket().is_none() && stands_at(outcome).is_none_or(|at| pushed && at < least)
     };
     let first = answers.iter().position(unanswered);
     let weakest = || answers.iter().position(|(_, of)| upper(of) == least);
     let decides = first.or_else(weakest).unwrap_or(0);
     let (_, outcome) = answers.swap_remove(decides);
-    match outcome.bracket {
+    match outcome.bracket() {
         Some(bracket) => beside(outcome, bracket, &answers),
         None => outcome,
     }
@@ -61,18 +64,17 @@ fn stands_at(outcome: &Outcome) -> Option<f64> {
 /// The weakest part's outcome beside those of parts that collapse almost as early.
 fn beside(outcome: Outcome, bracket: Bracket, others: &[(&Portion, Outcome)]) -> Outcome {
     let near = others.iter().filter_map(|(_, of)| {
-        let bracket_of = of.bracket?;
-        let error = of.stated_error.unwrap_or(0.0);
+        let bracket_of = of.bracket()?;
+        let error = of.evidence.stated_error().unwrap_or(0.0);
         (bracket_of.lower * (1.0 - error) <= bracket.upper).then_some((bracket_of.lower, error))
     });
-    let (mut lower, mut most) = (bracket.lower, outcome.stated_error);
+    let (mut lower, mut most) = (bracket.lower, outcome.evidence.stated_error());
     for (other, error) in near {
         lower = lower.min(other);
         most = most.map(|most| most.max(error));
     }
-    Outcome {
-        bracket: Some(Bracket { lower, ..bracket }),
-        stated_error: most,
-        ..outcome
-    }
+    seen(outcome, |observed| {
+        observed.bracket = Some(Bracket { lower, ..bracket });
+        observed.stated_error = most;
+    })
 }

@@ -7,7 +7,7 @@ use super::model::{GRID, Model};
 use super::parameters::Parameters;
 use super::portion::{Portion, beyond_stagger};
 use super::search::{Observation, SearchEnd, search};
-use crate::answer::{Bracket, Outcome, PushoverFact, Recording, SelfCheck, Status, Work};
+use crate::answer::{Bracket, Observed, Outcome, PushoverFact, Recording, SelfCheck, Status, Work};
 use crate::mechanics::{Mechanism, Motion, crack_slope_by_gap};
 use crate::scene::{Scene, Vector};
 
@@ -121,14 +121,12 @@ fn judged(
     let failed = checks.iter().find(|check| !check.passed());
     if let Some(failed) = failed.filter(|_| parameters.self_checks) {
         let fact = PushoverFact::SelfCheckFailed(failed.clone());
-        return Outcome {
-            checks,
-            ..Outcome::without_number(Status::Undecided, fact)
-        };
+        let undecided = Outcome::without_number(Status::Undecided, fact);
+        return super::seen(undecided, |observed| observed.checks = checks);
     }
     let moved = |frame: &Vec<BodyState>| mechanism(scene, model, &seen.settled.states, frame);
     let mechanism = mechanism(scene, model, &seen.rest.states, &seen.collapsed);
-    Outcome {
+    let observed = Observed {
         bracket: Some(Bracket {
             lower: model.lambda(seen.lower),
             upper: model.lambda(seen.upper),
@@ -141,8 +139,8 @@ fn judged(
             interval: fall.interval * model.length.sqrt(),
         }),
         checks,
-        ..Outcome::of(Status::Bracketed)
-    }
+    };
+    Outcome::with(Status::Bracketed, observed)
 }
 
 fn self_checks(

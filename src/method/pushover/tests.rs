@@ -42,7 +42,7 @@ fn pushed(wall: &Wall) -> Outcome {
 
 fn bracket(outcome: &Outcome) -> Bracket {
     outcome
-        .bracket
+        .bracket()
         .unwrap_or_else(|| panic!("{}", outcome.reason()))
 }
 
@@ -82,9 +82,9 @@ fn the_first_wall_of_the_paper() {
     assert_eq!(outcome.status, Status::Bracketed, "{}", outcome.reason());
     let bracket = bracket(&outcome);
     assert!(bracket.error(0.639969, 1.0) < 1e-3 && bracket.relative_width(1.0) < 1e-3);
-    let crack = outcome.crack.unwrap();
+    let crack = outcome.evidence.crack().unwrap();
     assert_eq!((crack.c, crack.e), (Some(8.0), Some(12.0)));
-    assert_eq!(outcome.checks.len(), 7);
+    assert_eq!(outcome.evidence.checks().len(), 7);
 }
 
 /// Lengths and the origin do not matter: millimetres, and 10⁶ course heights away. Push to the
@@ -113,9 +113,9 @@ fn scale_origin_and_direction_do_not_matter() {
 fn the_same_run_gives_the_same_bits() {
     let column = wall([4.0, 1.75], 0.65, &["1", "hh", "1"]);
     let (one, other) = (pushed(&column), pushed(&column));
-    assert_eq!(one.bracket, other.bracket);
-    assert_eq!(one.mechanism, other.mechanism);
-    assert_eq!(one.checks, other.checks);
+    assert_eq!(one.bracket(), other.bracket());
+    assert_eq!(one.evidence.mechanism(), other.evidence.mechanism());
+    assert_eq!(one.evidence.checks(), other.evidence.checks());
     assert_eq!(one.work, other.work);
 }
 
@@ -142,7 +142,7 @@ fn what_cannot_be_answered_is_undecided() {
         .unwrap()
         .with_loads(|load, _| load.live = Vector::zeros());
     let outcome = pushover(&unpushed);
-    assert!(outcome.status == Status::Undecided && outcome.bracket.is_none());
+    assert!(outcome.status == Status::Undecided && outcome.bracket().is_none());
 }
 
 /// Every joint slides with its own coefficient: a stack of five, of which the fourth joint is the
@@ -195,7 +195,7 @@ fn verification_passes_on_a_column_and_fails_on_a_foreign_bracket() {
             .iter()
             .all(|check| check.passed())
     );
-    outcome.bracket = Some(Bracket::point(0.41));
+    outcome = super::seen(outcome, |seen| seen.bracket = Some(Bracket::point(0.41)));
     assert!(
         verify(&scene, &PushoverSettings::default(), &outcome)
             .iter()

@@ -67,7 +67,9 @@ fn moved((name, change, factors): Tuned) -> Vec<String> {
                 change(&mut own, by);
                 own
             });
-            let (Some(bracket), Some(stated)) = (outcome.bracket, outcome.stated_error) else {
+            let (Some(bracket), Some(stated)) =
+                (outcome.bracket(), outcome.evidence.stated_error())
+            else {
                 wrong.push(format!("{name} × {by}: {of} {}", outcome.reason()));
                 continue;
             };

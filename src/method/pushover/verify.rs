@@ -2,6 +2,7 @@
 
 use super::checks::repetition_agrees;
 use super::parameters::Parameters;
+use super::seen;
 use super::single::solve_with;
 use crate::answer::{Fact, Outcome, PushoverFact, Repetition, SelfCheck, Status};
 use crate::method::PushoverSettings;
@@ -10,31 +11,31 @@ use crate::scene::Scene;
 /// An outcome after [`verify`]: the figures join its checks, and without agreement it loses its
 /// number.
 pub fn confirmed(scene: &Scene, settings: &PushoverSettings, outcome: Outcome) -> Outcome {
-    if outcome.bracket.is_none() {
+    if outcome.bracket().is_none() {
         return outcome;
     }
     let repeated = verify(scene, settings, &outcome);
-    let checks = [&outcome.checks[..], &repeated].concat();
+    let checks = [outcome.evidence.checks(), &repeated].concat();
     if let Some(failed) = repeated.iter().find(|check| !check.passed()) {
         let fact = PushoverFact::VerificationFailed(failed.clone());
-        return Outcome {
-            checks,
+        let refused = Outcome {
             work: outcome.work,
             ..Outcome::without_number(Status::Undecided, fact)
         };
+        return seen(refused, |observed| observed.checks = checks);
     }
     let facts = repeated.into_iter().map(PushoverFact::Checked);
-    Outcome {
+    let confirmed = Outcome {
         facts: facts.map(Fact::from).collect(),
-        checks,
         ..outcome
-    }
+    };
+    seen(confirmed, |observed| observed.checks = checks)
 }
 
 /// Repeats a bracketed pushover with half the substep, on the mirrored scene and without kinetic
 /// damping. Empty where `outcome` has no bracket.
 pub fn verify(scene: &Scene, settings: &PushoverSettings, outcome: &Outcome) -> Vec<SelfCheck> {
-    let (Some(bracket), Some(error)) = (outcome.bracket, outcome.stated_error) else {
+    let (Some(bracket), Some(error)) = (outcome.bracket(), outcome.evidence.stated_error()) else {
         return Vec::new();
     };
     let repeated = |with: Repetition| {
@@ -46,7 +47,7 @@ pub fn verify(scene: &Scene, settings: &PushoverSettings, outcome: &Outcome) -> 
                 Err(error) => Outcome::without_number(Status::Undecided, error.to_string()),
             },
         };
-        let answer = run.bracket.ok_or_else(|| run.reason());
+        let answer = run.bracket().ok_or_else(|| run.reason());
         repetition_agrees(bracket, with, answer, scene.multiplier_unit(), error)
     };
     use Repetition::{HalfSubstep, Mirrored, Undamped};

@@ -3,11 +3,11 @@
 
 use maud::{Markup, PreEscaped, html};
 
-use super::certificates::in_short;
 use super::document::{Document, document};
 use super::panel::foremost;
 use super::prose;
 use super::ranges::range_figure;
+use super::residuals::in_short;
 use super::table::{TableCell, plain};
 use crate::case::Case;
 use crate::judge::Verdict;

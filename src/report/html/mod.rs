@@ -7,7 +7,6 @@
 //! manual ── a page a case: drawing, ranges, references, answers, residuals
 //! ```
 
-mod certificates;
 mod document;
 mod manual;
 mod page;
@@ -15,6 +14,7 @@ mod panel;
 mod prose;
 mod ranges;
 mod replay;
+mod residuals;
 mod summary;
 mod sweep;
 mod table;

@@ -2,7 +2,7 @@
 
 use maud::{Markup, PreEscaped, html};
 
-use super::{certificates, replay};
+use super::{replay, residuals};
 use crate::method::{Kind, entry};
 use crate::picture::{Options, View, common_size, figure};
 use crate::record::record;
@@ -36,8 +36,8 @@ pub fn panel(result: &CaseResult) -> Markup {
         @for row in &result.rows {
             (replay::replay(result, row))
         }
-        @if let Some(certificates) = certificates::certificates(result) {
-            details { summary { "Certificates" } (certificates) }
+        @if let Some(residuals) = residuals::in_full(result) {
+            details { summary { "Certificates" } (residuals) }
         }
         details {
             summary { "Record" }
@@ -72,9 +72,9 @@ fn drawn(result: &CaseResult) -> (Vec<&Row>, Vec<&Row>) {
         |row: &Row| entry(&row.method).is_some_and(|entry| entry.drawn_first) && main(row);
     let can_be_drawn = |row: &&Row| {
         if row.kind() == Kind::ClosedForm {
-            row.outcome.crack.is_some() && main(row)
+            row.crack().is_some() && main(row)
         } else {
-            row.outcome.mechanism.is_some()
+            row.outcome.evidence.mechanism().is_some()
         }
     };
     let (mut foremost, mut further): (Vec<&Row>, Vec<&Row>) = result
@@ -105,7 +105,7 @@ fn view<'a>(result: &'a CaseResult, row: &'a Row) -> View<'a> {
         scene: result.scene(row),
         row,
         macro_slope: closed
-            .and_then(|row| row.outcome.crack)
+            .and_then(|row| row.crack())
             .map(|crack| crack.tan_beta),
     }
 }

@@ -39,10 +39,10 @@ pub fn range_figure(result: &CaseResult) -> Option<String> {
     let mut rows: Vec<&Row> = result.rows.iter().filter(|row| is_shown(row)).collect();
     rows.sort_by_key(|row| row.head_joints == HeadJoints::Contact);
     let ranges: Vec<RangeMark> = rows.iter().map(|row| mark(row, both)).collect();
-    let closed = (result.rows.iter())
-        .find(|row| row.kind() == Kind::ClosedForm && row.outcome.bracket.is_some());
+    let closed =
+        (result.rows.iter()).find(|row| row.kind() == Kind::ClosedForm && row.bracket().is_some());
     let shaded = closed.and_then(|row| {
-        let ends = row.outcome.bracket?;
+        let ends = row.bracket()?;
         let colour = method_look(&row.method, 0).colour;
         Some((row.method.clone(), [ends.lower, ends.upper], colour))
     });
@@ -91,13 +91,13 @@ pub fn range_figure(result: &CaseResult) -> Option<String> {
 
 /// Whether a row is a line of the plot: it has a multiplier, and is not the closed form's, which is shaded.
 fn is_shown(row: &Row) -> bool {
-    row.outcome.bracket.is_some() && row.kind() != Kind::ClosedForm
+    row.bracket().is_some() && row.kind() != Kind::ClosedForm
 }
 
 fn mark(row: &Row, both: bool) -> RangeMark {
     let ends = row
         .outcome
-        .bracket
+        .bracket()
         .map_or([0.0; 2], |ends| [ends.lower, ends.upper]);
     let known = row.references.iter().filter(|reference| {
         reference.kind != SourceKind::Independent

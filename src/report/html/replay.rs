@@ -25,7 +25,7 @@ pub fn replay(result: &CaseResult, row: &Row) -> Markup {
         .replace("</", "<\\/");
     let frames = poses.frames.len();
     let id = format!("replay-{}-{}", result.case.name, row.head_joints.name());
-    let upper = row.outcome.bracket.map_or(0.0, |bracket| bracket.upper);
+    let upper = row.bracket().map_or(0.0, |bracket| bracket.upper);
     html! {
         h3 id=(id) { "The collapse, replayed" }
         figure.replay aria-labelledby=(id) {

@@ -32,9 +32,8 @@ impl Method for FromNeighbours<'_> {
             let outcome = Interval.solve(&other, settings);
             work = work + outcome.work;
             let weight = other.total_weight();
-            let normals = outcome
-                .forces
-                .filter(|forces| forces.len() == scene.joints().len());
+            let normals = outcome.evidence.forces().map(|(_, forces)| forces);
+            let normals = normals.filter(|forces| forces.len() == scene.joints().len());
             starts.extend(normals.map(|forces| -> Vec<f64> {
                 let total = |normal: [f64; 2]| (normal[0] + normal[1]).max(0.0) / weight;
                 forces.iter().map(|force| total(force.normal)).collect()

@@ -21,7 +21,7 @@ fn letter(scene: &Scene) -> char {
     let outcome = judged(&Associative, scene);
     match outcome.status {
         Status::Falls => {
-            let mechanism = outcome.mechanism.expect("with a mechanism");
+            let mechanism = outcome.evidence.mechanism().expect("with a mechanism");
             assert!(falling_violation(scene, &mechanism) <= 1e-8);
             'f'
         }

@@ -61,8 +61,8 @@ use std::sync::Arc;
 use super::ending::Ending;
 use super::interval::{Interval, lowest};
 use super::program::Program;
-use crate::answer::{BoundFact, Bracket, Claim, Fact, Outcome, Status, Work, magnitude};
-use crate::certificate::{Conditions, Prover};
+use crate::answer::{BoundFact, Evidence, Fact, Outcome, Status, Work, magnitude};
+use crate::certificate::{Certificate, Conditions, Prover};
 use crate::mechanics::{CollapseState, VELOCITY_THRESHOLDS, crack_slope};
 use crate::method::settings::LP_TOLERANCE;
 use crate::method::{Method, Settings};
@@ -82,7 +82,7 @@ impl Method for Bound {
         let mut proving = *settings;
         proving.programs.lp_tolerance = LP_TOLERANCE;
         let found = lowest(scene, &proving, f64::NEG_INFINITY);
-        let Some(state) = found.states.first().cloned() else {
+        let Some(state) = found.evidence.states().first().cloned() else {
             return without_state(found);
         };
         let mut work = found.work;
@@ -123,7 +123,7 @@ impl Method for Bound {
                 modelled: work.modelled,
                 ..work + lower.work
             };
-            let least = lower.states.into_iter().next();
+            let least = lower.evidence.states().first().cloned();
             match least.filter(|least| least.lambda < state.lambda - 1e-9 * unit) {
                 Some(lower) => state = lower,
                 None => break,
@@ -151,10 +151,8 @@ impl Method for Bound {
         let lower = certificate
             .as_ref()
             .map_or(slices.lower * unit, |c| c.lower);
-        Outcome {
-            certificate: certificate.map(Arc::new),
-            ..answer(scene, state, Some(lower), work, facts)
-        }
+        let bounded = Some((lower, certificate.map(Arc::new)));
+        answer(scene, state, bounded, work, facts)
     }
 }
 
@@ -201,30 +199,27 @@ fn without_state(found: Outcome) -> Outcome {
 fn answer(
     scene: &Scene,
     state: CollapseState,
-    lower: Option<f64>,
+    bounded: Option<(f64, Option<Arc<Certificate>>)>,
     work: Work,
     facts: Vec<Fact>,
 ) -> Outcome {
-    let upper = state.lambda;
-    let bracket = lower.map(|lower| Bracket {
-        // What rounding of the state leaves is not the bound's.
-        lower: lower.min(upper),
-        upper,
-    });
     let certified = facts
         .iter()
         .any(|fact| matches!(fact, Fact::Bound(BoundFact::Proved(_))));
-    let status = match bracket {
+    let status = match bounded {
         None => Status::Undecided,
         Some(_) if certified => Status::Bracketed,
         Some(_) => Status::Estimate,
     };
+    let (lower, certificate) = bounded.unzip();
     Outcome {
-        claim: Claim::Bounded,
-        bracket,
-        crack: crack_slope(scene, &state.mechanism, VELOCITY_THRESHOLDS),
-        mechanism: Some(state.mechanism),
-        forces: Some(state.forces),
+        evidence: Evidence::Bounded {
+            // What rounding of the state leaves is not the bound's.
+            lower: lower.map(|lower| lower.min(state.lambda)),
+            certificate: certificate.flatten(),
+            crack: crack_slope(scene, &state.mechanism, VELOCITY_THRESHOLDS),
+            state,
+        },
         work,
         facts,
         ..Outcome::of(status)

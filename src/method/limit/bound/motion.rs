@@ -190,8 +190,8 @@ mod tests {
         assert!(!conditions.slip_bounds.is_empty());
         let motion = Motion::of_velocities(&conditions);
         let found = lowest(&scene, &Settings::default(), f64::NEG_INFINITY);
-        assert!(!found.states.is_empty());
-        for state in &found.states {
+        assert!(!found.evidence.states().is_empty());
+        for state in found.evidence.states() {
             let velocities = state.mechanism.motions.iter().map(|&motion| motion.into());
             let scaled =
                 velocities.flat_map(|[x, y, turn]: [f64; 3]| [x, y, turn * scene.height()]);

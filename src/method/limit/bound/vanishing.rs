@@ -261,9 +261,9 @@ mod tests {
     fn states_do_not_contradict() {
         let scene = wall(4, Push::Right);
         let found = lowest(&scene, &Settings::default(), f64::NEG_INFINITY);
-        assert!(!found.states.is_empty());
+        assert!(!found.evidence.states().is_empty());
         let vanishings = vanishings(&scene);
-        for state in &found.states {
+        for state in found.evidence.states() {
             for (force, vanishing) in &vanishings {
                 let forces = &state.forces[force / 4];
                 let friction = scene.joints()[force / 4].friction;

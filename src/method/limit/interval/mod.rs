@@ -19,7 +19,7 @@ use super::ending::Ending;
 use super::own_weight::{own_weight, ray, stands_without_dilatancy, without_optimum};
 use super::reduction;
 use crate::answer::{
-    Bracket, LimitFact, Outcome, SearchEnding, SearchFailure, SolverEnding, StartEnding, Status,
+    Evidence, LimitFact, Outcome, SearchEnding, SearchFailure, SolverEnding, StartEnding, Status,
     Work,
 };
 use crate::mechanics::{JointForce, VELOCITY_THRESHOLDS, crack_slope};
@@ -180,19 +180,15 @@ fn report(
     work: &mut Work,
 ) -> Option<Outcome> {
     let states = explored.states.clone();
-    let (low, high) = (states.first()?.clone(), states.last()?);
+    let lowest = &states.first()?.mechanism;
     let found = LimitFact::FoundNoBounds {
         frictionless: outer::frictionless(scene, at_rest, work),
     };
     Some(Outcome {
-        bracket: Some(Bracket {
-            lower: low.lambda,
-            upper: high.lambda,
-        }),
-        crack: crack_slope(scene, &low.mechanism, VELOCITY_THRESHOLDS),
-        mechanism: Some(low.mechanism),
-        forces: Some(low.forces),
-        states,
+        evidence: Evidence::States {
+            crack: crack_slope(scene, lowest, VELOCITY_THRESHOLDS),
+            states,
+        },
         work: *work,
         facts: vec![found.into(), explored.facts.clone().into()],
         ..Outcome::of(Status::Verified)

@@ -85,7 +85,7 @@ impl<P: Fn(&Model) -> Parameters + Sync> Varied<'_, P> {
                 variation.stiffness == 1.0 && variation.mirrored == mirrored
             };
             let finer = Conditions {
-                expected: runs.iter().find(like).and_then(|(_, run)| run.bracket),
+                expected: runs.iter().find(like).and_then(|(_, run)| run.bracket()),
                 ..conditions(1.0, mirrored, halvings + 1)
             };
             self.run(finer, halvings)

@@ -1,9 +1,11 @@
 //! One outcome of all pushovers of a range.
 
 use super::super::levels::rounded_up;
+use super::super::seen as seen_by;
 use crate::answer::{
-    Bracket, Fact, Outcome, PushoverFact, SelfCheck, Status, Variation, magnitude,
+    Bracket, Fact, Observed, Outcome, PushoverFact, SelfCheck, Status, Variation, magnitude,
 };
+use crate::mechanics::Crack;
 
 /// The pushovers of a range.
 pub type Runs = Vec<(Variation, Outcome)>;
@@ -23,12 +25,14 @@ pub fn hull(one: Bracket, other: Bracket) -> Bracket {
 
 /// What all brackets that there are cover; `None` where there are none.
 pub fn seen(runs: &Runs) -> Option<Bracket> {
-    runs.iter().filter_map(|(_, run)| run.bracket).reduce(hull)
+    runs.iter()
+        .filter_map(|(_, run)| run.bracket())
+        .reduce(hull)
 }
 
 /// What all brackets cover; `None` where a run has none.
 pub fn covered(runs: &Runs) -> Option<Bracket> {
-    let all = runs.iter().all(|(_, run)| run.bracket.is_some());
+    let all = runs.iter().all(|(_, run)| run.bracket().is_some());
     seen(runs).filter(|_| all)
 }
 
@@ -36,7 +40,7 @@ pub fn covered(runs: &Runs) -> Option<Bracket> {
 /// the widest bracket: the error that is stated, relative to λ, which is measured in the `unit`.
 pub fn moved(coarse: Bracket, runs: &Runs, unit: f64) -> Option<f64> {
     let all = covered(runs)?;
-    let widths = runs.iter().filter_map(|(_, run)| run.bracket);
+    let widths = runs.iter().filter_map(|(_, run)| run.bracket());
     let width = widths.map(|b| b.upper - b.lower).fold(0.0, f64::max);
     let ends = (coarse.lower - all.lower).max(all.upper - coarse.upper);
     Some(rounded_up(ends.max(width) / magnitude(all.upper, unit)))
@@ -46,28 +50,32 @@ pub fn moved(coarse: Bracket, runs: &Runs, unit: f64) -> Option<f64> {
 pub fn joined(runs: Runs, spent: usize, error: Option<f64>, facts: Vec<Fact>) -> Outcome {
     let block_steps = spent + steps(&runs);
     let checks = runs.iter().flat_map(|(variation, run)| {
-        run.checks.iter().map(|check| SelfCheck {
+        run.evidence.checks().iter().map(|check| SelfCheck {
             variation: Some(*variation),
             ..check.clone()
         })
     });
     let checks: Vec<SelfCheck> = checks.collect();
     let mut outcome = match covered(&runs) {
-        Some(range) => Outcome {
-            bracket: Some(range),
-            stated_error: error,
-            crack: runs[0].1.crack.filter(|_| same_crack(&runs)),
-            facts,
-            ..Outcome::of(Status::Bracketed)
-        },
+        Some(range) => {
+            let observed = Observed {
+                bracket: Some(range),
+                stated_error: error,
+                crack: crack(&runs[0]).filter(|_| same_crack(&runs)),
+                ..Observed::default()
+            };
+            Outcome {
+                facts,
+                ..Outcome::with(Status::Bracketed, observed)
+            }
+        }
         None => Outcome {
             facts: [why_none(&runs), facts].concat(),
             ..Outcome::of(status_without(&runs))
         },
     };
-    outcome.checks = checks;
     outcome.work.block_steps = block_steps;
-    outcome
+    seen_by(outcome, |observed| observed.checks = checks)
 }
 
 /// A scene that falls however it is varied falls.
@@ -80,7 +88,11 @@ fn status_without(runs: &Runs) -> Status {
 
 fn same_crack(runs: &Runs) -> bool {
     runs.windows(2)
-        .all(|pair| pair[0].1.crack == pair[1].1.crack)
+        .all(|pair| crack(&pair[0]) == crack(&pair[1]))
+}
+
+fn crack((_, run): &(Variation, Outcome)) -> Option<Crack> {
+    run.evidence.crack().copied()
 }
 
 fn why_none(runs: &Runs) -> Vec<Fact> {
@@ -88,7 +100,7 @@ fn why_none(runs: &Runs) -> Vec<Fact> {
         return runs[0].1.facts.clone();
     }
     let mut facts = Vec::new();
-    for (variation, run) in runs.iter().filter(|(_, run)| run.bracket.is_none()) {
+    for (variation, run) in runs.iter().filter(|(_, run)| run.bracket().is_none()) {
         facts.push(PushoverFact::Without(*variation).into());
         facts.extend(run.facts.clone());
     }
@@ -104,10 +116,11 @@ mod tests {
             stiffness: 1.0,
             mirrored: false,
         };
-        let outcome = Outcome {
+        let observed = Observed {
             bracket: Some(Bracket { lower, upper }),
-            ..Outcome::of(Status::Bracketed)
+            ..Observed::default()
         };
+        let outcome = Outcome::with(Status::Bracketed, observed);
         (variation, outcome)
     }
 

@@ -126,7 +126,7 @@ impl<'a, P: Fn(&Model) -> Parameters> Varied<'a, P> {
     /// The pushovers that gave the ends of a range, with half the substep: what that moves them by is
     /// the error of the range.
     fn finer(&self, variants: &[Conditions], runs: &Runs, level: u32) -> Runs {
-        let bracket = |index: &usize| runs[*index].1.bracket;
+        let bracket = |index: &usize| runs[*index].1.bracket();
         let lower = |index: &usize| bracket(index).map_or(f64::INFINITY, |b| b.lower);
         let upper = |index: &usize| bracket(index).map_or(f64::INFINITY, |b| -b.upper);
         let first =

@@ -3,6 +3,7 @@
 use super::super::levels::{BUDGET, Levels};
 use super::super::model::Model;
 use super::super::parameters::Parameters;
+use super::super::seen;
 use super::joined::{covered, hull, joined, moved};
 use super::{Conditions, End, STIFFNESSES, Varied};
 use crate::answer::{Bracket, Outcome, PushoverFact, Status};
@@ -57,9 +58,8 @@ impl<P: Fn(&Model) -> Parameters> Varied<'_, P> {
         let coarse = last_two.iter().copied().fold(coarse, hull);
         let error = moved(coarse, &runs, self.unit());
         let outcome = joined(runs, spent, error, vec![fact.into()]);
-        Outcome {
-            bracket: outcome.bracket.map(|range| hull(range, coarse)),
-            ..outcome
-        }
+        seen(outcome, |observed| {
+            observed.bracket = observed.bracket.map(|range| hull(range, coarse));
+        })
     }
 }
