@@ -69,7 +69,8 @@ fn assembly() -> Work {
 fn judge() -> Work {
     let scene = running_bond(10);
     let outcome = solved(&Associative, 10);
-    let (Some((_, forces)), Some(mechanism)) = (outcome.forces, outcome.evidence.mechanism())
+    let (Some((_, forces)), Some(mechanism)) =
+        (outcome.evidence.forces(), outcome.evidence.mechanism())
     else {
         return Work::default();
     };

@@ -190,6 +190,8 @@ class Scene:
 
 # Methods whose claims are about friction without dilatancy, where a ray needs no friction.
 WITHOUT_DILATANCY = {"interval", "sequential", "auto", "bound"}
+# Methods whose lower end is a proved bound, and whose upper end is a collapse state.
+BOUNDED = {"bound"}
 # What proves a status. An `enclosed` answer of `auto` may be undecided: its ends are proved, the multiplier is not unique.
 PROOFS = {"verified": {"associative", "collapse-state", "enclosed"}, "stands": {"stands", "stands-without-dilatancy"},
           "falls": {"falls"}}
@@ -229,6 +231,14 @@ def confirm_states(scene, side, answers):
     demand(side["upper"] == max(lambdas), f"a state at {max(lambdas)} lies above the upper end {side['upper']}")
 
 
+def confirm_bounded(scene, side, answers):
+    """The lowest state at the upper end. What proves the lower end is the certificate, a file of its own."""
+    (answer,) = answers
+    scene.collapse(scene.forces(answer["forces"]), scene.velocities(answer["velocities"]),
+                   multiplier(answer, side, "upper"))
+    ordered(scene, side)
+
+
 def confirm_enclosed(scene, side, answers):
     (answer,) = answers
     scene.collapse(scene.forces(answer["forces"]), scene.velocities(answer["velocities"]),
@@ -253,11 +263,17 @@ def confirm_falls(scene, side, answers):
 CONFIRM = {
     "associative": confirm_associative,
     "collapse-state": confirm_states,
+    "bounded": confirm_bounded,
     "enclosed": confirm_enclosed,
     "stands": confirm_stands,
     "stands-without-dilatancy": lambda *claim: confirm_stands(*claim, friction=False),
     "falls": confirm_falls,
 }
+
+
+def kind_of(method, kind):
+    """What a claim is confirmed as: of a lower bound, the state is at the upper end."""
+    return "bounded" if method in BOUNDED and kind == "collapse-state" else kind
 
 
 def judge_side(row, side, counts):
@@ -268,6 +284,8 @@ def judge_side(row, side, counts):
     if method == "pushover" and status == "falls" and not any(a.get("velocities") for a in answers):
         counts["observed"] += 1
         return
+    if method in BOUNDED and status == "bracketed":
+        demand(kinds == {"collapse-state"}, f"bracketed by a state, but {sorted(kinds) or 'nothing'}")
     if status in PROOFS:
         demand(kinds & PROOFS[status], f"{status} without a proof, but {sorted(kinds) or 'nothing'}")
     demand(len(kinds) <= 1, f"claims of several kinds: {sorted(kinds)}")
@@ -281,7 +299,7 @@ def judge_side(row, side, counts):
         counts["nothing to confirm"] += 1
         return
     scene = Scene(side["scene"])
-    (kind,) = kinds
+    kind = kind_of(method, *kinds)
     CONFIRM[kind](scene, side, answers)
     counts[kind] += 1
 

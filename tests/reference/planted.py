@@ -126,6 +126,9 @@ FAULTS = {
                     raise_the_lower_end, raise_the_upper_end, other_row, call_it_standing, call_it_falling, withhold],
     "collapse-state": [push_a_joint, pull_a_joint, turn_the_mechanism, close_a_joint, raise_the_multiplier,
                        raise_the_lower_end, raise_the_upper_end, other_row, call_it_standing, call_it_falling, withhold],
+    # A lower end that is lowered is still a bound, and needs no other proof.
+    "bounded": [push_a_joint, pull_a_joint, turn_the_mechanism, close_a_joint, raise_the_multiplier,
+                raise_the_upper_end, other_row, call_it_standing, call_it_falling, withhold],
     "enclosed": [push_a_joint, turn_the_mechanism, close_a_joint, spoil_the_ceiling, raise_the_multiplier,
                  other_row, call_it_standing, call_it_falling],
     "stands": [push_a_joint, spoil_the_ray, call_it_falling, call_it_verified, withhold],
@@ -145,7 +148,7 @@ def main():
     for row in rows:
         answer = next(iter(row["sides"][0]["answers"]), None)
         kind = answer["kind"] if answer else "nothing"
-        kind = "nothing" if kind == "estimate" else kind
+        kind = "nothing" if kind == "estimate" else judge.kind_of(row["method"], kind)
         if kind not in FAULTS or taken[kind] >= OF_A_KIND or len(row["sides"][0]["scene"]["blocks"]) > 200:
             continue
         if judge.judge([row])[0]:
