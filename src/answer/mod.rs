@@ -14,8 +14,8 @@ pub use crate::certificate::{
 };
 pub use crate::mechanics::{
     BlockResidual, CollapseResidual, CollapseState, CourseResultant, Crack, JointForce, JointRate,
-    Mechanism, Motion, RigidPart, StaticResidual, Thrust, dead_power, excess_lift,
-    falling_violation, kinematic_multiplier, parts, thrust,
+    Mechanism, Motion, RigidPart, StaticResidual, Thrust, dead_power, falling_violation,
+    friction_excess, kinematic_multiplier, parts, thrust,
 };
 pub use bracket::{Bracket, VERIFIED_WIDTH, is_same_multiplier, magnitude};
 pub use claim::Claim;

@@ -6,7 +6,7 @@ use super::own_weight::{own_weight, stands_without_dilatancy, without_optimum};
 use super::program::{FrictionLaw, Program};
 use crate::answer::{Bracket, Outcome, SequentialEnding, SequentialFacts, Status, Work};
 use crate::mechanics::{
-    JointForce, Mechanism, VELOCITY_THRESHOLDS, crack_slope, excess_lift, live_unit,
+    JointForce, Mechanism, VELOCITY_THRESHOLDS, crack_slope, friction_excess, live_unit,
 };
 use crate::method::{Method, SequentialSettings, Settings};
 use crate::scene::Scene;
@@ -125,13 +125,13 @@ fn converged(scene: &Scene, program: &Program, last: &Solution, facts: Sequentia
 
 /// What λ may be off by, relative to it: as much as it moves in the steps that settle it, and what
 /// c0 and capacities that lag behind their normal forces let joints carry beyond Coulomb's law,
-/// measured by how far that can lift λ above λ_A, whose mechanism is `ceiling`.
+/// measured by how far that can raise λ above λ_A, whose mechanism is `ceiling`.
 fn stated_error(scene: &Scene, outcome: &Outcome, ceiling: &Mechanism) -> Option<f64> {
     let forces = outcome.forces.as_deref()?;
     let lambda = outcome.bracket?.upper;
-    let lift = excess_lift(scene, forces, ceiling);
+    let excess = friction_excess(scene, forces, ceiling);
     let least = 1e-3 * scene.total_weight() / live_unit(scene);
-    let error = STEPS_SETTLED as f64 * SETTLED + lift / lambda.abs().max(least);
+    let error = STEPS_SETTLED as f64 * SETTLED + excess / lambda.abs().max(least);
     error.is_finite().then_some(error)
 }
 
