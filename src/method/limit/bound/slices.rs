@@ -268,7 +268,6 @@ impl Slices {
             lower: proved.lower,
             cap,
             opening,
-            slip_bounds: true,
             slices: self.slices.iter().map(|(slice, _)| slice.clone()).collect(),
         };
         (certificate, proved)
