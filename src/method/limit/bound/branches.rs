@@ -5,10 +5,10 @@
 //! does not open (or friction is not used up in one direction, or there is no slip in it). This is the
 //! branching on complementary pairs of mixed-integer programming, without its large constants.
 
-use std::ops::{Index, IndexMut};
-
-use super::interior_point::{Multipliers, Request};
+use super::interior_point::Multipliers;
 use super::lift::Lift;
+use super::lifted::Request;
+use super::products::Products;
 use super::vanishing::Vanishing;
 use crate::certificate::{Assumption, Conditions, Factor, Zeros};
 use crate::method::at_once::each;
@@ -70,7 +70,7 @@ impl Leaf {
 }
 
 /// All branches together; they leave no state out.
-pub(super) struct Leaves(Vec<Leaf>);
+pub(super) struct Leaves(pub(super) Vec<Leaf>);
 
 impl Default for Leaves {
     fn default() -> Self {
@@ -80,20 +80,6 @@ impl Default for Leaves {
             share: 1.0,
             vanishing: None,
         }])
-    }
-}
-
-impl Index<usize> for Leaves {
-    type Output = Leaf;
-
-    fn index(&self, at: usize) -> &Leaf {
-        &self.0[at]
-    }
-}
-
-impl IndexMut<usize> for Leaves {
-    fn index_mut(&mut self, at: usize) -> &mut Leaf {
-        &mut self.0[at]
     }
 }
 
@@ -137,9 +123,8 @@ pub(super) fn most_violated(
     zeros: &Zeros,
     multipliers: &Multipliers,
 ) -> Option<usize> {
-    let rates = lift.motion.rates(&multipliers.unknowns);
-    let conditions = lift.force_conditions(request.from, request.to);
-    let products = conditions * rates;
+    let products = Products::all(lift, [request.from, request.to]);
+    let products = products.of(&multipliers.unknowns);
     let power = lift.conditions.power();
     // The condition 1 stands behind those of the joints.
     let one = power;
@@ -152,6 +137,7 @@ pub(super) fn most_violated(
 
 #[cfg(test)]
 mod tests {
+    use super::super::parameters::Parameters;
     use super::super::slices::{Search, Slices};
     use super::super::{opening, orders};
     use super::*;
@@ -183,7 +169,7 @@ mod tests {
         let conditions = Conditions::of(scene).with_slip_bounds(scene);
         let opening = opening(scene, &mut Work::default()).unwrap();
         let prover = Prover::new(scene, conditions.clone(), &opening).unwrap();
-        let lift = Lift::new(conditions, &orders(scene)).unwrap();
+        let lift = Lift::new(conditions, &orders(scene), Parameters::default()).unwrap();
         let settings = Settings::default().bound;
         let mut slices = Slices::default();
         for (leaf, &pair) in pairs.iter().enumerate() {

@@ -5,12 +5,18 @@
 //! lift that are zero without being assumed so leave it without an interior, on which its interior
 //! point breaks down; and what is assumed of one product excludes others.
 
+use std::cmp::Ordering;
+
 use clarabel::algebra::CscMatrix;
 use nalgebra::{DMatrix, DVector};
 
-use super::dense;
+use super::cleaner::Cleaner;
+use super::factor::Pattern;
 use super::lift::Lift;
-use super::slice::{balance, grain};
+use super::motion::Motion;
+use super::parameters::OPTIMAL;
+use super::products::Products;
+use super::slice::certified;
 use crate::certificate::{Assumption, Conditions, Factor, Slice};
 use crate::method::limit::solver::multipliers;
 
@@ -24,19 +30,6 @@ pub(super) struct Vanishing {
     /// Of four conditions a joint; of any sign for forces that vanish.
     multipliers: Vec<f64>,
 }
-
-/// How far beyond the λ up to which forces can vanish that is used. Nearer, the multipliers of its proof
-/// grow until rounding takes it; a proof that does not hold is dropped, whatever this is.
-const CLEAR: f64 = 1e-4;
-
-/// What is added to all rates' multipliers, so that they absorb what rounding leaves.
-const ABSORBED: f64 = 1e-6;
-
-/// Rounds of taking away what multipliers leave of their identity.
-const ROUNDS: usize = 3;
-
-/// How small a multiplier can be beside the largest and still move.
-const SMALL: f64 = 1e-13;
 
 impl Vanishing {
     /// Of these forces together, four a joint; `None` where no λ is too large for them.
@@ -94,7 +87,7 @@ impl Vanishing {
         let power: f64 = power.map(|(dead, velocity)| dead * velocity).sum();
         // At an optimum the multipliers balance the cost, else nothing.
         let of_multiplier: f64 = conditions.live.iter().zip(&found).map(|(l, v)| l * v).sum();
-        let (share, unit) = if (of_multiplier - 1.0).abs() < 1e-6 {
+        let (share, unit) = if (of_multiplier - 1.0).abs() < OPTIMAL {
             (1.0, 1.0)
         } else if power > 0.0 {
             (0.0, power)
@@ -116,91 +109,52 @@ impl Vanishing {
     }
 
     /// Whether no such forces are admissible from here on.
-    pub(super) fn is_excluded(&self, from: f64) -> bool {
-        self.share * from - self.upto > CLEAR
+    pub(super) fn is_excluded(&self, from: f64, lift: &Lift) -> bool {
+        self.share * from - self.upto > lift.parameters.clear
     }
 
     /// The slice of a certificate that shows that no collapse state meets these assumptions, which
     /// hold that the forces vanish.
     pub(super) fn slice(&self, lift: &Lift, [from, to]: [f64; 2], assumed: &[Assumption]) -> Slice {
-        let conditions = lift.force_conditions(from, to);
-        let rows = conditions.nrows();
+        let own = &lift.parameters;
+        let motion = Motion::of_one_rate();
+        let pattern = Pattern::new(1, motion.meetings());
+        let products = Products::new(lift, [from, to], (&motion, &pattern));
+        let rows = products.conditions.nrows();
         let one = rows - 3;
         let excess = self.share * from - self.upto;
-        let mut impossible = DVector::zeros(rows);
+        let mut impossible = DMatrix::zeros(rows, 1);
         for (own, value) in impossible.iter_mut().zip(&self.multipliers) {
             *own = value / excess;
         }
         impossible[one + 1] = self.share / excess;
-        let vanishes = |pair: usize| {
+        let vanishes = |pair: usize, _| {
             let zero = Factor::Force;
             assumed.contains(&Assumption { pair, zero })
         };
-        let target = -lift.basis.row(0).transpose();
-        clean(&conditions, &target, &mut impossible, vanishes);
-        let sigma = to * 1.01 + 0.01;
+        // Together they are to be −1.
+        let cleaner = Cleaner {
+            products: &products,
+            lambda: DVector::zeros(lift.free()),
+            is_zero: &vanishes,
+            exponent: 2,
+        };
+        let (impossible, _) = cleaner.clean(impossible, 1.0, 0.0);
+        let sigma = to + own.above[0] * to + own.above[1];
         let rates = lift.conditions.rate_rows();
-        let values = DMatrix::from_fn(rows, rates, |force, rate| {
-            if rate == lift.conditions.power() {
-                let of_slice = if force == one + 1 { 1.0 } else { 0.0 };
-                grain((sigma - from) * impossible[force] + of_slice)
-            } else if rate > lift.conditions.power() {
-                0.0
-            } else {
+        let power = lift.conditions.power();
+        let values = DMatrix::from_fn(rows, rates, |force, rate| match rate.cmp(&power) {
+            Ordering::Less => {
                 let of_one = if force == one { 1.0 } else { 0.0 };
-                grain(ABSORBED * (impossible[force] + of_one))
+                own.absorbed * (impossible[force] + of_one)
             }
+            Ordering::Equal => {
+                let of_slice = if force == one + 1 { 1.0 } else { 0.0 };
+                (sigma - from) * impossible[force] + of_slice
+            }
+            Ordering::Greater => 0.0,
         });
-        Slice {
-            from,
-            to,
-            assumed: assumed.to_vec(),
-            sigma,
-            balance: balance(lift, [from, to], sigma, &values),
-            multipliers: values.transpose().as_slice().to_vec(),
-        }
-    }
-}
-
-/// Takes away what multipliers of force conditions leave of a combination that they are to be, each
-/// changed in proportion to its square.
-fn clean(
-    conditions: &DMatrix<f64>,
-    target: &DVector<f64>,
-    multipliers: &mut DVector<f64>,
-    is_free: impl Fn(usize) -> bool,
-) {
-    for _ in 0..ROUNDS {
-        let left = target - conditions.tr_mul(multipliers);
-        let largest = multipliers.amax();
-        let weights = multipliers.map_with_location(|force, _, value: f64| {
-            if is_free(force) {
-                largest * largest
-            } else if value < SMALL * largest {
-                0.0
-            } else {
-                value * value
-            }
-        });
-        let mut weighted = conditions.clone();
-        for (mut row, weight) in weighted.row_iter_mut().zip(&weights) {
-            row *= *weight;
-        }
-        let mut system = conditions.tr_mul(&weighted);
-        let floor = 1e-14 * system.diagonal().amax();
-        for k in 0..system.nrows() {
-            system[(k, k)] += floor;
-        }
-        dense::factor(&mut system);
-        let mut moved = left;
-        system.solve_lower_triangular_mut(&mut moved);
-        system.tr_solve_lower_triangular_mut(&mut moved);
-        *multipliers += &weighted * moved;
-        for (force, value) in multipliers.iter_mut().enumerate() {
-            if !is_free(force) {
-                *value = value.max(0.0);
-            }
-        }
+        certified(lift, [from, to], assumed, sigma, values)
     }
 }
 
@@ -210,6 +164,7 @@ mod tests {
     use crate::answer::Work;
     use crate::certificate::Prover;
     use crate::method::Settings;
+    use crate::method::limit::bound::parameters::Parameters;
     use crate::method::limit::bound::{opening, orders};
     use crate::method::limit::interval::lowest;
     use crate::method::limit::walls::wall;
@@ -230,12 +185,12 @@ mod tests {
         let conditions = Conditions::of(&scene);
         let opening = opening(&scene, &mut Work::default()).unwrap();
         let prover = Prover::new(&scene, conditions.clone(), &opening).unwrap();
-        let lift = Lift::new(conditions, &orders(&scene)).unwrap();
+        let lift = Lift::new(conditions, &orders(&scene), Parameters::default()).unwrap();
         let mut refuted = 0;
         for (pair, vanishing) in vanishings(&scene) {
-            assert!(vanishing.share == 0.0 || !vanishing.is_excluded(vanishing.upto - 1e-3));
+            assert!(vanishing.share == 0.0 || !vanishing.is_excluded(vanishing.upto - 1e-3, &lift));
             let from = (vanishing.upto + 0.01).max(0.0);
-            assert!(vanishing.is_excluded(from));
+            assert!(vanishing.is_excluded(from, &lift));
             let zero = Factor::Force;
             let assumed = [Assumption { pair, zero }];
             let slice = vanishing.slice(&lift, [from, from + 0.2], &assumed);
