@@ -145,24 +145,8 @@ mod tests {
     use crate::certificate::{Certificate, Refusal, prove};
     use crate::certificate::{Conditions, Prover};
     use crate::method::Settings;
-    use crate::scene::{HeadJoints, OfBlocks, Piece, Push, Scene, Wall};
-
-    /// hh,1,hh of science's table: its lowest state is at 0.264706.
-    fn wall() -> Scene {
-        use Piece::{Half, Unit};
-        let wall = Wall {
-            unit_length: 4.0,
-            unit_height: 4.0,
-            thickness: 1.0,
-            unit_weight: 1.0,
-            courses: vec![vec![Half, Half], vec![Unit], vec![Half, Half]],
-            friction: 0.65.into(),
-            overburden: 0.0,
-            push: Push::Right,
-            of_blocks: OfBlocks::default(),
-        };
-        wall.scene(HeadJoints::Contact).unwrap()
-    }
+    use crate::method::limit::walls::{LOWEST_OF_SMALL_WALL as LOWEST, small_wall};
+    use crate::scene::{HeadJoints, Scene};
 
     /// The certificate of slices that are divided by these products from the start.
     fn divided(scene: &Scene, pairs: &[usize]) -> (Certificate, f64) {
@@ -180,7 +164,7 @@ mod tests {
             prover: Some(&prover),
             settings: &settings,
         };
-        search.run(&mut slices, 0.264_706);
+        search.run(&mut slices, LOWEST);
         let lower = slices.lower;
         (
             slices
@@ -193,13 +177,13 @@ mod tests {
     /// Whatever they are divided by, branches prove the same together, and a certificate says so.
     #[test]
     fn branches_prove_what_one_slice_does() {
-        let scene = wall();
+        let scene = small_wall(HeadJoints::Contact);
         for pairs in [&[][..], &[0], &[9], &[2, 15], &[4, 5, 31]] {
             let (certificate, lower) = divided(&scene, pairs);
-            assert!((lower - 0.264_706).abs() < 3e-5, "{pairs:?}: {lower}");
+            assert!((lower - LOWEST).abs() < 3e-5, "{pairs:?}: {lower}");
             let proved = prove(&scene, &certificate).unwrap();
             assert!(
-                proved.lower > 0.264_706 * (1.0 - 1e-4),
+                proved.lower > LOWEST * (1.0 - 1e-4),
                 "{pairs:?}: {proved:?}"
             );
             assert_eq!(proved.slices, certificate.slices.len());
@@ -209,7 +193,7 @@ mod tests {
     /// A branch that is gone, or turned into the other one, proves no more than what is left.
     #[test]
     fn a_changed_branch_proves_nothing() {
-        let scene = wall();
+        let scene = small_wall(HeadJoints::Contact);
         let (certificate, _) = divided(&scene, &[9]);
         let refused = |change: &dyn Fn(&mut Certificate)| {
             let mut changed = certificate.clone();

@@ -18,12 +18,9 @@
 //! the program forgets is that Y has rank one: it is a first-level reformulation-linearisation
 //! (Sherali and Adams, SIAM J. Discrete Math. 3 (1990) 411-430) of a program with complementarity
 //! constraints (Luo, Pang and Ralph, Mathematical Programs with Equilibrium Constraints, 1996).
-//! Where a joint carries nothing, its g⁺ and g⁻ could grow together without limit, and the products with
-//! them would lose most of their force. But a slip has one of them only, and around a closed chain of
-//! joints it is a combination of the other rates: g⁺ is at most the terms that add to it. What it falls
-//! short of them is a further rate, which is not negative (`certificate/slips.rs`; our own, as is
-//! the lift's use here). All of 60 random walls of 6 to 15 blocks are enclosed to 1e-4 with these bounds;
-//! without them ten of the 60 were 0.5 to 9 % apart.
+//! Bounds of each slip by the rates of the joints around it are further rates (`certificate/slips.rs`;
+//! our own, as is the lift's use here). All of 60 random walls of 6 to 15 blocks are enclosed to 1e-4
+//! with them; without them ten of the 60 were 0.5 to 9 % apart.
 //!
 //! No product needs a large constant, and velocities may be as large as they like: all conditions on
 //! the motion are homogeneous but f_L·u = 1.

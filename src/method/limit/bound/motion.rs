@@ -31,16 +31,8 @@ impl Motion {
 
     /// In the velocities of the blocks.
     pub(super) fn of_velocities(conditions: &Conditions) -> Self {
-        let velocities = conditions.velocities();
-        let mut rows: Vec<Vec<Entry>> = Vec::with_capacity(conditions.rate_rows());
-        for (j, joint) in conditions.joints.iter().enumerate() {
-            let forward = (velocities + j, 1.0);
-            let [one, other, slip] = joint.rates.clone();
-            let slip = slip.into_iter().map(|(k, value)| (k, -value));
-            rows.extend([one, other, vec![forward], slip.chain([forward]).collect()]);
-        }
-        let live = conditions.live.iter().copied().enumerate();
-        rows.push(live.filter(|entry| entry.1 != 0.0).collect());
+        let rates = 0..=conditions.power();
+        let mut rows: Vec<Vec<Entry>> = rates.map(|rate| conditions.rate_row(rate)).collect();
         for bound in &conditions.slip_bounds {
             let forward = (4 * bound.joint + 2, -1.0);
             let shares = bound.shares.iter().copied().chain([forward]);

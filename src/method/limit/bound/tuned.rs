@@ -5,32 +5,14 @@ use super::parameters::Parameters;
 use super::solve_with;
 use crate::certificate::prove;
 use crate::method::Settings;
-use crate::scene::{HeadJoints, OfBlocks, Piece, Push, Scene, Wall};
-
-/// hh,1,hh of science's table, with its lowest state at 0.264706.
-fn scene(head_joints: HeadJoints) -> Scene {
-    use Piece::{Half, Unit};
-    let wall = Wall {
-        unit_length: 4.0,
-        unit_height: 4.0,
-        thickness: 1.0,
-        unit_weight: 1.0,
-        courses: vec![vec![Half, Half], vec![Unit], vec![Half, Half]],
-        friction: 0.65.into(),
-        overburden: 0.0,
-        push: Push::Right,
-        of_blocks: OfBlocks::default(),
-    };
-    wall.scene(head_joints).unwrap()
-}
-
-const LOWEST: f64 = 0.264_705_9;
+use crate::method::limit::walls::{LOWEST_OF_SMALL_WALL as LOWEST, small_wall};
+use crate::scene::HeadJoints;
 
 #[test]
 fn proofs_do_not_hang_on_tuned_numbers() {
     let mut wrong = Vec::new();
     for head_joints in [HeadJoints::Contact, HeadJoints::Open] {
-        let scene = scene(head_joints);
+        let scene = small_wall(head_joints);
         for by in [0.5, 2.0] {
             for (name, parameters) in Parameters::default().each_times(by) {
                 let outcome = solve_with(&scene, &Settings::default(), parameters);

@@ -36,52 +36,44 @@ impl Vanishing {
     pub(super) fn of(conditions: &Conditions, forces: &[usize]) -> Option<Self> {
         let joints = conditions.joints.len();
         let velocities = conditions.velocities();
-        let mut entries = Vec::new();
+        let equations = velocities + forces.len();
+        // Rows, columns (λ, then three a joint) and values.
+        let mut entries: Vec<(usize, usize, f64)> = Vec::new();
         let live = conditions.live.iter().enumerate();
-        entries.extend(live.map(|(row, &value)| (0, row, value)));
+        entries.extend(live.map(|(row, &value)| (row, 0, value)));
         for (j, joint) in conditions.joints.iter().enumerate() {
             for (kind, rates) in joint.rates.iter().enumerate() {
                 let column = 1 + 3 * j + kind;
-                entries.extend(rates.iter().map(|&(row, value)| (column, row, value)));
+                entries.extend(rates.iter().map(|&(row, value)| (row, column, value)));
             }
         }
-        let condition = |force: usize, row: usize, sign: f64| {
+        let mut condition = |force: usize, row: usize, sign: f64| {
             let (joint, kind) = (force / 4, force % 4);
-            let [one, other, shear] = [0, 1, 2].map(|k| 1 + 3 * joint + k);
             let friction = conditions.joints[joint].friction;
-            let entries = match kind {
-                0 => vec![(one, 1.0)],
-                1 => vec![(other, 1.0)],
-                2 => vec![(one, friction), (other, friction), (shear, 1.0)],
-                _ => vec![(one, friction), (other, friction), (shear, -1.0)],
+            let parts = match kind {
+                0 => vec![(0, 1.0)],
+                1 => vec![(1, 1.0)],
+                2 => vec![(0, friction), (1, friction), (2, 1.0)],
+                _ => vec![(0, friction), (1, friction), (2, -1.0)],
             };
-            let entries = entries.into_iter();
-            entries.map(move |(column, value)| (column, row, sign * value))
+            let parts = parts.into_iter();
+            entries.extend(parts.map(|(k, value)| (row, 1 + 3 * joint + k, sign * value)));
         };
         for (k, &force) in forces.iter().enumerate() {
-            entries.extend(condition(force, velocities + k, 1.0));
+            condition(force, velocities + k, 1.0);
         }
-        let equations = velocities + forces.len();
         for force in 0..4 * joints {
-            entries.extend(condition(force, equations + force, -1.0));
+            condition(force, equations + force, -1.0);
         }
-        let rows = equations + 4 * joints;
-        let columns = 1 + 3 * joints;
+        let (rows, columns) = (equations + 4 * joints, 1 + 3 * joints);
         let mut cost = vec![0.0; columns];
         cost[0] = -1.0;
-        let mut right = vec![0.0; rows];
-        for (right, dead) in right.iter_mut().zip(&conditions.dead) {
-            *right = -dead;
-        }
-        let part = |k: usize| entries.iter().map(move |entry| [entry.0, entry.1][k]);
+        let mut right: Vec<f64> = conditions.dead.iter().map(|dead| -dead).collect();
+        right.resize(rows, 0.0);
+        let at = |part: fn(&(usize, usize, f64)) -> usize| entries.iter().map(part).collect();
         let values = entries.iter().map(|entry| entry.2).collect();
-        let matrix = CscMatrix::new_from_triplets(
-            rows,
-            columns,
-            part(1).collect(),
-            part(0).collect(),
-            values,
-        );
+        let (of_rows, of_columns) = (at(|entry| entry.0), at(|entry| entry.1));
+        let matrix = CscMatrix::new_from_triplets(rows, columns, of_rows, of_columns, values);
         let found = multipliers(&cost, &matrix, &right, equations)?;
         let power = conditions.dead.iter().zip(&found);
         let power: f64 = power.map(|(dead, velocity)| dead * velocity).sum();
