@@ -15,7 +15,7 @@ pub use crate::certificate::{
 pub use crate::mechanics::{
     BlockResidual, Ceiling, CollapseResidual, CollapseState, CourseResultant, Crack, ForceState,
     JointForce, JointRate, Mechanism, Motion, RigidPart, StaticResidual, Thrust, dead_power,
-    excess_lift, falling_violation, kinematic_multiplier, parts, thrust,
+    falling_violation, friction_excess, kinematic_multiplier, parts, thrust,
 };
 pub use bracket::{Bracket, VERIFIED_WIDTH, is_same_multiplier, magnitude};
 pub use evidence::{Evidence, Observed};

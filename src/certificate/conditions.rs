@@ -96,6 +96,24 @@ impl Conditions {
         self.power() + 1 + self.slip_bounds.len()
     }
 
+    /// A rate of a joint, or the power, in the kinematic unknowns.
+    pub(crate) fn rate_row(&self, rate: usize) -> Vec<Entry> {
+        let (joint, kind) = (rate / 4, rate % 4);
+        let Some(rows) = self.joints.get(joint) else {
+            let live = self.live.iter().copied().enumerate();
+            return live.filter(|entry| entry.1 != 0.0).collect();
+        };
+        let forward = (self.velocities() + joint, 1.0);
+        match kind {
+            0 | 1 => rows.rates[kind].clone(),
+            2 => vec![forward],
+            _ => {
+                let slip = rows.rates[2].iter().map(|&(k, value)| (k, -value));
+                slip.chain([forward]).collect()
+            }
+        }
+    }
+
     /// Number of kinematic unknowns: velocities, then the forward slip of every joint.
     pub(crate) fn motions(&self) -> usize {
         self.velocities() + self.joints.len()
@@ -203,28 +221,14 @@ pub(super) fn relative(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::{HeadJoints, OfBlocks, Piece, Push, Wall};
+    use crate::certificate::walls::wall;
+    use crate::scene::Piece;
 
     /// Kinematics: rates of any velocities give these velocities back, to rounding.
     #[test]
     fn rates_along_a_chain_give_the_velocities_back() {
         use Piece::{Half, Unit};
-        let wall = Wall {
-            unit_length: 4.0,
-            unit_height: 1.75,
-            thickness: 1.0,
-            unit_weight: 1.0,
-            courses: vec![
-                vec![Half, Unit, Half],
-                vec![Unit, Unit],
-                vec![Half, Unit, Half],
-            ],
-            friction: 0.65.into(),
-            overburden: 0.0,
-            push: Push::Right,
-            of_blocks: OfBlocks::default(),
-        };
-        let scene = wall.scene(HeadJoints::Contact).unwrap();
+        let scene = wall(&[&[Half, Unit, Half], &[Unit, Unit], &[Half, Unit, Half]]);
         let conditions = Conditions::of(&scene);
         let velocity: Vec<f64> = (0..conditions.velocities())
             .map(|k| ((k * k + 3) as f64 * 0.7).sin())

@@ -13,11 +13,11 @@ use super::types::{Assumption, Certificate, Factor, Slice};
 /// What every file of a certificate begins with, before the number of its version.
 const TITLE: &str = "trilith lower bound, version ";
 
-/// The version that is written.
+/// The version that is written and read.
 const VERSION: &str = "3";
 
-/// The version before, which is read too: its multipliers have none of slip bounds.
-const WITHOUT_SLIP_BOUNDS: &str = "2";
+/// What version 3 says of its multipliers: that they have those of slip bounds, as all have.
+const WITH_SLIP_BOUNDS: usize = 1;
 
 /// Most bytes that a certificate may have when it is not compressed: some 200 slices of 33 blocks.
 const LARGEST: u64 = 256 << 20;
@@ -41,7 +41,7 @@ impl fmt::Display for Unreadable {
             }
             Unreadable::Version(version) => write!(
                 f,
-                "it is of version `{version}`, and this program reads versions {WITHOUT_SLIP_BOUNDS} and {VERSION}"
+                "it is of version `{version}`, and this program reads version {VERSION}"
             ),
             Unreadable::Damaged => write!(f, "it is cut off or damaged"),
         }
@@ -57,7 +57,7 @@ impl Certificate {
         plain.extend_from_slice(scene);
         numbers(&mut plain, &[self.lower, self.cap]);
         list(&mut plain, &self.opening);
-        count(&mut plain, usize::from(self.slip_bounds));
+        count(&mut plain, WITH_SLIP_BOUNDS);
         count(&mut plain, self.slices.len());
         for slice in &self.slices {
             numbers(&mut plain, &[slice.from, slice.to, slice.sigma]);
@@ -87,8 +87,7 @@ impl Certificate {
         let end = after.iter().take(40).position(|&byte| byte == b'\n');
         let end = end.ok_or(Unreadable::Damaged)?;
         let version = String::from_utf8_lossy(&after[..end]).into_owned();
-        let has_flag = version == VERSION;
-        if !has_flag && version != WITHOUT_SLIP_BOUNDS {
+        if version != VERSION {
             return Err(Unreadable::Version(version));
         }
         let mut plain = Vec::new();
@@ -100,12 +99,8 @@ impl Certificate {
             return Err(Unreadable::Damaged);
         }
         let mut rest = Rest(&plain);
-        let certificate = rest.certificate(has_flag).ok_or(Unreadable::Damaged)?;
-        if rest.0.is_empty() {
-            Ok(certificate)
-        } else {
-            Err(Unreadable::Damaged)
-        }
+        let certificate = rest.certificate().filter(|_| rest.0.is_empty());
+        certificate.ok_or(Unreadable::Damaged)
     }
 }
 
@@ -160,58 +155,40 @@ impl<'a> Rest<'a> {
     fn assumed(&mut self) -> Option<Vec<Assumption>> {
         let length = self.count()?;
         // One that is not there ends it, whatever the length.
-        (0..length)
-            .map(|_| {
-                let code = self.count()?;
-                let zero = if code % 2 == 1 {
-                    Factor::Rate
-                } else {
-                    Factor::Force
-                };
-                Some(Assumption {
-                    pair: code / 2,
-                    zero,
-                })
-            })
-            .collect()
+        let assumption = |code: usize| Assumption {
+            pair: code / 2,
+            zero: [Factor::Force, Factor::Rate][code % 2],
+        };
+        (0..length).map(|_| self.count().map(assumption)).collect()
     }
 
-    fn flag(&mut self) -> Option<bool> {
-        match self.count()? {
-            0 => Some(false),
-            1 => Some(true),
-            _ => None,
-        }
-    }
-
-    /// A certificate, of the version that says whether it has multipliers of slip bounds or of the one
-    /// that never has.
-    fn certificate(&mut self, has_flag: bool) -> Option<Certificate> {
+    fn certificate(&mut self) -> Option<Certificate> {
         let length = self.count()?;
         let scene = String::from_utf8(self.bytes(length)?.to_vec()).ok()?;
         let (lower, cap) = (self.number()?, self.number()?);
         let opening = self.list()?;
-        let slip_bounds = has_flag && self.flag()?;
+        if self.count()? != WITH_SLIP_BOUNDS {
+            return None;
+        }
         let slices = self.count()?;
-        let mut certificate = Certificate {
+        Some(Certificate {
             scene,
             lower,
             cap,
             opening,
-            slip_bounds,
-            slices: Vec::new(),
-        };
-        for _ in 0..slices {
-            certificate.slices.push(Slice {
-                from: self.number()?,
-                to: self.number()?,
-                sigma: self.number()?,
-                assumed: self.assumed()?,
-                multipliers: self.list()?,
-                balance: self.list()?,
-            });
-        }
-        Some(certificate)
+            slices: (0..slices).map(|_| self.slice()).collect::<Option<_>>()?,
+        })
+    }
+
+    fn slice(&mut self) -> Option<Slice> {
+        Some(Slice {
+            from: self.number()?,
+            to: self.number()?,
+            sigma: self.number()?,
+            assumed: self.assumed()?,
+            multipliers: self.list()?,
+            balance: self.list()?,
+        })
     }
 }
 
@@ -235,7 +212,6 @@ mod tests {
             lower: 0.25,
             cap: 1e4,
             opening: vec![0.1, 0.2],
-            slip_bounds: true,
             slices: vec![slice.clone(), slice],
         }
     }
@@ -272,9 +248,11 @@ mod tests {
         let longer = [bytes.clone(), vec![0]].concat();
         assert_eq!(Certificate::from_bytes(&longer), Err(Unreadable::Damaged));
         let mut other = bytes;
-        other[TITLE.len()] = b'7';
-        let refused = Certificate::from_bytes(&other).unwrap_err();
-        assert_eq!(refused, Unreadable::Version("7".to_owned()));
-        assert!(refused.to_string().contains("reads versions 2 and 3"));
+        for version in ["2", "7"] {
+            other[TITLE.len()] = version.as_bytes()[0];
+            let refused = Certificate::from_bytes(&other).unwrap_err();
+            assert_eq!(refused, Unreadable::Version(version.to_owned()));
+            assert!(refused.to_string().ends_with("reads version 3"));
+        }
     }
 }

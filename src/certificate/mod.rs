@@ -51,6 +51,8 @@ mod slips;
 mod sum;
 mod tree;
 mod types;
+#[cfg(test)]
+mod walls;
 
 pub(crate) use conditions::{Conditions, Entry};
 pub use encoding::Unreadable;

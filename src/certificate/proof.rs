@@ -38,11 +38,7 @@ pub fn prove(scene: &Scene, certificate: &Certificate) -> Result<Proved, Refusal
     if !(certificate.cap.is_finite() && certificate.lower.is_finite() && certificate.cap >= 0.0) {
         return Err(Refusal::NotFinite);
     }
-    let conditions = if certificate.slip_bounds {
-        conditions.with_slip_bounds(scene)
-    } else {
-        conditions
-    };
+    let conditions = conditions.with_slip_bounds(scene);
     let prover = Prover::new(scene, conditions, &certificate.opening)?;
     let slices = certificate.slices.iter().enumerate();
     let parts = slices.map(|(index, slice)| prover.slice(slice, certificate.cap, index));

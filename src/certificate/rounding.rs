@@ -1,6 +1,6 @@
 //! What rounding leaves of a certificate's identity, and what it can cost.
 
-use super::conditions::{Conditions, Entry};
+use super::conditions::Conditions;
 use super::forces::{ForceBound, OUTWARD};
 use super::sum::Sum;
 use super::types::Slice;
@@ -27,7 +27,7 @@ impl Rounding {
         for rate in 0..conditions.rate_rows() {
             let multiple = force_combination(conditions, slice, rate);
             let mut add = |rate: usize, multiple: &[Sum]| {
-                for (c, value) in rate_entries(conditions, rate) {
+                for (c, value) in conditions.rate_row(rate) {
                     for (sum, part) in columns[c].iter_mut().zip(multiple) {
                         sum.add_multiple(-value, *part);
                     }
@@ -132,23 +132,6 @@ fn force_combination(conditions: &Conditions, slice: &Slice, rate: usize) -> Vec
     parts[1].add(above);
     parts[1].add(-below);
     parts
-}
-
-/// A rate of a joint, or the power, as a combination of the kinematic unknowns.
-fn rate_entries(conditions: &Conditions, rate: usize) -> Vec<Entry> {
-    let (joint, kind) = (rate / 4, rate % 4);
-    let Some(rows) = conditions.joints.get(joint) else {
-        return conditions.live.iter().copied().enumerate().collect();
-    };
-    let forward = (conditions.velocities() + joint, 1.0);
-    match kind {
-        0 | 1 => rows.rates[kind].clone(),
-        2 => vec![forward],
-        _ => {
-            let slip = rows.rates[2].iter().map(|&(k, value)| (k, -value));
-            slip.chain([forward]).collect()
-        }
-    }
 }
 
 /// How much more a unit of some rate can cost by rounding than the multipliers of that rate absorb:

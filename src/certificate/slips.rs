@@ -129,29 +129,15 @@ fn bound(scene: &Scene, conditions: &Conditions, joint: usize, way: &[Leg]) -> S
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::{HeadJoints, OfBlocks, Piece, Push, Wall};
-
-    fn scene(courses: &[&[Piece]]) -> Scene {
-        let wall = Wall {
-            unit_length: 4.0,
-            unit_height: 2.0,
-            thickness: 1.0,
-            unit_weight: 1.0,
-            courses: courses.iter().map(|course| course.to_vec()).collect(),
-            friction: 0.65.into(),
-            overburden: 0.0,
-            push: Push::Right,
-            of_blocks: OfBlocks::default(),
-        };
-        wall.scene(HeadJoints::Contact).expect("it can be laid")
-    }
+    use crate::certificate::walls::wall;
+    use crate::scene::Piece;
 
     /// A unit on two halves: it slips on the one no farther than on the other and what their head joint
     /// opens at its upper end.
     #[test]
     fn a_unit_slips_on_one_half_as_on_the_other() {
         use Piece::{Half, Unit};
-        let scene = scene(&[&[Half, Half], &[Unit]]);
+        let scene = wall(&[&[Half, Half], &[Unit]]);
         let conditions = Conditions::of(&scene).with_slip_bounds(&scene);
         let is_bed = |joint: &&usize| scene.joints()[**joint].to == 2;
         let all: Vec<usize> = (0..scene.joints().len()).collect();
@@ -183,7 +169,7 @@ mod tests {
     #[test]
     fn slips_are_made_of_the_rates_of_other_joints() {
         use Piece::{Gap, Half, Unit};
-        let scene = scene(&[
+        let scene = wall(&[
             &[Half, Unit, Half],
             &[Unit, Unit],
             &[Half, Gap, Half],

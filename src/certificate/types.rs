@@ -98,8 +98,6 @@ pub struct Certificate {
     pub cap: f64,
     /// Velocities of a motion that opens every joint by more than μ times its slip.
     pub opening: Vec<f64>,
-    /// Whether its multipliers have those of slip bounds.
-    pub slip_bounds: bool,
     /// Slices. Those with the same assumptions stand in ascending order, each from no more than what
     /// is proved before it: by those of the same assumptions, or of fewer.
     pub slices: Vec<Slice>,

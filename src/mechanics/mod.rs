@@ -7,7 +7,7 @@
 
 mod block_residual;
 mod crack;
-mod excess_lift;
+mod friction_excess;
 mod mechanism;
 mod residual;
 mod rigid_parts;
@@ -18,7 +18,7 @@ pub use block_residual::BlockResidual;
 pub(crate) use block_residual::{VERIFIED_BLOCK, reach};
 pub use crack::Crack;
 pub(crate) use crack::{VELOCITY_THRESHOLDS, crack_slope, crack_slope_by_gap};
-pub use excess_lift::excess_lift;
+pub use friction_excess::friction_excess;
 pub use mechanism::{JointRate, Mechanism, Motion};
 pub use residual::{
     CollapseResidual, StaticResidual, dead_power, falling_violation, kinematic_multiplier,

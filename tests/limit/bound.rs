@@ -212,7 +212,6 @@ fn a_changed_certificate_proves_nothing() {
         refused(&|c| c.slices[0].multipliers.truncate(9)),
         Refusal::Size
     );
-    assert_eq!(refused(&|c| c.slip_bounds = false), Refusal::Size);
     assert_eq!(
         refused(&|c| c.slices[0].from = 0.1),
         Refusal::Apart { slice: 0 }

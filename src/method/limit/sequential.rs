@@ -6,7 +6,8 @@ use super::own_weight::{own_weight, stands_without_dilatancy, without_optimum};
 use super::program::{FrictionLaw, Program};
 use crate::answer::{Evidence, Outcome, SequentialEnding, SequentialFacts, Status, Work};
 use crate::mechanics::{
-    CollapseState, JointForce, Mechanism, VELOCITY_THRESHOLDS, crack_slope, excess_lift, live_unit,
+    CollapseState, JointForce, Mechanism, VELOCITY_THRESHOLDS, crack_slope, friction_excess,
+    live_unit,
 };
 use crate::method::{Method, SequentialSettings, Settings};
 use crate::scene::Scene;
@@ -127,12 +128,12 @@ fn state(program: &Program, last: &Solution) -> CollapseState {
 
 /// What λ may be off by, relative to it: as much as it moves in the steps that settle it, and what
 /// c0 and capacities that lag behind their normal forces let joints carry beyond Coulomb's law,
-/// measured by how far that can lift λ above λ_A, whose mechanism is `ceiling`.
+/// measured by how far that can raise λ above λ_A, whose mechanism is `ceiling`.
 fn stated_error(scene: &Scene, state: &CollapseState, ceiling: &Mechanism) -> Option<f64> {
     let lambda = state.lambda;
-    let lift = excess_lift(scene, &state.forces, ceiling);
+    let excess = friction_excess(scene, &state.forces, ceiling);
     let least = 1e-3 * scene.total_weight() / live_unit(scene);
-    let error = STEPS_SETTLED as f64 * SETTLED + lift / lambda.abs().max(least);
+    let error = STEPS_SETTLED as f64 * SETTLED + excess / lambda.abs().max(least);
     error.is_finite().then_some(error)
 }
 

@@ -5,10 +5,10 @@
 //! does not open (or friction is not used up in one direction, or there is no slip in it). This is the
 //! branching on complementary pairs of mixed-integer programming, without its large constants.
 
-use std::ops::{Index, IndexMut};
-
-use super::interior_point::{Multipliers, Request};
+use super::interior_point::Multipliers;
 use super::lift::Lift;
+use super::lifted::Request;
+use super::products::Products;
 use super::vanishing::Vanishing;
 use crate::certificate::{Assumption, Conditions, Factor, Zeros};
 use crate::method::at_once::each;
@@ -70,7 +70,7 @@ impl Leaf {
 }
 
 /// All branches together; they leave no state out.
-pub(super) struct Leaves(Vec<Leaf>);
+pub(super) struct Leaves(pub(super) Vec<Leaf>);
 
 impl Default for Leaves {
     fn default() -> Self {
@@ -80,20 +80,6 @@ impl Default for Leaves {
             share: 1.0,
             vanishing: None,
         }])
-    }
-}
-
-impl Index<usize> for Leaves {
-    type Output = Leaf;
-
-    fn index(&self, at: usize) -> &Leaf {
-        &self.0[at]
-    }
-}
-
-impl IndexMut<usize> for Leaves {
-    fn index_mut(&mut self, at: usize) -> &mut Leaf {
-        &mut self.0[at]
     }
 }
 
@@ -137,9 +123,8 @@ pub(super) fn most_violated(
     zeros: &Zeros,
     multipliers: &Multipliers,
 ) -> Option<usize> {
-    let rates = lift.motion.rates(&multipliers.unknowns);
-    let conditions = lift.force_conditions(request.from, request.to);
-    let products = conditions * rates;
+    let products = Products::all(lift, [request.from, request.to]);
+    let products = products.of(&multipliers.unknowns);
     let power = lift.conditions.power();
     // The condition 1 stands behind those of the joints.
     let one = power;
@@ -152,6 +137,7 @@ pub(super) fn most_violated(
 
 #[cfg(test)]
 mod tests {
+    use super::super::parameters::Parameters;
     use super::super::slices::{Search, Slices};
     use super::super::{opening, orders};
     use super::*;
@@ -159,31 +145,15 @@ mod tests {
     use crate::certificate::{Certificate, Refusal, prove};
     use crate::certificate::{Conditions, Prover};
     use crate::method::Settings;
-    use crate::scene::{HeadJoints, OfBlocks, Piece, Push, Scene, Wall};
-
-    /// hh,1,hh of science's table: its lowest state is at 0.264706.
-    fn wall() -> Scene {
-        use Piece::{Half, Unit};
-        let wall = Wall {
-            unit_length: 4.0,
-            unit_height: 4.0,
-            thickness: 1.0,
-            unit_weight: 1.0,
-            courses: vec![vec![Half, Half], vec![Unit], vec![Half, Half]],
-            friction: 0.65.into(),
-            overburden: 0.0,
-            push: Push::Right,
-            of_blocks: OfBlocks::default(),
-        };
-        wall.scene(HeadJoints::Contact).unwrap()
-    }
+    use crate::method::limit::walls::{LOWEST_OF_SMALL_WALL as LOWEST, small_wall};
+    use crate::scene::{HeadJoints, Scene};
 
     /// The certificate of slices that are divided by these products from the start.
     fn divided(scene: &Scene, pairs: &[usize]) -> (Certificate, f64) {
         let conditions = Conditions::of(scene).with_slip_bounds(scene);
         let opening = opening(scene, &mut Work::default()).unwrap();
         let prover = Prover::new(scene, conditions.clone(), &opening).unwrap();
-        let lift = Lift::new(conditions, &orders(scene)).unwrap();
+        let lift = Lift::new(conditions, &orders(scene), Parameters::default()).unwrap();
         let settings = Settings::default().bound;
         let mut slices = Slices::default();
         for (leaf, &pair) in pairs.iter().enumerate() {
@@ -194,7 +164,7 @@ mod tests {
             prover: Some(&prover),
             settings: &settings,
         };
-        search.run(&mut slices, 0.264_706);
+        search.run(&mut slices, LOWEST);
         let lower = slices.lower;
         (
             slices
@@ -207,13 +177,13 @@ mod tests {
     /// Whatever they are divided by, branches prove the same together, and a certificate says so.
     #[test]
     fn branches_prove_what_one_slice_does() {
-        let scene = wall();
+        let scene = small_wall(HeadJoints::Contact);
         for pairs in [&[][..], &[0], &[9], &[2, 15], &[4, 5, 31]] {
             let (certificate, lower) = divided(&scene, pairs);
-            assert!((lower - 0.264_706).abs() < 3e-5, "{pairs:?}: {lower}");
+            assert!((lower - LOWEST).abs() < 3e-5, "{pairs:?}: {lower}");
             let proved = prove(&scene, &certificate).unwrap();
             assert!(
-                proved.lower > 0.264_706 * (1.0 - 1e-4),
+                proved.lower > LOWEST * (1.0 - 1e-4),
                 "{pairs:?}: {proved:?}"
             );
             assert_eq!(proved.slices, certificate.slices.len());
@@ -223,7 +193,7 @@ mod tests {
     /// A branch that is gone, or turned into the other one, proves no more than what is left.
     #[test]
     fn a_changed_branch_proves_nothing() {
-        let scene = wall();
+        let scene = small_wall(HeadJoints::Contact);
         let (certificate, _) = divided(&scene, &[9]);
         let refused = |change: &dyn Fn(&mut Certificate)| {
             let mut changed = certificate.clone();

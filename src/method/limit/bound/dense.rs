@@ -2,14 +2,7 @@
 
 use nalgebra::DMatrix;
 
-/// Columns of a block (chosen: what fits the fastest memory of any processor of today).
-const BLOCK: usize = 48;
-
-/// Share of a pivot's first value below which it is rounding: its unknown stays as it is.
-const LOST: f64 = 1e-15;
-
-/// Pivot of an unknown that stays as it is.
-const HELD: f64 = 1e80;
+use super::parameters::{BLOCK, HELD_PIVOT, LOST_PIVOT};
 
 /// Factors a symmetric matrix, of which the lower triangle is read and overwritten. Pivots that
 /// rounding has taken hold their unknowns.
@@ -26,10 +19,10 @@ pub(super) fn factor(a: &mut DMatrix<f64>) {
         }
         for j in start..end {
             let pivot = a[(j, j)];
-            let root = if pivot > LOST * first[j].abs() {
+            let root = if pivot > LOST_PIVOT * first[j].abs() {
                 pivot.sqrt()
             } else {
-                HELD
+                HELD_PIVOT
             };
             let mut column = a.view_mut((j, j), (n - j, 1));
             column /= root;

@@ -3,10 +3,11 @@
 //! Unknown is Y = s·kᵀ. Forces s = N z in equilibrium have few free numbers z, and a motion has three
 //! velocities u a block and a forward slip g⁺ a joint; so Y = N (Z, G⁺) with one column a motion.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DMatrix;
 
 use super::factor::Pattern;
 use super::motion::Motion;
+use super::parameters::{INDEPENDENT, Parameters};
 use crate::certificate::Conditions;
 
 /// What does not depend on the slice: forces in equilibrium, and the conditions.
@@ -21,13 +22,19 @@ pub(super) struct Lift {
     pub(super) motion: Motion,
     /// Which of them meet in the linear systems.
     pub(super) pattern: Pattern,
+    /// What it is solved with.
+    pub(super) parameters: Parameters,
 }
 
 impl Lift {
     /// Of a scene's conditions, with sums of the power along its blocks in one of these orders: that
     /// which makes the linear systems cheapest. `None` where the equilibrium conditions are not
     /// independent: a block hangs on nothing.
-    pub(super) fn new(conditions: Conditions, orders: &[Vec<usize>]) -> Option<Self> {
+    pub(super) fn new(
+        conditions: Conditions,
+        orders: &[Vec<usize>],
+        parameters: Parameters,
+    ) -> Option<Self> {
         let (rows, forces) = (conditions.velocities(), conditions.forces());
         let mut transposed = DMatrix::zeros(forces, rows);
         for row in 0..rows {
@@ -52,7 +59,7 @@ impl Lift {
             .diagonal()
             .iter()
             .fold(f64::INFINITY, |a, b| a.min(b.abs()));
-        if least < 1e-12 {
+        if least < INDEPENDENT {
             return None;
         }
         let motions = orders.iter().map(|order| {
@@ -68,6 +75,7 @@ impl Lift {
             across: whole.rows(0, rows).transpose(),
             triangle,
             conditions,
+            parameters,
         })
     }
 
@@ -83,15 +91,6 @@ impl Lift {
     /// Unknowns that are all zero: one column an unknown of the motion.
     pub(super) fn zero(&self) -> DMatrix<f64> {
         DMatrix::zeros(self.free(), self.motion.unknowns)
-    }
-
-    /// The live load's power as a column of the motion's unknowns.
-    pub(super) fn power(&self) -> DVector<f64> {
-        let mut power = DVector::zeros(self.motion.unknowns);
-        for &(k, value) in self.motion.power() {
-            power[k] = value;
-        }
-        power
     }
 
     /// The force conditions of a slice a ≤ λ ≤ b in the free numbers: four a joint, 1, λ − a, b − λ.

@@ -18,12 +18,9 @@
 //! the program forgets is that Y has rank one: it is a first-level reformulation-linearisation
 //! (Sherali and Adams, SIAM J. Discrete Math. 3 (1990) 411-430) of a program with complementarity
 //! constraints (Luo, Pang and Ralph, Mathematical Programs with Equilibrium Constraints, 1996).
-//! Where a joint carries nothing, its g⁺ and g⁻ could grow together without limit, and the products with
-//! them would lose most of their force. But a slip has one of them only, and around a closed chain of
-//! joints it is a combination of the other rates: g⁺ is at most the terms that add to it. What it falls
-//! short of them is a further rate, which is not negative (`answer/certificate/slips.rs`; our own, as is
-//! the lift's use here). All of 60 random walls of 6 to 15 blocks are enclosed to 1e-4 with these bounds;
-//! without them ten of the 60 were 0.5 to 9 % apart.
+//! Bounds of each slip by the rates of the joints around it are further rates (`certificate/slips.rs`;
+//! our own, as is the lift's use here). All of 60 random walls of 6 to 15 blocks are enclosed to 1e-4
+//! with them; without them ten of the 60 were 0.5 to 9 % apart.
 //!
 //! No product needs a large constant, and velocities may be as large as they like: all conditions on
 //! the motion are homogeneous but f_L·u = 1.
@@ -35,9 +32,6 @@
 //! vanish any more, from some λ on, the first part is empty, which a small linear program shows, and
 //! the other one goes on with fewer rates. Any number of slices and branches is a valid answer.
 //!
-//! The constants of this folder decide how long it takes and how far it gets, never what is proved.
-//! They were chosen on walls of about ten blocks and on paper-1 with open head joints.
-//!
 //! What is claimed: no collapse state in which the push does work has 0 ≤ λ < lower. States in which
 //! it does none (a stone that drops while the push only holds on) are none of these, and nothing is
 //! said of λ < 0.
@@ -46,14 +40,22 @@
 //! satisfy; see [`crate::certificate::Certificate`] and the rounding argument there.
 
 mod branches;
+mod cleaner;
 mod dense;
 mod factor;
 mod interior_point;
 mod lift;
+mod lifted;
 mod motion;
 mod newton;
+mod parameters;
+mod point;
+mod products;
 mod slice;
 mod slices;
+mod step;
+#[cfg(test)]
+mod tuned;
 mod vanishing;
 
 use std::sync::Arc;
@@ -68,6 +70,7 @@ use crate::method::settings::LP_TOLERANCE;
 use crate::method::{Method, Settings};
 use crate::scene::{Point, Scene};
 use lift::Lift;
+use parameters::Parameters;
 use slices::{Search, Slices};
 
 /// `lower` is proved by a certificate; `upper` is the lowest verified state.
@@ -79,85 +82,87 @@ impl Method for Bound {
     }
 
     fn solve(&self, scene: &Scene, settings: &Settings) -> Outcome {
-        let mut proving = *settings;
-        proving.programs.lp_tolerance = LP_TOLERANCE;
-        let found = lowest(scene, &proving, f64::NEG_INFINITY);
-        let Some(state) = found.evidence.states().first().cloned() else {
-            return without_state(found);
-        };
-        let mut work = found.work;
-        let conditions = Conditions::of(scene);
-        let most = settings.bound.lift_unknowns;
-        let unknowns = conditions.free_forces() * conditions.velocities();
-        if unknowns > most {
-            let fact = BoundFact::TooLarge { unknowns, most };
-            return answer(scene, state, None, work, vec![fact.into()]);
-        }
-        let conditions = conditions.with_slip_bounds(scene);
-        let Some(lift) = Lift::new(conditions.clone(), &orders(scene)) else {
-            return answer(scene, state, None, work, vec![BoundFact::NoState.into()]);
-        };
-        let opening = opening(scene, &mut work);
-        let prover = opening
-            .as_deref()
-            .and_then(|opening| Prover::new(scene, conditions, opening).ok());
-        let mut search = Search {
-            lift: &lift,
-            prover: prover.as_ref(),
-            settings: &settings.bound,
-        };
-        let mut state = state;
-        let unit = scene.multiplier_unit();
-        let mut slices = Slices::default();
-        for _ in 0..RESTARTS {
-            search.run(&mut slices, state.lambda / unit);
-            let gap = state.lambda - slices.lower * unit;
-            if gap <= settings.bound.bound_gap * magnitude(state.lambda, unit) {
-                break;
-            }
-            // States of the lift lead to states that other starts miss.
-            let mut few = proving;
-            few.interval.starts = 1;
-            let lower = Interval.solve_from(scene, &few, &slices.normals);
-            work = Work {
-                modelled: work.modelled,
-                ..work + lower.work
-            };
-            let least = lower.evidence.states().first().cloned();
-            match least.filter(|least| least.lambda < state.lambda - 1e-9 * unit) {
-                Some(lower) => state = lower,
-                None => break,
-            }
-        }
-        work.programs += slices.programs + slices.small_programs;
-        work.iterations += slices.steps;
-        let mut facts: Vec<Fact> = Vec::new();
-        let certificate = match (opening, &prover) {
-            (Some(opening), Some(prover)) => {
-                let certificate =
-                    slices.certificate(scene, prover, settings.bound.lift_cap, opening);
-                facts.push(BoundFact::Proved(certificate.1).into());
-                Some(certificate.0)
-            }
-            _ => {
-                facts.push(BoundFact::Uncertified.into());
-                None
-            }
-        };
-        if slices.out_of_budget {
-            let programs = slices.programs;
-            facts.push(BoundFact::OutOfBudget { programs }.into());
-        }
-        let lower = certificate
-            .as_ref()
-            .map_or(slices.lower * unit, |c| c.lower);
-        let bounded = Some((lower, certificate.map(Arc::new)));
-        answer(scene, state, bounded, work, facts)
+        solve_with(scene, settings, Parameters::default())
     }
 }
 
-/// Searches with the states of lifts as starts, at most.
-const RESTARTS: usize = 3;
+/// The answer with these tuned numbers.
+fn solve_with(scene: &Scene, settings: &Settings, parameters: Parameters) -> Outcome {
+    let mut proving = *settings;
+    proving.programs.lp_tolerance = LP_TOLERANCE;
+    let found = lowest(scene, &proving, f64::NEG_INFINITY);
+    let Some(state) = found.evidence.states().first().cloned() else {
+        return without_state(found);
+    };
+    let mut work = found.work;
+    let conditions = Conditions::of(scene);
+    let most = settings.bound.lift_unknowns;
+    let unknowns = conditions.free_forces() * conditions.velocities();
+    if unknowns > most {
+        let fact = BoundFact::TooLarge { unknowns, most };
+        return answer(scene, state, None, work, vec![fact.into()]);
+    }
+    let conditions = conditions.with_slip_bounds(scene);
+    let Some(lift) = Lift::new(conditions.clone(), &orders(scene), parameters) else {
+        return answer(scene, state, None, work, vec![BoundFact::NoState.into()]);
+    };
+    let opening = opening(scene, &mut work);
+    let prover = opening
+        .as_deref()
+        .and_then(|opening| Prover::new(scene, conditions, opening).ok());
+    let mut search = Search {
+        lift: &lift,
+        prover: prover.as_ref(),
+        settings: &settings.bound,
+    };
+    let mut state = state;
+    let unit = scene.multiplier_unit();
+    let mut slices = Slices::default();
+    for _ in 0..lift.parameters.restarts {
+        search.run(&mut slices, state.lambda / unit);
+        let gap = state.lambda - slices.lower * unit;
+        if gap <= settings.bound.bound_gap * magnitude(state.lambda, unit) {
+            break;
+        }
+        // States of the lift lead to states that other starts miss.
+        let mut few = proving;
+        few.interval.starts = 1;
+        let lower = Interval.solve_from(scene, &few, &slices.normals);
+        work = Work {
+            modelled: work.modelled,
+            ..work + lower.work
+        };
+        let least = lower.evidence.states().first().cloned();
+        match least.filter(|least| least.lambda < state.lambda - lift.parameters.lower_state * unit)
+        {
+            Some(lower) => state = lower,
+            None => break,
+        }
+    }
+    work.programs += slices.programs + slices.small_programs;
+    work.iterations += slices.steps;
+    let mut facts: Vec<Fact> = Vec::new();
+    let certificate = match (opening, &prover) {
+        (Some(opening), Some(prover)) => {
+            let certificate = slices.certificate(scene, prover, settings.bound.lift_cap, opening);
+            facts.push(BoundFact::Proved(certificate.1).into());
+            Some(certificate.0)
+        }
+        _ => {
+            facts.push(BoundFact::Uncertified.into());
+            None
+        }
+    };
+    if slices.out_of_budget {
+        let programs = slices.programs;
+        facts.push(BoundFact::OutOfBudget { programs }.into());
+    }
+    let lower = certificate
+        .as_ref()
+        .map_or(slices.lower * unit, |c| c.lower);
+    let bounded = Some((lower, certificate.map(Arc::new)));
+    answer(scene, state, bounded, work, facts)
+}
 
 /// The blocks from side to side and from below: orders in which neighbours are near to each other.
 fn orders(scene: &Scene) -> [Vec<usize>; 2] {

@@ -7,6 +7,7 @@
 
 use nalgebra::DMatrix;
 
+use super::parameters::ROUNDING;
 use crate::certificate::{Conditions, Entry};
 
 /// How rates follow from a motion's unknowns: three a block, then the forward slip of every joint.
@@ -14,23 +15,24 @@ pub(super) struct Motion {
     /// Every rate in the unknowns: four a joint, the power, then those of slip bounds.
     pub(super) rows: Vec<Vec<Entry>>,
     /// Row of the live load's power among them.
-    power: usize,
+    pub(super) power: usize,
     pub(super) unknowns: usize,
 }
 
 impl Motion {
+    /// One rate alone, which is its own unknown.
+    pub(super) fn of_one_rate() -> Self {
+        Self {
+            rows: vec![vec![(0, 1.0)]],
+            power: 0,
+            unknowns: 1,
+        }
+    }
+
     /// In the velocities of the blocks.
     pub(super) fn of_velocities(conditions: &Conditions) -> Self {
-        let velocities = conditions.velocities();
-        let mut rows: Vec<Vec<Entry>> = Vec::with_capacity(conditions.rate_rows());
-        for (j, joint) in conditions.joints.iter().enumerate() {
-            let forward = (velocities + j, 1.0);
-            let [one, other, slip] = joint.rates.clone();
-            let slip = slip.into_iter().map(|(k, value)| (k, -value));
-            rows.extend([one, other, vec![forward], slip.chain([forward]).collect()]);
-        }
-        let live = conditions.live.iter().copied().enumerate();
-        rows.push(live.filter(|entry| entry.1 != 0.0).collect());
+        let rates = 0..=conditions.power();
+        let mut rows: Vec<Vec<Entry>> = rates.map(|rate| conditions.rate_row(rate)).collect();
         for bound in &conditions.slip_bounds {
             let forward = (4 * bound.joint + 2, -1.0);
             let shares = bound.shares.iter().copied().chain([forward]);
@@ -129,9 +131,6 @@ fn combined(entries: impl Iterator<Item = Entry>, row: impl Fn(usize) -> Vec<Ent
         .map(|(entry, _)| entry)
         .collect()
 }
-
-/// What rounding leaves of a sum that cancels, over its magnitudes.
-const ROUNDING: f64 = 1e-14;
 
 #[cfg(test)]
 mod tests {

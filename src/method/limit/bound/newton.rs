@@ -6,57 +6,43 @@
 use nalgebra::DMatrix;
 
 use super::factor::Tiles;
-use super::lift::Lift;
+use super::products::Products;
 use crate::method::at_once::each;
 
 /// The system for given weights.
 pub(super) struct Newton<'a> {
-    lift: &'a Lift,
-    conditions: &'a DMatrix<f64>,
-    transposed: &'a DMatrix<f64>,
-    weights: DMatrix<f64>,
-    /// Weight of the scale condition 1 − (row of 1)·power, and that row.
+    products: &'a Products<'a>,
+    weights: &'a DMatrix<f64>,
+    /// Weight of the scale condition 1 − (row of 1)·power.
     scale: f64,
-    one: DMatrix<f64>,
     tiles: Tiles<'a>,
     /// What holds the unknowns.
     held: f64,
 }
 
-/// Share of each diagonal entry, and of the largest, that is added to it.
-const REGULAR: [f64; 2] = [1e-14, 1e-17];
-
-/// Steps of conjugate gradients at most, and those after which the residual is to be half as large.
-const STEPS: usize = 20;
-const TO_HALVE: usize = 4;
-
 impl<'a> Newton<'a> {
     /// Assembles and factors.
     pub(super) fn new(
-        lift: &'a Lift,
-        [conditions, transposed]: [&'a DMatrix<f64>; 2],
-        weights: DMatrix<f64>,
+        products: &'a Products<'a>,
+        weights: &'a DMatrix<f64>,
         scale: f64,
         held: f64,
     ) -> Self {
-        let free = lift.free();
-        let one = lift.basis.row(0).transpose();
-        let one = DMatrix::from_column_slice(free, 1, one.as_slice());
-        let rates = lift.motion.rows.iter().enumerate();
+        let one = &products.one;
+        let rates = products.motion.rows.iter().enumerate();
         let mut parts: Vec<_> = rates.map(|(rate, row)| (rate, row, None)).collect();
-        let power = lift.conditions.power();
         each(&mut parts, &|(rate, _, part)| {
-            let mut scaled = transposed.clone();
+            let mut scaled = products.transposed.clone();
             for (mut column, weight) in scaled.column_iter_mut().zip(&weights.column(*rate)) {
                 column *= *weight;
             }
-            let mut sum = &scaled * conditions;
-            if *rate == power {
-                sum.gemm(scale, &one, &one.transpose(), 1.0);
+            let mut sum = &scaled * &products.conditions;
+            if *rate == products.motion.power {
+                sum.gemm(scale, one, &one.transpose(), 1.0);
             }
             *part = Some(sum);
         });
-        let mut tiles = Tiles::zero(&lift.pattern, free);
+        let mut tiles = Tiles::zero(products.pattern, one.len());
         for (_, row, part) in parts {
             let part = part.expect("each is done");
             for &(p, x) in row {
@@ -65,26 +51,24 @@ impl<'a> Newton<'a> {
                 }
             }
         }
+        let [share, floor] = products.lift.parameters.regular;
         Self {
-            lift,
-            conditions,
-            transposed,
+            products,
             weights,
             scale,
-            one,
-            tiles: tiles.factor(REGULAR[0], REGULAR[1], held),
+            tiles: tiles.factor(share, floor, held),
             held,
         }
     }
 
     /// The system times unknowns.
     fn times(&self, x: &DMatrix<f64>) -> DMatrix<f64> {
-        let mut products = self.conditions * self.lift.motion.rates(x);
-        products.component_mul_assign(&self.weights);
-        let mut out = self.lift.motion.of_rates(&(self.transposed * products));
-        let power = self.lift.power();
-        let scale = self.scale * (self.one.tr_mul(x) * &power)[(0, 0)];
-        out += &self.one * power.transpose() * scale;
+        let (one, power) = (&self.products.one, &self.products.power);
+        let mut products = self.products.of(x);
+        products.component_mul_assign(self.weights);
+        let mut out = self.products.transposed(&products);
+        let scale = self.scale * (one.tr_mul(x) * power)[(0, 0)];
+        out += one * power.transpose() * scale;
         out += x * self.held;
         out
     }
@@ -99,6 +83,7 @@ impl<'a> Newton<'a> {
 
     /// Solves to a residual of this share of the right side, or as far as rounding lets it.
     pub(super) fn solve(&self, right: &DMatrix<f64>, share: f64) -> DMatrix<f64> {
+        let own = &self.products.lift.parameters;
         let mut x = self.solve_once(right);
         let mut residual = right - self.times(&x);
         let enough = share * right.amax();
@@ -106,11 +91,12 @@ impl<'a> Newton<'a> {
         let mut direction = self.solve_once(&residual);
         let mut rho = residual.dot(&direction);
         let mut halved = (best.0, 0);
-        for step in 0..STEPS {
+        for step in 0..own.gradients {
             if best.0 < 0.5 * halved.0 {
                 halved = (best.0, step);
             }
-            if best.0 <= enough || step - halved.1 >= TO_HALVE || !rho.is_finite() || rho <= 0.0 {
+            if best.0 <= enough || step - halved.1 >= own.to_halve || !rho.is_finite() || rho <= 0.0
+            {
                 break;
             }
             let image = self.times(&direction);

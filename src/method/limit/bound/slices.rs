@@ -3,8 +3,10 @@
 use nalgebra::DMatrix;
 
 use super::branches::{Leaf, Leaves, most_violated};
-use super::interior_point::{Multipliers, Request, solve};
+use super::interior_point::{Multipliers, solve};
 use super::lift::Lift;
+use super::lifted::Request;
+use super::parameters::OTHER_MACHINE;
 use super::slice::best_proof;
 use super::vanishing::Vanishing;
 use crate::certificate::{
@@ -13,28 +15,6 @@ use crate::certificate::{
 use crate::certificate::{Certificate, Proved, Slice};
 use crate::method::settings::BoundSettings;
 use crate::scene::Scene;
-
-/// How far above its end the bound of a slice without states may grow, relative to that and at least:
-/// the farther, the earlier the proof is done.
-const BEYOND: [f64; 2] = [0.01, 0.01];
-
-/// How far a slice that reaches the state ends behind it, over its width.
-const BEHIND: f64 = 0.1;
-
-/// Interior-point steps of one slice at most.
-const STEPS: usize = 250;
-
-/// Least share of the distance to the lowest state that a slice spans.
-const LEAST_SHARE: f64 = 0.2;
-
-/// Least share of its width that a slice gains, where a shorter one is worth while.
-const LEAST_GAIN: f64 = 0.15;
-
-/// Share of a slice's width that rounding may cost before the slice is solved to its optimum.
-const LOST: f64 = 0.2;
-
-/// States of a lift that are given to the search for collapse states.
-const STATES: usize = 8;
 
 /// What the slices are solved with.
 pub(super) struct Search<'a> {
@@ -45,6 +25,7 @@ pub(super) struct Search<'a> {
 }
 
 /// The slices so far.
+#[derive(Default)]
 pub(super) struct Slices {
     /// No collapse state has its λ* below this.
     pub(super) lower: f64,
@@ -73,28 +54,13 @@ struct Seen {
     violated: Option<usize>,
 }
 
-impl Default for Slices {
-    fn default() -> Self {
-        Self {
-            lower: 0.0,
-            leaves: Leaves::default(),
-            slices: Vec::new(),
-            programs: 0,
-            steps: 0,
-            small_programs: 0,
-            exact: false,
-            out_of_budget: false,
-            normals: Vec::new(),
-        }
-    }
-}
-
 impl Search<'_> {
     /// Solves slices until the bound meets the lowest state or the budget is spent, always of the
     /// branch with the lowest bound. A slice begins where the last one ended: the whole distance to
     /// the state at first, half as far after one that gained less than half of its width, twice as far
     /// after one without states. Where short ones gain nothing either, the branch is divided.
     pub(super) fn run(&mut self, slices: &mut Slices, state: f64) {
+        let own = &self.lift.parameters;
         slices.out_of_budget = false;
         let tolerance = self.settings.bound_gap * state.max(1e-3);
         while state - slices.lower > tolerance {
@@ -108,34 +74,19 @@ impl Search<'_> {
                 slices.lower = slices.leaves.lower();
                 continue;
             }
-            let Leaf {
-                lower: from, share, ..
-            } = slices.leaves[at];
-            // The state itself is to be well inside a slice that reaches it: where it lies at the end,
-            // the lift has hardly an interior, and its multipliers do not settle.
-            let (to, enough) = if share == 1.0 {
-                let to = state + BEHIND * (state - from) + 0.01 * tolerance;
-                (to, state - 0.005 * tolerance)
-            } else {
-                let to = from + share * (state - from);
-                (to, to + 0.25 * BEYOND[1])
-            };
             let request = Request {
-                from,
-                to,
-                enough,
-                most: to + BEYOND[0] * to + BEYOND[1],
-                steps: STEPS.min(steps_left),
+                steps: own.steps.min(steps_left),
                 exact: slices.exact,
+                ..self.request(&slices.leaves.0[at], state, tolerance)
             };
             let seen = self.solve(slices, at, request);
-            let leaf = &mut slices.leaves[at];
-            if leaf.lower >= to.min(state) {
-                leaf.share = f64::min(1.0, 2.0 * share);
-            } else if seen.gain < 0.5 {
+            let leaf = &mut slices.leaves.0[at];
+            if leaf.lower >= request.to.min(state) {
+                leaf.share = f64::min(1.0, 2.0 * leaf.share);
+            } else if seen.gain < own.half_gain {
                 leaf.share *= 0.5;
             }
-            if leaf.share < LEAST_SHARE || seen.gain < LEAST_GAIN {
+            if leaf.share < own.least_share || seen.gain < own.least_gain {
                 let Some(pair) = seen.violated else {
                     return;
                 };
@@ -145,17 +96,41 @@ impl Search<'_> {
         }
     }
 
+    /// The next slice of a leaf, without steps. The state itself is to be well inside a slice that
+    /// reaches it.
+    fn request(&self, leaf: &Leaf, state: f64, tolerance: f64) -> Request {
+        let own = &self.lift.parameters;
+        let (from, share) = (leaf.lower, leaf.share);
+        let (to, enough) = if share == 1.0 {
+            let to = state + own.behind * (state - from) + own.near_state[0] * tolerance;
+            (to, state - own.near_state[1] * tolerance)
+        } else {
+            let to = from + share * (state - from);
+            (to, to + own.beyond_enough * own.beyond[1])
+        };
+        Request {
+            from,
+            to,
+            enough,
+            most: to + own.beyond[0] * to + own.beyond[1],
+            steps: 0,
+            exact: false,
+        }
+    }
+
     /// Assumes what follows from equilibrium beyond a leaf's bound: rates are zero whose forces can
     /// vanish no more. Whether the leaf itself is done, as no forces are left.
     fn exclude(&self, found: &mut Slices, at: usize, state: f64) -> bool {
-        let from = found.leaves[at].lower;
-        let to = state + BEHIND * (state - from);
+        let from = found.leaves.0[at].lower;
+        let to = state + self.lift.parameters.behind * (state - from);
         let conditions = &self.lift.conditions;
-        let (vanishings, solved) = found.leaves[at].vanishings(conditions);
+        let (vanishings, solved) = found.leaves.0[at].vanishings(conditions);
         let vanishings = vanishings.clone();
         found.small_programs += solved;
         let mut prove = |vanishing: &Option<Vanishing>, assumed: &[Assumption]| {
-            let vanishing = vanishing.as_ref().filter(|own| own.is_excluded(from));
+            let vanishing = vanishing
+                .as_ref()
+                .filter(|own| own.is_excluded(from, self.lift));
             let Some(slice) = vanishing.map(|own| own.slice(self.lift, [from, to], assumed)) else {
                 return false;
             };
@@ -164,7 +139,7 @@ impl Search<'_> {
             found.slices.extend(proof.map(|proof| (slice, proof)));
             proof.is_some()
         };
-        let mut assumed = found.leaves[at].assumed.clone();
+        let mut assumed = found.leaves.0[at].assumed.clone();
         let is_done = prove(&vanishings.own, &assumed);
         let known: Vec<usize> = assumed.iter().map(|assumed| assumed.pair).collect();
         for (pair, vanishing) in vanishings.with.iter().enumerate() {
@@ -180,7 +155,7 @@ impl Search<'_> {
                 assumed.pop();
             }
         }
-        let leaf = &mut found.leaves[at];
+        let leaf = &mut found.leaves.0[at];
         if is_done {
             leaf.lower = to;
         }
@@ -202,7 +177,7 @@ impl Search<'_> {
 
     /// Solves one slice of a leaf.
     fn solve(&self, found: &mut Slices, leaf: usize, request: Request) -> Seen {
-        let assumed = found.leaves[leaf].assumed.clone();
+        let assumed = found.leaves.0[leaf].assumed.clone();
         let zeros = Zeros::of(self.lift.joints(), &assumed);
         let prove = |slice: &Slice| self.proof(slice);
         let mut multipliers = solve(self.lift, request, &zeros);
@@ -215,7 +190,8 @@ impl Search<'_> {
         };
         // What the multipliers promise and the proof does not keep is lost to rounding.
         let promised = multipliers.sigma.min(request.to);
-        if !request.exact && promised - least(&best) > LOST * (request.to - request.from) {
+        let bearable = self.lift.parameters.lost_to_rounding * (request.to - request.from);
+        if !request.exact && promised - least(&best) > bearable {
             let exact = Request {
                 exact: true,
                 ..request
@@ -242,7 +218,7 @@ impl Search<'_> {
         let reached = proof.least.min(request.to);
         let gain = (reached - request.from) / (request.to - request.from);
         if gain > 0.0 {
-            found.leaves[leaf].lower = reached;
+            found.leaves.0[leaf].lower = reached;
             found.slices.push((slice, proof));
         }
         Seen { gain, violated }
@@ -262,13 +238,12 @@ impl Slices {
         let parts: Vec<_> = parts.collect();
         let mut proved = together(&parts, cap).expect("each slice begins where others end");
         // Another machine may round the scene's geometry otherwise.
-        proved.lower = (proved.lower * scene.multiplier_unit()) * (1.0 - 1e-9);
+        proved.lower = (proved.lower * scene.multiplier_unit()) * (1.0 - OTHER_MACHINE);
         let certificate = Certificate {
             scene: scene_fingerprint(prover.conditions()),
             lower: proved.lower,
             cap,
             opening,
-            slip_bounds: true,
             slices: self.slices.iter().map(|(slice, _)| slice.clone()).collect(),
         };
         (certificate, proved)
@@ -283,8 +258,10 @@ fn normals(lift: &Lift, multipliers: &Multipliers) -> Vec<Vec<f64>> {
     let power = lift.conditions.power();
     let mut order: Vec<usize> = (0..power).collect();
     order.sort_by(|&a, &b| weights[b].total_cmp(&weights[a]));
-    let chosen = [power].into_iter().chain(order).take(STATES);
-    let usable = chosen.filter(|&rate| weights[rate] > 1e-6 * weights[power].abs());
+    let own = &lift.parameters;
+    let chosen = [power].into_iter().chain(order).take(own.states);
+    let least = own.state_weight * weights[power].abs();
+    let usable = chosen.filter(|&rate| weights[rate] > least);
     let normal = |rate: usize| {
         let forces: DMatrix<f64> = &lift.basis * rates.columns(rate, 1) / weights[rate];
         let joints = (0..lift.joints()).map(|j| (forces[2 + 3 * j] + forces[3 + 3 * j]).max(0.0));

@@ -5,12 +5,18 @@
 //! lift that are zero without being assumed so leave it without an interior, on which its interior
 //! point breaks down; and what is assumed of one product excludes others.
 
+use std::cmp::Ordering;
+
 use clarabel::algebra::CscMatrix;
 use nalgebra::{DMatrix, DVector};
 
-use super::dense;
+use super::cleaner::Cleaner;
+use super::factor::Pattern;
 use super::lift::Lift;
-use super::slice::{balance, grain};
+use super::motion::Motion;
+use super::parameters::OPTIMAL;
+use super::products::Products;
+use super::slice::certified;
 use crate::certificate::{Assumption, Conditions, Factor, Slice};
 use crate::method::limit::solver::multipliers;
 
@@ -25,76 +31,55 @@ pub(super) struct Vanishing {
     multipliers: Vec<f64>,
 }
 
-/// How far beyond the λ up to which forces can vanish that is used. Nearer, the multipliers of its proof
-/// grow until rounding takes it; a proof that does not hold is dropped, whatever this is.
-const CLEAR: f64 = 1e-4;
-
-/// What is added to all rates' multipliers, so that they absorb what rounding leaves.
-const ABSORBED: f64 = 1e-6;
-
-/// Rounds of taking away what multipliers leave of their identity.
-const ROUNDS: usize = 3;
-
-/// How small a multiplier can be beside the largest and still move.
-const SMALL: f64 = 1e-13;
-
 impl Vanishing {
     /// Of these forces together, four a joint; `None` where no λ is too large for them.
     pub(super) fn of(conditions: &Conditions, forces: &[usize]) -> Option<Self> {
         let joints = conditions.joints.len();
         let velocities = conditions.velocities();
-        let mut entries = Vec::new();
+        let equations = velocities + forces.len();
+        // Rows, columns (λ, then three a joint) and values.
+        let mut entries: Vec<(usize, usize, f64)> = Vec::new();
         let live = conditions.live.iter().enumerate();
-        entries.extend(live.map(|(row, &value)| (0, row, value)));
+        entries.extend(live.map(|(row, &value)| (row, 0, value)));
         for (j, joint) in conditions.joints.iter().enumerate() {
             for (kind, rates) in joint.rates.iter().enumerate() {
                 let column = 1 + 3 * j + kind;
-                entries.extend(rates.iter().map(|&(row, value)| (column, row, value)));
+                entries.extend(rates.iter().map(|&(row, value)| (row, column, value)));
             }
         }
-        let condition = |force: usize, row: usize, sign: f64| {
+        let mut condition = |force: usize, row: usize, sign: f64| {
             let (joint, kind) = (force / 4, force % 4);
-            let [one, other, shear] = [0, 1, 2].map(|k| 1 + 3 * joint + k);
             let friction = conditions.joints[joint].friction;
-            let entries = match kind {
-                0 => vec![(one, 1.0)],
-                1 => vec![(other, 1.0)],
-                2 => vec![(one, friction), (other, friction), (shear, 1.0)],
-                _ => vec![(one, friction), (other, friction), (shear, -1.0)],
+            let parts = match kind {
+                0 => vec![(0, 1.0)],
+                1 => vec![(1, 1.0)],
+                2 => vec![(0, friction), (1, friction), (2, 1.0)],
+                _ => vec![(0, friction), (1, friction), (2, -1.0)],
             };
-            let entries = entries.into_iter();
-            entries.map(move |(column, value)| (column, row, sign * value))
+            let parts = parts.into_iter();
+            entries.extend(parts.map(|(k, value)| (row, 1 + 3 * joint + k, sign * value)));
         };
         for (k, &force) in forces.iter().enumerate() {
-            entries.extend(condition(force, velocities + k, 1.0));
+            condition(force, velocities + k, 1.0);
         }
-        let equations = velocities + forces.len();
         for force in 0..4 * joints {
-            entries.extend(condition(force, equations + force, -1.0));
+            condition(force, equations + force, -1.0);
         }
-        let rows = equations + 4 * joints;
-        let columns = 1 + 3 * joints;
+        let (rows, columns) = (equations + 4 * joints, 1 + 3 * joints);
         let mut cost = vec![0.0; columns];
         cost[0] = -1.0;
-        let mut right = vec![0.0; rows];
-        for (right, dead) in right.iter_mut().zip(&conditions.dead) {
-            *right = -dead;
-        }
-        let part = |k: usize| entries.iter().map(move |entry| [entry.0, entry.1][k]);
+        let mut right: Vec<f64> = conditions.dead.iter().map(|dead| -dead).collect();
+        right.resize(rows, 0.0);
+        let at = |part: fn(&(usize, usize, f64)) -> usize| entries.iter().map(part).collect();
         let values = entries.iter().map(|entry| entry.2).collect();
-        let matrix = CscMatrix::new_from_triplets(
-            rows,
-            columns,
-            part(1).collect(),
-            part(0).collect(),
-            values,
-        );
+        let (of_rows, of_columns) = (at(|entry| entry.0), at(|entry| entry.1));
+        let matrix = CscMatrix::new_from_triplets(rows, columns, of_rows, of_columns, values);
         let found = multipliers(&cost, &matrix, &right, equations)?;
         let power = conditions.dead.iter().zip(&found);
         let power: f64 = power.map(|(dead, velocity)| dead * velocity).sum();
         // At an optimum the multipliers balance the cost, else nothing.
         let of_multiplier: f64 = conditions.live.iter().zip(&found).map(|(l, v)| l * v).sum();
-        let (share, unit) = if (of_multiplier - 1.0).abs() < 1e-6 {
+        let (share, unit) = if (of_multiplier - 1.0).abs() < OPTIMAL {
             (1.0, 1.0)
         } else if power > 0.0 {
             (0.0, power)
@@ -116,91 +101,52 @@ impl Vanishing {
     }
 
     /// Whether no such forces are admissible from here on.
-    pub(super) fn is_excluded(&self, from: f64) -> bool {
-        self.share * from - self.upto > CLEAR
+    pub(super) fn is_excluded(&self, from: f64, lift: &Lift) -> bool {
+        self.share * from - self.upto > lift.parameters.clear
     }
 
     /// The slice of a certificate that shows that no collapse state meets these assumptions, which
     /// hold that the forces vanish.
     pub(super) fn slice(&self, lift: &Lift, [from, to]: [f64; 2], assumed: &[Assumption]) -> Slice {
-        let conditions = lift.force_conditions(from, to);
-        let rows = conditions.nrows();
+        let own = &lift.parameters;
+        let motion = Motion::of_one_rate();
+        let pattern = Pattern::new(1, motion.meetings());
+        let products = Products::new(lift, [from, to], (&motion, &pattern));
+        let rows = products.conditions.nrows();
         let one = rows - 3;
         let excess = self.share * from - self.upto;
-        let mut impossible = DVector::zeros(rows);
+        let mut impossible = DMatrix::zeros(rows, 1);
         for (own, value) in impossible.iter_mut().zip(&self.multipliers) {
             *own = value / excess;
         }
         impossible[one + 1] = self.share / excess;
-        let vanishes = |pair: usize| {
+        let vanishes = |pair: usize, _| {
             let zero = Factor::Force;
             assumed.contains(&Assumption { pair, zero })
         };
-        let target = -lift.basis.row(0).transpose();
-        clean(&conditions, &target, &mut impossible, vanishes);
-        let sigma = to * 1.01 + 0.01;
+        // Together they are to be −1.
+        let cleaner = Cleaner {
+            products: &products,
+            lambda: DVector::zeros(lift.free()),
+            is_zero: &vanishes,
+            exponent: 2,
+        };
+        let (impossible, _) = cleaner.clean(impossible, 1.0, 0.0);
+        let sigma = to + own.above[0] * to + own.above[1];
         let rates = lift.conditions.rate_rows();
-        let values = DMatrix::from_fn(rows, rates, |force, rate| {
-            if rate == lift.conditions.power() {
-                let of_slice = if force == one + 1 { 1.0 } else { 0.0 };
-                grain((sigma - from) * impossible[force] + of_slice)
-            } else if rate > lift.conditions.power() {
-                0.0
-            } else {
+        let power = lift.conditions.power();
+        let values = DMatrix::from_fn(rows, rates, |force, rate| match rate.cmp(&power) {
+            Ordering::Less => {
                 let of_one = if force == one { 1.0 } else { 0.0 };
-                grain(ABSORBED * (impossible[force] + of_one))
+                own.absorbed * (impossible[force] + of_one)
             }
+            Ordering::Equal => {
+                let of_slice = if force == one + 1 { 1.0 } else { 0.0 };
+                (sigma - from) * impossible[force] + of_slice
+            }
+            Ordering::Greater => 0.0,
         });
-        Slice {
-            from,
-            to,
-            assumed: assumed.to_vec(),
-            sigma,
-            balance: balance(lift, [from, to], sigma, &values),
-            multipliers: values.transpose().as_slice().to_vec(),
-        }
-    }
-}
-
-/// Takes away what multipliers of force conditions leave of a combination that they are to be, each
-/// changed in proportion to its square.
-fn clean(
-    conditions: &DMatrix<f64>,
-    target: &DVector<f64>,
-    multipliers: &mut DVector<f64>,
-    is_free: impl Fn(usize) -> bool,
-) {
-    for _ in 0..ROUNDS {
-        let left = target - conditions.tr_mul(multipliers);
-        let largest = multipliers.amax();
-        let weights = multipliers.map_with_location(|force, _, value: f64| {
-            if is_free(force) {
-                largest * largest
-            } else if value < SMALL * largest {
-                0.0
-            } else {
-                value * value
-            }
-        });
-        let mut weighted = conditions.clone();
-        for (mut row, weight) in weighted.row_iter_mut().zip(&weights) {
-            row *= *weight;
-        }
-        let mut system = conditions.tr_mul(&weighted);
-        let floor = 1e-14 * system.diagonal().amax();
-        for k in 0..system.nrows() {
-            system[(k, k)] += floor;
-        }
-        dense::factor(&mut system);
-        let mut moved = left;
-        system.solve_lower_triangular_mut(&mut moved);
-        system.tr_solve_lower_triangular_mut(&mut moved);
-        *multipliers += &weighted * moved;
-        for (force, value) in multipliers.iter_mut().enumerate() {
-            if !is_free(force) {
-                *value = value.max(0.0);
-            }
-        }
+        certified(lift, [from, to], assumed, sigma, values)
     }
 }
 
@@ -210,6 +156,7 @@ mod tests {
     use crate::answer::Work;
     use crate::certificate::Prover;
     use crate::method::Settings;
+    use crate::method::limit::bound::parameters::Parameters;
     use crate::method::limit::bound::{opening, orders};
     use crate::method::limit::interval::lowest;
     use crate::method::limit::walls::wall;
@@ -230,12 +177,12 @@ mod tests {
         let conditions = Conditions::of(&scene);
         let opening = opening(&scene, &mut Work::default()).unwrap();
         let prover = Prover::new(&scene, conditions.clone(), &opening).unwrap();
-        let lift = Lift::new(conditions, &orders(&scene)).unwrap();
+        let lift = Lift::new(conditions, &orders(&scene), Parameters::default()).unwrap();
         let mut refuted = 0;
         for (pair, vanishing) in vanishings(&scene) {
-            assert!(vanishing.share == 0.0 || !vanishing.is_excluded(vanishing.upto - 1e-3));
+            assert!(vanishing.share == 0.0 || !vanishing.is_excluded(vanishing.upto - 1e-3, &lift));
             let from = (vanishing.upto + 0.01).max(0.0);
-            assert!(vanishing.is_excluded(from));
+            assert!(vanishing.is_excluded(from, &lift));
             let zero = Factor::Force;
             let assumed = [Assumption { pair, zero }];
             let slice = vanishing.slice(&lift, [from, from + 0.2], &assumed);

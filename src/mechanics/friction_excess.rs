@@ -1,4 +1,4 @@
-//! How far forces that exceed Coulomb's law can lift a multiplier.
+//! How far forces that exceed Coulomb's law can raise a multiplier.
 
 use super::mechanism::Mechanism;
 use super::state::JointForce;
@@ -7,8 +7,8 @@ use crate::scene::Scene;
 /// By how much the multiplier of a force state can be above that of a mechanism with dilatancy, as
 /// its joints carry more shear than μN: Σ (|t| − μN) |slip| over those joints, for a mechanism on
 /// which the live load does work 1. By virtual work nothing else that is in equilibrium and in
-/// compression can lift it. Infinite where the live load does no positive work on the mechanism.
-pub fn excess_lift(scene: &Scene, forces: &[JointForce], mechanism: &Mechanism) -> f64 {
+/// compression can raise it. Infinite where the live load does no positive work on the mechanism.
+pub fn friction_excess(scene: &Scene, forces: &[JointForce], mechanism: &Mechanism) -> f64 {
     let mut live = 0.0;
     for (block, motion) in scene.blocks().iter().zip(&mechanism.motions) {
         for load in &block.loads {

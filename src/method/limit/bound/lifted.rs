@@ -1,0 +1,141 @@
+//! The lifted program of one slice, and what is left of its conditions at a point.
+
+use nalgebra::DMatrix;
+
+use super::lift::Lift;
+use super::point::{Lengths, Point};
+use super::products::Products;
+use crate::certificate::Zeros;
+
+/// A slice of λ*, and when to stop. What is assumed in it is given beside it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Request {
+    /// a.
+    pub(super) from: f64,
+    /// b.
+    pub(super) to: f64,
+    /// Bound at which the iteration may stop.
+    pub(super) enough: f64,
+    /// σ₀, above b.
+    pub(super) most: f64,
+    /// Steps at most.
+    pub(super) steps: usize,
+    /// Whether it goes on to the optimum: slower, and for slices whose multipliers leave too much of the
+    /// identity otherwise.
+    pub(super) exact: bool,
+}
+
+/// The lifted program of one slice.
+pub(super) struct Lifted<'a> {
+    pub(super) products: Products<'a>,
+    request: Request,
+    /// Whether a product is zero, column by column, so that its multiplier has any sign.
+    pub(super) is_zero: Vec<bool>,
+    /// How many are not, with the scale condition.
+    pub(super) count: f64,
+    cost: DMatrix<f64>,
+    /// The scale condition's row.
+    pub(super) scale_row: DMatrix<f64>,
+}
+
+/// Residuals of the conditions and of the identity at a point, and what they say of it.
+pub(super) struct Residual {
+    pub(super) products: DMatrix<f64>,
+    pub(super) scale: f64,
+    pub(super) identity: DMatrix<f64>,
+    /// Mean of product times multiplier.
+    pub(super) mean: f64,
+    /// The bound, and the λ* of the lifted state above it.
+    pub(super) sigma: f64,
+    above: f64,
+    /// The largest residuals of the identity and of a product.
+    pub(super) left: f64,
+    violated: f64,
+}
+
+impl Residual {
+    pub(super) fn is_finite(&self) -> bool {
+        self.sigma.is_finite() && self.left.is_finite()
+    }
+}
+
+impl<'a> Lifted<'a> {
+    pub(super) fn new(lift: &'a Lift, request: Request, zeros: &Zeros) -> Self {
+        let products = Products::all(lift, [request.from, request.to]);
+        let rows = products.conditions.nrows();
+        let all = 0..rows * lift.conditions.rate_rows();
+        let is_zero: Vec<bool> = all.map(|at| zeros.is_zero(at % rows, at / rows)).collect();
+        let of_power = products.power.transpose();
+        Self {
+            count: (is_zero.iter().filter(|is_zero| !**is_zero).count() + 1) as f64,
+            is_zero,
+            cost: (&products.lambda - &products.one * request.most) * &of_power,
+            scale_row: &products.one * of_power,
+            products,
+            request,
+        }
+    }
+
+    /// All products and multipliers 1 that can be.
+    pub(super) fn start(&self) -> Point {
+        let lift = self.products.lift;
+        let (rows, rates) = (
+            self.products.conditions.nrows(),
+            self.products.motion.rows.len(),
+        );
+        let is_not_zero = self
+            .is_zero
+            .iter()
+            .map(|is_zero| f64::from(u8::from(!is_zero)));
+        let start = DMatrix::from_iterator(rows, rates, is_not_zero);
+        Point {
+            unknowns: lift.zero(),
+            products: start.clone(),
+            multipliers: start,
+            scale: [1.0, 1.0],
+        }
+    }
+
+    pub(super) fn residual(&self, at: &Point) -> Residual {
+        let identity = &self.cost - self.products.transposed(&at.multipliers);
+        let identity = identity + &self.scale_row * at.scale[1];
+        let products = self.products.of(&at.unknowns) - &at.products;
+        let scaled = at.scale[0] * at.scale[1];
+        Residual {
+            scale: 1.0 - self.products.work(&at.unknowns) - at.scale[0],
+            mean: (at.products.dot(&at.multipliers) + scaled) / self.count,
+            sigma: self.request.most - at.scale[1],
+            above: self.cost.dot(&at.unknowns) + self.request.most,
+            left: identity.amax(),
+            violated: products.amax(),
+            products,
+            identity,
+        }
+    }
+
+    /// Whether the bound is enough, or as good as it gets.
+    pub(super) fn is_done(&self, residual: &Residual) -> bool {
+        let own = &self.products.lift.parameters;
+        let Residual {
+            sigma,
+            above,
+            left,
+            violated,
+            ..
+        } = *residual;
+        let Request { from, enough, .. } = self.request;
+        let excludes = sigma > enough && left < own.left;
+        // A lifted state well inside the slice: where exactly the bound ends is of no use.
+        let inside = above - sigma < own.rough * (above - from).min(enough - above);
+        let leave = |most: f64| left < most && violated < most;
+        let is_optimal = above - sigma < own.gap && leave(own.left);
+        let is_rough = inside && leave(own.roughly_left);
+        excludes || is_optimal || (is_rough && !self.request.exact)
+    }
+
+    /// Longest steps that keep products and multipliers from becoming negative.
+    pub(super) fn lengths(&self, at: &Point, step: &Point) -> Lengths {
+        let most = 1.0 / (1.0 - self.products.lift.parameters.kept_back);
+        at.lengths(step, &self.is_zero, most)
+    }
+}

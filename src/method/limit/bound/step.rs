@@ -1,0 +1,138 @@
+//! One step of the interior point: predicted, corrected, and where that leads nowhere, towards the centre.
+
+use nalgebra::DMatrix;
+
+use super::lifted::{Lifted, Residual};
+use super::newton::Newton;
+use super::point::{Lengths, Point};
+
+/// A program's conditions about a point, linear in the step.
+pub(super) struct Linearised<'a> {
+    program: &'a Lifted<'a>,
+    at: &'a Point,
+    residual: &'a Residual,
+    weights: Weights,
+    /// Products times multipliers.
+    product: DMatrix<f64>,
+}
+
+/// How multipliers follow products.
+struct Weights {
+    /// Change of a product for a change of its multiplier.
+    softness: f64,
+    /// What holds the unknowns.
+    held: f64,
+    /// 1 / (product + softness · multiplier), and that times the multiplier.
+    softened: DMatrix<f64>,
+    values: DMatrix<f64>,
+}
+
+impl<'a> Linearised<'a> {
+    pub(super) fn new(program: &'a Lifted<'a>, at: &'a Point, residual: &'a Residual) -> Self {
+        let own = &program.products.lift.parameters;
+        let of_mean = |[share, least, most]: [f64; 3]| (share * residual.mean).clamp(least, most);
+        let softness = of_mean(own.softness);
+        let soften = |product, multiplier| 1.0 / (product + softness * multiplier);
+        let softened = at.products.zip_map(&at.multipliers, soften);
+        let mut values = at.multipliers.component_mul(&softened);
+        for (value, is_zero) in values.iter_mut().zip(&program.is_zero) {
+            if *is_zero {
+                *value = 1.0 / softness;
+            }
+        }
+        let weights = Weights {
+            softness,
+            held: of_mean(own.hold),
+            softened,
+            values,
+        };
+        Self {
+            program,
+            at,
+            residual,
+            weights,
+            product: at.products.component_mul(&at.multipliers),
+        }
+    }
+
+    /// Mehrotra's step and how far it goes.
+    pub(super) fn corrected(&self) -> (Point, Lengths) {
+        let (program, at, mean) = (self.program, self.at, self.residual.mean);
+        let own = &program.products.lift.parameters;
+        let scale = at.scale[1] / at.scale[0];
+        let weights = &self.weights;
+        let newton = Newton::new(&program.products, &weights.values, scale, weights.held);
+        let scaled = at.scale[0] * at.scale[1];
+        let predicted = self.step(&newton, &-&self.product, -scaled);
+        let lengths = program.lengths(at, &predicted);
+        let after = at.sum_behind(&predicted, lengths, &program.is_zero);
+        let centre = (after / program.count / mean).powi(3) * mean;
+        let bent = predicted.products.component_mul(&predicted.multipliers);
+        let wanted = self.towards(-&self.product - bent, centre);
+        let of_scale = centre - scaled - predicted.scale[0] * predicted.scale[1];
+        let corrected = self.step(&newton, &wanted, of_scale);
+        let reach = program.lengths(at, &corrected);
+        if reach[0].min(reach[1]) >= own.short_step {
+            return (corrected, reach);
+        }
+        // A correction that leads nowhere: back towards the centre.
+        let wanted = self.towards(-&self.product, own.centre * mean);
+        let centred = self.step(&newton, &wanted, own.centre * mean - scaled);
+        let other = program.lengths(at, &centred);
+        if other[0].min(other[1]) > reach[0].min(reach[1]) {
+            (centred, other)
+        } else {
+            (corrected, reach)
+        }
+    }
+
+    /// A wanted change of product times multiplier, that much larger; none where products are zero.
+    fn towards(&self, mut wanted: DMatrix<f64>, centre: f64) -> DMatrix<f64> {
+        for (wanted, is_zero) in wanted.iter_mut().zip(&self.program.is_zero) {
+            *wanted = if *is_zero { 0.0 } else { *wanted + centre };
+        }
+        wanted
+    }
+
+    /// The step with these changes of product times multiplier, and of the scale condition's.
+    fn step(&self, newton: &Newton, wanted: &DMatrix<f64>, scale: f64) -> Point {
+        let (program, at, residual) = (self.program, self.at, self.residual);
+        let Weights {
+            softness,
+            softened,
+            values,
+            ..
+        } = &self.weights;
+        // What multipliers become where products do not move.
+        let mut target = wanted.component_mul(softened);
+        target -= values.component_mul(&residual.products);
+        let missing = program.is_zero.iter().zip(&residual.products);
+        for (target, (is_zero, missing)) in target.iter_mut().zip(missing) {
+            if *is_zero {
+                *target = -missing / softness;
+            }
+        }
+        let of_scale = scale / at.scale[0] - at.scale[1] / at.scale[0] * residual.scale;
+        let mut right = program.products.transposed(&target);
+        right -= &residual.identity;
+        right -= &program.scale_row * of_scale;
+        let unknowns = newton.solve(&right, program.products.lift.parameters.solved_to);
+        let moved = program.products.of(&unknowns);
+        let multipliers = target - values.component_mul(&moved);
+        let mut products = moved + &residual.products + &multipliers * *softness;
+        for (product, is_zero) in products.iter_mut().zip(&program.is_zero) {
+            if *is_zero {
+                *product = 0.0;
+            }
+        }
+        let work = program.products.work(&unknowns);
+        let first = residual.scale - work;
+        let second = of_scale + at.scale[1] / at.scale[0] * work;
+        Point {
+            unknowns,
+            products,
+            multipliers,
+            scale: [first, second],
+        }
+    }
+}
