@@ -4,7 +4,6 @@ mod associative;
 mod bound;
 mod columns;
 mod ending;
-mod engine;
 mod equilibration;
 mod falling;
 mod interval;
@@ -14,6 +13,7 @@ mod reduction;
 mod scale;
 mod sequential;
 mod solver;
+mod structured;
 mod vertical;
 #[cfg(test)]
 mod walls;

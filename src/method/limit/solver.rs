@@ -9,7 +9,7 @@ use clarabel::solver::{
     SupportedConeT::{NonnegativeConeT, ZeroConeT},
 };
 
-use super::engine::{InteriorPoint, Problem};
+use super::structured::{InteriorPoint, Problem};
 use crate::method::settings::{Engine, LP_TOLERANCE};
 
 /// The numbers of a program, in its own units.

@@ -1,6 +1,6 @@
 //! Self-checks that can fail: pure functions of figures, run on every bracket.
 
-use super::engine::Contact;
+use super::physics::Contact;
 use crate::answer::{Bracket, Checked, Repetition, SelfCheck, magnitude};
 use crate::scene::{Joint, Scene, Side};
 
@@ -22,8 +22,8 @@ fn check(what: Checked, value: f64, limit: f64) -> SelfCheck {
     }
 }
 
-/// The engine has a contact with the right normal for every joint of the scene that is not
-/// between two `fixed` bodies. Exactly touching polygons can give an engine arbitrary normals.
+/// Rapier has a contact with the right normal for every joint of the scene that is not
+/// between two `fixed` bodies. Exactly touching polygons can give it arbitrary normals.
 pub fn sees_joints<'a>(
     joints: impl Iterator<Item = &'a Joint> + Clone,
     contacts: &[Contact],

@@ -17,7 +17,7 @@ const SMALL: f64 = 0.3;
 /// Largest ratio of two blocks' weights that is answered.
 const MOST_UNEQUAL: f64 = 1e4;
 
-/// What the engine is told of one block, and what its motion is judged by.
+/// What rapier is told of one block, and what its motion is judged by.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Inert {
     /// Mass, in mean weights over g. By area: masses in proportion to uneven loads would keep the
@@ -30,7 +30,7 @@ pub struct Inert {
     pub slowness: f64,
 }
 
-/// For every block of a portion, in the scene's order, what the engine is told of it; weights and
+/// For every block of a portion, in the scene's order, what rapier is told of it; weights and
 /// areas are divided by `force` and `area`, lengths by `length`.
 ///
 /// # Errors

@@ -1,14 +1,13 @@
 //! Pushover: the scene as rigid bodies in contact, pushed harder and harder until it collapses.
 //!
 //! ```text
-//! scene ── model (no dimensions) ──▶ engine (rapier) ◀── search ──▶ checks ──▶ outcome
+//! scene ── model (no dimensions) ──▶ physics (rapier) ◀── search ──▶ checks ──▶ outcome
 //! ```
 //!
 //! λ is the last load at rest and the first that collapsed from there. What the search or its
 //! self-checks cannot vouch for is `undecided` with a reason, never a number.
 
 mod checks;
-mod engine;
 mod fall;
 mod groups;
 mod hint;
@@ -19,6 +18,7 @@ mod measure;
 mod model;
 mod parameters;
 mod parts;
+mod physics;
 mod portion;
 mod range;
 mod run;

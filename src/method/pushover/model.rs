@@ -1,7 +1,7 @@
 //! The scene without dimensions: lengths in course heights, forces in mean block weights, g = 1, and
 //! live loads that for a multiplier λ* of 1 add up to the dead ones.
 //!
-//! Engines carry lengths of their own (prediction distances, slops), so a scene in millimetres
+//! Physics engines carry lengths of their own (prediction distances, slops), so a scene in millimetres
 //! or far from the origin would fail by construction; here every scene looks alike.
 
 use super::groups::{Surface, surfaces};
@@ -23,8 +23,8 @@ pub struct BodyForce {
 /// Corners of a convex piece.
 pub type Outline = Vec<[f64; 2]>;
 
-/// A block as the engine sees it.
-pub struct EngineBody {
+/// A block as rapier sees it.
+pub struct MovingBody {
     /// Its place in the scene.
     pub index: usize,
     /// Centroid.
@@ -47,7 +47,7 @@ pub struct EngineBody {
     pub loads: Vec<BodyForce>,
 }
 
-/// A support as the engine sees it.
+/// A support as rapier sees it.
 pub struct FixedBody {
     /// What it is in the scene: a support, or a block that is held fixed.
     pub side: Side,
@@ -62,7 +62,7 @@ pub struct FixedBody {
 /// The dimensionless scene.
 pub struct Model {
     /// Blocks that may move, in the scene's order.
-    pub blocks: Vec<EngineBody>,
+    pub blocks: Vec<MovingBody>,
     /// Supports in the scene's order, then blocks held fixed.
     pub supports: Vec<FixedBody>,
     /// Course height: the median block height, in the scene's length unit.
@@ -89,7 +89,7 @@ pub const GRID: f64 = 1e5;
 const NEAR: f64 = 0.2;
 
 /// Course heights by which the sides of other shapes than level rectangles are moved outwards:
-/// where two polygons touch exactly, the engine finds a normal of rounding errors.
+/// where two polygons touch exactly, rapier finds a normal of rounding errors.
 const OVERLAP: f64 = 1e-6;
 
 impl Model {
@@ -209,7 +209,7 @@ impl Units {
         block: &Block,
         inert: Inert,
         surfaces: Vec<Surface>,
-    ) -> EngineBody {
+    ) -> MovingBody {
         let shape = &block.shape;
         let centroid = shape.centroid();
         let mass = inert.mass;
@@ -220,7 +220,7 @@ impl Units {
         });
         let corners = shape.corners().iter();
         let reach = corners.map(|c| (c - centroid).norm()).fold(0.0, f64::max);
-        EngineBody {
+        MovingBody {
             index,
             centre: self.point(centroid),
             outlines: outlines(shape, self.length),
@@ -236,7 +236,7 @@ impl Units {
 }
 
 /// Sum of a part of all forces.
-fn total(blocks: &[EngineBody], part: fn(&BodyForce) -> [f64; 2]) -> [f64; 2] {
+fn total(blocks: &[MovingBody], part: fn(&BodyForce) -> [f64; 2]) -> [f64; 2] {
     let loads = blocks.iter().flat_map(|block| &block.loads);
     let add = |[x, y]: [f64; 2], force: [f64; 2]| [x + force[0], y + force[1]];
     loads.map(part).fold([0.0; 2], add)

@@ -1,10 +1,10 @@
 //! One pushover of one scene: search, self-checks, outcome.
 
 use super::checks::{self, AtRest};
-use super::engine::{BodyState, Engine};
 use super::measure;
 use super::model::{GRID, Model};
 use super::parameters::Parameters;
+use super::physics::{BodyState, Physics};
 use super::portion::{Portion, beyond_stagger};
 use super::search::{Observation, SearchEnd, search};
 use crate::answer::{Bracket, Outcome, PushoverFact, Recording, SelfCheck, Status, Work};
@@ -59,13 +59,13 @@ fn run(
     if parameters.contact_frequency * parameters.substep > MOST_STIFF {
         return (undecided(PushoverFact::TooStiff), false);
     }
-    let Some(mut engine) = Engine::new(&model, &parameters) else {
+    let Some(mut physics) = Physics::new(&model, &parameters) else {
         return (undecided(PushoverFact::ShapeRefused), false);
     };
-    let laid = engine.states();
-    engine.step();
+    let laid = physics.states();
+    physics.step();
     let fixed = |side| portion.is_fixed(side);
-    let sees = checks::sees_joints(portion.joints(scene), &engine.contacts(), fixed);
+    let sees = checks::sees_joints(portion.joints(scene), &physics.contacts(), fixed);
     if !sees.passed() {
         return (undecided(PushoverFact::Checked(sees)), false);
     }
@@ -76,7 +76,7 @@ fn run(
     };
     let mut moved = portion.holds_any();
     let expected = trial.expected.map(|at| model.in_grid(at));
-    let mut outcome = match search(&mut engine, &model, &parameters, expected, slip) {
+    let mut outcome = match search(&mut physics, &model, &parameters, expected, slip) {
         SearchEnd::Bracketed(seen) => {
             moved &= strip_moved(portion, &model, &seen.settled.states, &seen.collapsed);
             let settlement = measure::displacement(&model, &laid, &seen.settled.states);
@@ -91,7 +91,7 @@ fn run(
         SearchEnd::Falls(fact) => Outcome::without_number(Status::Falls, fact),
     };
     outcome.work = Work {
-        block_steps: engine.steps * parameters.substeps * model.blocks.len(),
+        block_steps: physics.steps * parameters.substeps * model.blocks.len(),
         ..Work::default()
     };
     (outcome, moved)

@@ -1,12 +1,12 @@
 //! The whole search: settle, then raise λ from rest to rest until the smallest step collapses.
 
-use super::engine::{BodyState, Checkpoint, Contact, Engine};
 use super::fall::{Fall, fall};
 use super::hint::{Hint, finest_increment};
 use super::hold::{Held, Hold};
 use super::measure::displacement;
 use super::model::Model;
 use super::parameters::Parameters;
+use super::physics::{BodyState, Checkpoint, Contact, Physics};
 use crate::answer::PushoverFact;
 
 /// A bracket as it was observed, and what the self-checks need to know about it.
@@ -34,10 +34,10 @@ pub struct RestState {
 }
 
 impl RestState {
-    fn now(engine: &Engine) -> Self {
+    fn now(physics: &Physics) -> Self {
         Self {
-            states: engine.states(),
-            contacts: engine.contacts(),
+            states: physics.states(),
+            contacts: physics.contacts(),
         }
     }
 }
@@ -62,25 +62,25 @@ pub enum SearchEnd {
 /// `slip` gives the largest slip of a joint between two states; a rest with more of it than the
 /// parameters allow is a collapse too.
 pub fn search(
-    engine: &mut Engine,
+    physics: &mut Physics,
     model: &Model,
     parameters: &Parameters,
     expected: Option<[u64; 2]>,
     slip: impl Fn(&[BodyState], &[BodyState]) -> f64,
 ) -> SearchEnd {
     let mut hold = Hold::new(model, parameters);
-    let laid = engine.checkpoint();
-    match hold.settle(engine) {
+    let laid = physics.checkpoint();
+    match hold.settle(physics) {
         Held::Rest => {}
-        Held::Collapse { .. } => return fallen(engine, hold, model, parameters, &laid),
+        Held::Collapse { .. } => return fallen(physics, hold, model, parameters, &laid),
         Held::Unclear => {
             let time = parameters.patience;
             return SearchEnd::Undecided(PushoverFact::NotSettled { time });
         }
     }
-    let settled = RestState::now(engine);
-    let mut rest = engine.checkpoint();
-    let mut seen = RestState::now(engine);
+    let settled = RestState::now(physics);
+    let mut rest = physics.checkpoint();
+    let mut seen = RestState::now(physics);
     let mut hint = Hint::new(parameters.first_increment, expected);
     let mut lower: u64 = 0;
     let mut unclear = false;
@@ -98,7 +98,7 @@ pub fn search(
             hint.next(lower, finest)
         };
         let last = unclear || target - lower <= finest;
-        if engine.steps > parameters.budget {
+        if physics.steps > parameters.budget {
             let lambda = model.lambda(lower);
             return SearchEnd::Undecided(PushoverFact::OutOfSteps { lambda });
         }
@@ -106,23 +106,23 @@ pub fn search(
             let lambda = model.lambda(lower);
             return SearchEnd::Undecided(PushoverFact::StillStands { lambda });
         }
-        let held = match hold.step(engine, [lower, target], finest, last) {
-            Held::Rest if left_its_place(&engine.states()) => Held::Collapse { acceleration: 0.0 },
+        let held = match hold.step(physics, [lower, target], finest, last) {
+            Held::Rest if left_its_place(&physics.states()) => Held::Collapse { acceleration: 0.0 },
             held => held,
         };
         match held {
             Held::Rest => {
-                rest = engine.checkpoint();
-                seen = RestState::now(engine);
+                rest = physics.checkpoint();
+                seen = RestState::now(physics);
                 lower = target;
                 unclear = false;
                 slow = 0;
                 hint.rested(lower, finest);
             }
             Held::Collapse { .. } if last => {
-                let collapsed = engine.states();
+                let collapsed = physics.states();
                 let fall = (parameters.frames > 0)
-                    .then(|| fall(engine, model, target, &settled.states, parameters.frames));
+                    .then(|| fall(physics, model, target, &settled.states, parameters.frames));
                 return SearchEnd::Bracketed(Box::new(Observation {
                     lower,
                     upper: target,
@@ -134,28 +134,28 @@ pub fn search(
             }
             Held::Collapse { acceleration } => {
                 hint.ran_away(target, acceleration);
-                engine.restore(&rest);
+                physics.restore(&rest);
             }
             Held::Unclear if unclear => {
-                let lambda = engine.multiplier * model.multiplier;
+                let lambda = physics.multiplier * model.multiplier;
                 return SearchEnd::Undecided(PushoverFact::Unclear { lambda });
             }
             Held::Unclear if last => {
                 // Perhaps too close to the limit to tell; a step twice as long may still tell.
                 unclear = true;
                 hint.ran_away(target, 0.0);
-                engine.restore(&rest);
+                physics.restore(&rest);
             }
             Held::Unclear => {
                 slow += 1;
                 let [at_first, later] = parameters.slow_steps;
                 let most = if lower == 0 { at_first } else { later };
                 if slow > most {
-                    let lambda = engine.multiplier * model.multiplier;
+                    let lambda = physics.multiplier * model.multiplier;
                     return SearchEnd::Undecided(PushoverFact::Unclear { lambda });
                 }
                 hint.was_slow(target);
-                engine.restore(&rest);
+                physics.restore(&rest);
             }
         }
     }
@@ -164,7 +164,7 @@ pub fn search(
 /// The end of a scene that did not settle: it falls, unless it stands with a push against its live
 /// loads that is as small as the error asked for.
 fn fallen(
-    engine: &mut Engine,
+    physics: &mut Physics,
     mut hold: Hold,
     model: &Model,
     parameters: &Parameters,
@@ -172,8 +172,8 @@ fn fallen(
 ) -> SearchEnd {
     let (distance, time) = (parameters.fall, hold.elapsed);
     let resolution = parameters.stated_error;
-    engine.restore(laid);
-    match hold.settle_against(engine, resolution) {
+    physics.restore(laid);
+    match hold.settle_against(physics, resolution) {
         Held::Rest => SearchEnd::Undecided(PushoverFact::NearZero {
             resolution: resolution * model.multiplier,
         }),
