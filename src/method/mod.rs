@@ -1,5 +1,8 @@
 //! The methods: one file or folder each, one table that says all about them, one small trait.
 
+#[macro_use]
+mod tuned;
+
 mod at_once;
 mod auto;
 mod contract;
