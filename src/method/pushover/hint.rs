@@ -1,6 +1,8 @@
 //! Where to look next: steps that double, then an extrapolation of how fast too large loads ran
 //! away. Nothing here decides anything; it only spares holds.
 
+use super::parameters::Parameters;
+
 /// What is known about where the limit may be, in grid units of λ*.
 #[derive(Clone, Debug)]
 pub struct Hint {
@@ -13,16 +15,17 @@ pub struct Hint {
     expected: Option<[u64; 2]>,
     /// A load that was reached in too long a step to come to rest in time.
     slow: Option<u64>,
+    doubt: f64,
+    near: f64,
 }
 
-/// Part of the distance to the nearest runaway by which an extrapolation may be wrong.
-const DOUBT: f64 = 0.05;
-
 impl Hint {
-    /// The first step is `increment` where no limit is `expected`.
-    pub fn new(increment: u64, expected: Option<[u64; 2]>) -> Self {
+    /// Nothing is known yet but where the limit may be `expected`.
+    pub fn new(parameters: &Parameters, expected: Option<[u64; 2]>) -> Self {
         Self {
-            increment,
+            increment: parameters.first_increment,
+            doubt: parameters.doubt,
+            near: parameters.near,
             runaways: Vec::new(),
             overshot: false,
             expected,
@@ -76,10 +79,10 @@ impl Hint {
         let Some(at) = estimate else {
             return middle;
         };
-        if at - low <= 0.75 * width {
+        if at - low <= self.near * width {
             return lower + finest;
         }
-        let doubt = (DOUBT * (high as f64 - at)).max(0.5 * width);
+        let doubt = (self.doubt * (high as f64 - at)).max(0.5 * width);
         let below = ((at - doubt) / half as f64).round() as u64 * half;
         if below > lower {
             return below;

@@ -43,19 +43,8 @@ impl<'a> Hold<'a> {
         }
     }
 
-    /// The scene under its weight alone.
-    pub fn settle(&mut self, physics: &mut Physics) -> Held {
-        let Parameters {
-            settled_speed,
-            fall,
-            patience,
-            ..
-        } = *self.parameters;
-        self.hold(physics, [0.0; 2], settled_speed, fall, patience)
-    }
-
-    /// The scene under its weight and a small push against its live loads.
-    pub fn settle_against(&mut self, physics: &mut Physics, push: f64) -> Held {
+    /// The scene under its weight and a push against its live loads: none, or a small one.
+    pub fn settle(&mut self, physics: &mut Physics, push: f64) -> Held {
         let Parameters {
             settled_speed,
             fall,
@@ -88,7 +77,7 @@ impl<'a> Hold<'a> {
             (parameters.runaway, patience)
         };
         // An unbalanced tenth of the smallest increment would reach this speed in a window.
-        let resting_speed = 0.1 * finest as f64 / GRID * parameters.window;
+        let resting_speed = parameters.resting * finest as f64 / GRID * parameters.window;
         let loads = loads.map(|load| load as f64 / GRID);
         let held = self.hold(physics, loads, resting_speed, limit, patience);
         if held == Held::Rest {
@@ -143,7 +132,7 @@ impl<'a> Hold<'a> {
                     let acceleration = now * now / (2.0 * moved);
                     return Held::Collapse { acceleration };
                 }
-                let present = twice_kinetic_energy(self.model, &states);
+                let present = twice_kinetic_energy(self.model, &states, parameters.seen);
                 let falling = present < parameters.damp_below * energy;
                 if damped && falling {
                     physics.scale_velocities(0.0);
@@ -169,7 +158,7 @@ impl<'a> Hold<'a> {
 
     /// How fast all blocks are together: the root of twice their kinetic energy.
     fn pace(&self, states: &[BodyState]) -> f64 {
-        twice_kinetic_energy(self.model, states).sqrt()
+        twice_kinetic_energy(self.model, states, self.parameters.seen).sqrt()
     }
 
     /// Extrapolates slow drift: scales velocities by 1 + factor · (1 − before/now), `before` being

@@ -27,15 +27,12 @@ pub fn farthest(blocks: &[MovingBody], from: &[BodyState], to: &[BodyState]) -> 
     from.iter().zip(to).zip(blocks).map(of).fold(0.0, f64::max)
 }
 
-/// Mass below which a block's energy counts as if it had this mass.
-const SEEN: f64 = 0.05;
-
-/// Twice the kinetic energy.
-pub fn twice_kinetic_energy(model: &Model, states: &[BodyState]) -> f64 {
+/// Twice the kinetic energy, blocks of less mass than `seen` counting as if they had that.
+pub fn twice_kinetic_energy(model: &Model, states: &[BodyState], seen: f64) -> f64 {
     let of = |(state, block): (&BodyState, &MovingBody)| {
         let [x, y] = state.velocity;
         let energy = block.mass * (x * x + y * y) + block.inertia * state.spin * state.spin;
-        energy * block.slowness * block.slowness * (SEEN / block.mass).max(1.0)
+        energy * block.slowness * block.slowness * (seen / block.mass).max(1.0)
     };
     states.iter().zip(&model.blocks).map(of).sum()
 }

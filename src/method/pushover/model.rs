@@ -7,7 +7,9 @@
 use super::groups::{Surface, surfaces};
 use super::mass::{Inert, inert};
 use super::portion::{Portion, Role};
+use super::tuned::Tuned;
 use crate::answer::{Bracket, PushoverFact};
+use crate::mechanics::reach;
 use crate::scene::{Block, Point, Polygon, Scene, Side, Vector, multiplier_unit};
 
 /// A force at a point that turns with its block.
@@ -97,9 +99,14 @@ impl Model {
     ///
     /// # Errors
     /// What this method cannot honour in the scene.
-    pub fn new(scene: &Scene, portion: &Portion) -> Result<Self, PushoverFact> {
+    pub fn new(scene: &Scene, portion: &Portion, tuned: &Tuned) -> Result<Self, PushoverFact> {
         let units = Units::of(scene, portion)?;
-        let inert = inert(scene, portion, [units.force, units.area, units.length])?;
+        let inert = inert(
+            scene,
+            portion,
+            [units.force, units.area, units.length],
+            tuned,
+        )?;
         let surfaces = surfaces(scene, NEAR * units.length)?;
         let supports = scene.supports().iter().zip(surfaces.supports).enumerate();
         let mut supports: Vec<FixedBody> = supports
@@ -218,15 +225,13 @@ impl Units {
             dead: self.vector(load.dead),
             live: self.vector(load.live * self.multiplier),
         });
-        let corners = shape.corners().iter();
-        let reach = corners.map(|c| (c - centroid).norm()).fold(0.0, f64::max);
         MovingBody {
             index,
             centre: self.point(centroid),
             outlines: outlines(shape, self.length),
             mass,
             inertia: mass * gyration_squared(shape) / (self.length * self.length),
-            reach: reach / self.length,
+            reach: reach(block) / self.length,
             smallness: inert.smallness,
             slowness: inert.slowness,
             surfaces,

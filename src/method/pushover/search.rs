@@ -70,7 +70,7 @@ pub fn search(
 ) -> SearchEnd {
     let mut hold = Hold::new(model, parameters);
     let laid = physics.checkpoint();
-    match hold.settle(physics) {
+    match hold.settle(physics, 0.0) {
         Held::Rest => {}
         Held::Collapse { .. } => return fallen(physics, hold, model, parameters, &laid),
         Held::Unclear => {
@@ -79,9 +79,8 @@ pub fn search(
         }
     }
     let settled = RestState::now(physics);
-    let mut rest = physics.checkpoint();
-    let mut seen = RestState::now(physics);
-    let mut hint = Hint::new(parameters.first_increment, expected);
+    let (mut rest, mut seen) = (physics.checkpoint(), RestState::now(physics));
+    let mut hint = Hint::new(parameters, expected);
     let mut lower: u64 = 0;
     let mut unclear = false;
     // Steps in a row that took too long.
@@ -92,19 +91,13 @@ pub fn search(
     };
     loop {
         let finest = finest_increment(hint.near(lower), parameters.tolerance);
-        let target = if unclear {
-            lower + 2 * finest
-        } else {
-            hint.next(lower, finest)
+        let target = match unclear {
+            true => lower + 2 * finest,
+            false => hint.next(lower, finest),
         };
         let last = unclear || target - lower <= finest;
-        if physics.steps > parameters.budget {
-            let lambda = model.lambda(lower);
-            return SearchEnd::Undecided(PushoverFact::OutOfSteps { lambda });
-        }
-        if target > parameters.largest {
-            let lambda = model.lambda(lower);
-            return SearchEnd::Undecided(PushoverFact::StillStands { lambda });
+        if let Some(fact) = out_of_reach(physics, model, parameters, [lower, target]) {
+            return SearchEnd::Undecided(fact);
         }
         let held = match hold.step(physics, [lower, target], finest, last) {
             Held::Rest if left_its_place(&physics.states()) => Held::Collapse { acceleration: 0.0 },
@@ -112,12 +105,10 @@ pub fn search(
         };
         match held {
             Held::Rest => {
-                rest = physics.checkpoint();
-                seen = RestState::now(physics);
-                lower = target;
-                unclear = false;
-                slow = 0;
+                (rest, seen) = (physics.checkpoint(), RestState::now(physics));
+                (lower, unclear, slow) = (target, false, 0);
                 hint.rested(lower, finest);
+                continue;
             }
             Held::Collapse { .. } if last => {
                 let collapsed = physics.states();
@@ -132,33 +123,37 @@ pub fn search(
                     fall,
                 }));
             }
-            Held::Collapse { acceleration } => {
-                hint.ran_away(target, acceleration);
-                physics.restore(&rest);
-            }
-            Held::Unclear if unclear => {
-                let lambda = physics.multiplier * model.multiplier;
-                return SearchEnd::Undecided(PushoverFact::Unclear { lambda });
-            }
-            Held::Unclear if last => {
+            Held::Collapse { acceleration } => hint.ran_away(target, acceleration),
+            Held::Unclear if last && !unclear => {
                 // Perhaps too close to the limit to tell; a step twice as long may still tell.
                 unclear = true;
                 hint.ran_away(target, 0.0);
-                physics.restore(&rest);
             }
             Held::Unclear => {
                 slow += 1;
-                let [at_first, later] = parameters.slow_steps;
-                let most = if lower == 0 { at_first } else { later };
-                if slow > most {
+                if unclear || slow > parameters.slow_steps[usize::from(lower > 0)] {
                     let lambda = physics.multiplier * model.multiplier;
                     return SearchEnd::Undecided(PushoverFact::Unclear { lambda });
                 }
                 hint.was_slow(target);
-                physics.restore(&rest);
             }
         }
+        physics.restore(&rest);
     }
+}
+
+/// Why a search that has come to rest at the first of two loads does not try the other.
+fn out_of_reach(
+    physics: &Physics,
+    model: &Model,
+    parameters: &Parameters,
+    [lower, target]: [u64; 2],
+) -> Option<PushoverFact> {
+    let lambda = model.lambda(lower);
+    if physics.steps > parameters.budget {
+        return Some(PushoverFact::OutOfSteps { lambda });
+    }
+    (target > parameters.largest).then_some(PushoverFact::StillStands { lambda })
 }
 
 /// The end of a scene that did not settle: it falls, unless it stands with a push against its live
@@ -173,7 +168,7 @@ fn fallen(
     let (distance, time) = (parameters.fall, hold.elapsed);
     let resolution = parameters.stated_error;
     physics.restore(laid);
-    match hold.settle_against(physics, resolution) {
+    match hold.settle(physics, resolution) {
         Held::Rest => SearchEnd::Undecided(PushoverFact::NearZero {
             resolution: resolution * model.multiplier,
         }),
