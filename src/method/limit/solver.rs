@@ -152,21 +152,31 @@ pub(super) enum Change {
 }
 
 fn clarabel(numbers: &Numbers, settings: DefaultSettings<f64>) -> DefaultSolver<f64> {
-    let columns = numbers.cost.len();
-    let inequalities = numbers.right.len() - numbers.rows_of_blocks;
-    let cones = [
-        ZeroConeT(numbers.rows_of_blocks),
-        NonnegativeConeT(inequalities),
-    ];
-    let solver = DefaultSolver::new(
-        &CscMatrix::zeros((columns, columns)),
-        &numbers.cost,
-        &numbers.matrix,
-        &numbers.right,
-        &cones,
-        settings,
-    );
+    let Numbers {
+        cost,
+        matrix,
+        right,
+        rows_of_blocks,
+        ..
+    } = numbers;
+    let solver = linear(cost, matrix, right, *rows_of_blocks, settings);
     solver.expect("dimensions agree by construction")
+}
+
+/// Clarabel for a program whose first so many rows are equations, the others inequalities.
+fn linear(
+    cost: &[f64],
+    matrix: &CscMatrix<f64>,
+    right: &[f64],
+    equations: usize,
+    settings: DefaultSettings<f64>,
+) -> Option<DefaultSolver<f64>> {
+    let quadratic = CscMatrix::zeros((cost.len(), cost.len()));
+    let cones = [
+        ZeroConeT(equations),
+        NonnegativeConeT(right.len() - equations),
+    ];
+    DefaultSolver::new(&quadratic, cost, matrix, right, &cones, settings).ok()
 }
 
 fn solved(solver: &mut DefaultSolver<f64>, numbers: &Numbers) -> Solved {
@@ -206,19 +216,13 @@ pub(super) fn multipliers(
     right: &[f64],
     equations: usize,
 ) -> Option<Vec<f64>> {
-    let cones = [
-        ZeroConeT(equations),
-        NonnegativeConeT(right.len() - equations),
-    ];
-    let solver = DefaultSolver::new(
-        &CscMatrix::zeros((cost.len(), cost.len())),
+    let mut solver = linear(
         cost,
         matrix,
         right,
-        &cones,
+        equations,
         settings(LP_TOLERANCE, false),
-    );
-    let mut solver = solver.ok()?;
+    )?;
     solver.solve();
     match solver.solution.status {
         SolverStatus::Solved | SolverStatus::PrimalInfeasible => Some(solver.solution.z.clone()),
