@@ -7,6 +7,7 @@ mod ending;
 mod equilibration;
 mod falling;
 mod interval;
+mod numbers;
 mod own_weight;
 mod program;
 mod reduction;

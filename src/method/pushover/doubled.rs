@@ -35,11 +35,7 @@ const NUMBERS: [Number; 24] = [
     ("runaway", |p, by| p.runaway *= by, BOTH),
     ("collapse", |p, by| p.collapse *= by, BOTH),
     ("points kept", |p, by| p.recycle_distance *= by, &[2.0]),
-    (
-        "first increment",
-        |p, by| p.first_increment = (p.first_increment as f64 * by) as u64,
-        BOTH,
-    ),
+    ("first increment", |p, by| p.first_increment *= by, BOTH),
     ("resting", |p, by| p.resting *= by, BOTH),
     ("seen", |p, by| p.seen *= by, BOTH),
     ("doubt", |p, by| p.doubt *= by, BOTH),

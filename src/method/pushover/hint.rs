@@ -1,6 +1,7 @@
 //! Where to look next: steps that double, then an extrapolation of how fast too large loads ran
 //! away. Nothing here decides anything; it only spares holds.
 
+use super::model::GRID;
 use super::parameters::Parameters;
 
 /// What is known about where the limit may be, in grid units of λ*.
@@ -23,7 +24,7 @@ impl Hint {
     /// Nothing is known yet but where the limit may be `expected`.
     pub fn new(parameters: &Parameters, expected: Option<[u64; 2]>) -> Self {
         Self {
-            increment: parameters.first_increment,
+            increment: (parameters.first_increment * GRID).round() as u64,
             doubt: parameters.doubt,
             near: parameters.near,
             runaways: Vec::new(),

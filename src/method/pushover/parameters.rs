@@ -6,7 +6,7 @@
 //! What stands elsewhere is no tuned number: the grid of λ and what collision shapes are made of
 //! (`model`), stiffnesses that a range is over (`range`), how long a recorded fall is (`fall`).
 
-use super::model::{GRID, Model};
+use super::model::Model;
 use super::tuned::Tuned;
 use crate::method::{Accuracy, Collapse, PushoverSettings};
 
@@ -115,7 +115,7 @@ macro_rules! parameters {
             pub fn listed(&self) -> Vec<(&'static str, f64, &'static str)> {
                 vec![
                     ("time step", self.time_step(), TIME),
-                    $($(($name, self.$field.figure(), $unit),)?)+
+                    $($(($name, self.$field as f64, $unit),)?)+
                 ]
             }
         }
@@ -192,10 +192,10 @@ parameters! { of:
     fall: f64 = 1.0, "fall", LENGTH;
     /// Displacement up to the last load at rest beyond which that is no longer the scene as laid.
     drift: f64 = 0.02 * of.courses.max(5.0), "drift limit", LENGTH;
-    /// First increment of λ*, in `GRID` units.
-    first_increment: u64 = if of.sways { 20_000 } else { 5_000 }, "first increment", LAMBDA;
-    /// Largest λ* that is tried, in `GRID` units.
-    largest: u64 = 10_000_000, "largest", LAMBDA;
+    /// First increment of λ*.
+    first_increment: f64 = if of.sways { 0.2 } else { 0.05 }, "first increment", LAMBDA;
+    /// Largest λ* that is tried.
+    largest: f64 = 100.0, "largest", LAMBDA;
     /// Width of the bracket relative to λ.
     tolerance: f64 = if of.courses > LESS_ACCURATE { 0.5 } else { 0.4 } * of.stated_error,
         "tolerance", LAMBDA;
@@ -237,30 +237,6 @@ impl<'a> Asked<'a> {
     pub fn new(settings: &'a PushoverSettings) -> Self {
         let tuned = Tuned::TUNED;
         Self { settings, tuned }
-    }
-}
-
-/// A value as it is printed.
-trait Figure {
-    fn figure(self) -> f64;
-}
-
-impl Figure for f64 {
-    fn figure(self) -> f64 {
-        self
-    }
-}
-
-impl Figure for usize {
-    fn figure(self) -> f64 {
-        self as f64
-    }
-}
-
-/// A multiplier in `GRID` units.
-impl Figure for u64 {
-    fn figure(self) -> f64 {
-        self as f64 / GRID
     }
 }
 

@@ -4,7 +4,7 @@ use super::fall::{Fall, fall};
 use super::hint::{Hint, finest_increment};
 use super::hold::{Held, Hold};
 use super::measure::displacement;
-use super::model::Model;
+use super::model::{GRID, Model};
 use super::parameters::Parameters;
 use super::physics::{BodyState, Checkpoint, Contact, Physics};
 use crate::answer::PushoverFact;
@@ -153,7 +153,7 @@ fn out_of_reach(
     if physics.steps > parameters.budget {
         return Some(PushoverFact::OutOfSteps { lambda });
     }
-    (target > parameters.largest).then_some(PushoverFact::StillStands { lambda })
+    (target as f64 > parameters.largest * GRID).then_some(PushoverFact::StillStands { lambda })
 }
 
 /// The end of a scene that did not settle: it falls, unless it stands with a push against its live

@@ -169,21 +169,20 @@ impl Starts {
             self.sequence += 1;
             let mut noise = Noise::new(self.sequence);
             let normal = self.normal(kind, search, found.lowest(), &mut noise);
-            if normal.is_none() {
+            let Some(normal) = normal else {
                 self.turn += 1;
-            }
-            if let Some(normal) = normal {
-                let approach = match kind {
-                    SearchStart::LowestRaised => Approach::Nearby,
-                    _ => Approach::Blending,
-                };
-                let start = normal.map_err(|why| (kind, why)).map(|normal| Start {
-                    kind,
-                    normal,
-                    approach,
-                });
-                return (start, noise);
-            }
+                continue;
+            };
+            let approach = match kind {
+                SearchStart::LowestRaised => Approach::Nearby,
+                _ => Approach::Blending,
+            };
+            let start = |normal| Start {
+                kind,
+                normal,
+                approach,
+            };
+            return (normal.map(start).map_err(|why| (kind, why)), noise);
         }
     }
 
