@@ -45,6 +45,14 @@ pub(super) struct Margins {
     pub(super) opening: f64,
 }
 
+impl Margins {
+    /// Distance of forces from their limits, so that what the solver leaves stays inside them.
+    pub(super) const OF_FORCES: Self = Self {
+        force: 1e-11,
+        opening: 0.0,
+    };
+}
+
 /// The program of one scene.
 pub struct Program {
     solver: Solver,

@@ -97,12 +97,9 @@ fn sequential(scene: &Scene, settings: &Settings) -> Outcome {
     let facts = SequentialFacts { ending, steps };
     let outcome = match last.filter(|_| ending == SequentialEnding::Converged) {
         Some(last) => {
-            let outcome = converged(scene, &program, &last, facts);
-            let stated_error = ceiling.and_then(|ceiling| stated_error(scene, &outcome, &ceiling));
-            Outcome {
-                stated_error,
-                ..outcome
-            }
+            let mut outcome = converged(scene, &program, &last, facts);
+            outcome.stated_error = ceiling.and_then(|of| stated_error(scene, &outcome, &of));
+            outcome
         }
         None => Outcome::without_number(Status::Undecided, facts),
     };

@@ -110,9 +110,9 @@ fn light_on_top() -> (&'static str, Scene, f64) {
     )
 }
 
-/// The same of the numbers of models and levels, and of ranges, whose answers cover λ.
+/// The same of the numbers of models and levels, and of ranges, which none of them moves.
 #[test]
-#[ignore = "takes a minute"]
+#[ignore = "takes half a minute"]
 fn levels_and_ranges_do_not_hang_on_tuned_numbers() {
     let settings = PushoverSettings::default();
     let mut wrong = Vec::new();
@@ -125,7 +125,7 @@ fn levels_and_ranges_do_not_hang_on_tuned_numbers() {
         for by in [0.5, 2.0] {
             let mut tuned = Tuned::TUNED;
             scale(&mut tuned, by);
-            // Of all of it none is left, so that no difference tells anything.
+            // At 1 a trend has no end.
             tuned.shrinking = tuned.shrinking.min(0.9);
             let asked = Asked {
                 settings: &settings,

@@ -98,9 +98,8 @@ impl Hint {
         let [from, to] = self.expected?;
         let below = from.saturating_sub(2 * finest);
         let part = |of: u64| below / 32 * of / finest * finest;
-        let stops = [part(16), part(28), part(31), below, from];
-        let [half, most, nearly, below, from] = stops;
-        Some([half, most, nearly, below, from, to.max(from + finest)])
+        let beyond = to.max(from + finest);
+        Some([part(16), part(28), part(31), below, from, beyond])
     }
 
     /// A step to `load` neither rested nor ran away in time: a shorter one sways less.

@@ -1,13 +1,13 @@
 //! One pushover of one scene: search, self-checks, outcome.
 
-use super::checks::{self, AtRest};
+use super::checks::{self, AtRest, check};
 use super::measure;
 use super::model::{GRID, Model};
 use super::parameters::{Asked, Parameters};
 use super::physics::{BodyState, Physics};
 use super::portion::{Portion, beyond_stagger};
 use super::search::{Observation, SearchEnd, search};
-use crate::answer::{Bracket, Outcome, PushoverFact, Recording, SelfCheck, Status, Work};
+use crate::answer::{Bracket, Checked, Outcome, PushoverFact, Recording, SelfCheck, Status, Work};
 use crate::mechanics::{Mechanism, Motion, crack_slope_by_gap};
 use crate::scene::{Scene, Vector};
 
@@ -83,10 +83,8 @@ fn run(
             let states = [&seen.settled.states[..], &seen.collapsed];
             moved &= strip_moved(portion, &model, parameters.still, states);
             let settlement = measure::displacement(&model, &laid, &seen.settled.states);
-            let mut checks = vec![
-                sees,
-                checks::settles_little(settlement, parameters.settlement),
-            ];
+            let settles = check(Checked::Settlement, settlement, parameters.settlement);
+            let mut checks = vec![sees, settles];
             checks.extend(self_checks(scene, &model, &parameters, portion, &seen));
             judged(scene, &model, &parameters, &seen, checks)
         }
@@ -167,16 +165,14 @@ fn self_checks(
     let closed = checks::off_joints(scene, &seen.rest.contacts);
     let carry =
         |load, reaction, at| checks::supports_carry(load, reaction, weight, at, parameters.missing);
+    let speed = measure::speed(model, &seen.settled.states);
     let drift = measure::displacement(model, &seen.settled.states, &seen.rest.states);
     [
-        checks::at_rest(
-            measure::speed(model, &seen.settled.states),
-            parameters.moving,
-        ),
+        check(Checked::SettledSpeed, speed, parameters.moving),
         carry(model.dead, settled, AtRest::Settled),
         carry(pushed, carried, AtRest::Last),
-        checks::open_stays_open(closed, weight, parameters.stray),
-        checks::small_drift(drift, parameters.drift),
+        check(Checked::OpenJoints, closed / weight, parameters.stray),
+        check(Checked::Drift, drift, parameters.drift),
     ]
 }
 

@@ -128,14 +128,8 @@ impl Descent<'_, '_> {
     /// raised in the head joints once the quick way has reached a state.
     fn frozen(&mut self, normal: &[f64], has_state: bool) -> Result<Solution, SearchFailure> {
         let mut changed = normal.to_vec();
-        for (j, (joint, n)) in self
-            .search
-            .scene
-            .joints()
-            .iter()
-            .zip(&mut changed)
-            .enumerate()
-        {
+        let joints = self.search.scene.joints().iter();
+        for (j, (joint, n)) in joints.zip(&mut changed).enumerate() {
             let share = match self.approach {
                 Approach::Blending => self.noise.between(-1.0, 1.0),
                 Approach::Quick if has_state && joint.class == JointClass::Head => 1.0,

@@ -58,13 +58,9 @@ impl Prices {
     }
 
     pub(super) fn gap(&self, solution: &Solution) -> f64 {
-        let dissipated = totals(&solution.forces);
-        let dissipated: f64 = dissipated
-            .iter()
-            .zip(&self.friction)
-            .map(|(n, p)| n * p)
-            .sum();
-        dissipated - self.dead_power - solution.lambda
+        let normal = totals(&solution.forces);
+        let dissipated = normal.iter().zip(&self.friction).map(|(n, p)| n * p);
+        dissipated.sum::<f64>() - self.dead_power - solution.lambda
     }
 
     /// Whether these are the prices of the same mechanism, so that program (b) would give the same.
