@@ -69,7 +69,7 @@ pub(super) fn follow(
     let neighbours: Vec<_> = neighbours.map(|n| place.normal_of(n)).collect();
     let asked = request.settings.interval.starts;
     let mut budget = match asked {
-        0 => Budget::of(searched, search.program().engine(), request.tuned),
+        0 => Budget::of(searched, search.program().engine(), &request.tuned),
         asked => Budget::Starts(asked + neighbours.len()),
     };
     let after = if asked > 0 { asked } else { usize::MAX };
@@ -78,7 +78,7 @@ pub(super) fn follow(
     let mut found = Found::default();
     let mut endings = Vec::new();
     let mut unresolved = None;
-    while budget.goes_on(endings.len(), &search.work, &found) {
+    while budget.goes_on(endings.len(), &search.work, &found, &request.tuned) {
         let lowest = found.lowest().map_or(f64::INFINITY, |state| state.lambda);
         let before = search.work.programs;
         let (start, branch) = starts.follow_next(&mut search, &found);

@@ -77,13 +77,12 @@ pub(super) enum Budget {
         cheap: usize,
         /// Whether they are.
         dear: bool,
-        tuned: Tuned,
     },
 }
 
 impl Budget {
     /// The budget of a scene. Where Clarabel solves the programs there are fewer.
-    pub(super) fn of(scene: &Scene, engine: Engine, tuned: Tuned) -> Self {
+    pub(super) fn of(scene: &Scene, engine: Engine, tuned: &Tuned) -> Self {
         let size = (scene.blocks().len() as f64).powf(tuned.growth);
         let programs = (tuned.programs / size) as usize;
         let programs = match engine {
@@ -94,7 +93,6 @@ impl Budget {
             programs: programs.min(tuned.of_joint * scene.joints().len()),
             cheap: (tuned.dear / size) as usize,
             dear: false,
-            tuned,
         }
     }
 
@@ -111,15 +109,10 @@ impl Budget {
     }
 
     /// Whether a search of so many starts goes on after its work.
-    pub(super) fn goes_on(&self, starts: usize, work: &Work, found: &Found) -> bool {
-        let (programs, dear, tuned) = match *self {
+    pub(super) fn goes_on(&self, starts: usize, work: &Work, found: &Found, tuned: &Tuned) -> bool {
+        let (programs, dear) = match *self {
             Budget::Starts(asked) => return starts < asked,
-            Budget::Programs {
-                programs,
-                dear,
-                tuned,
-                ..
-            } => (programs, dear, tuned),
+            Budget::Programs { programs, dear, .. } => (programs, dear),
         };
         let part = match found.lowest() {
             None => 1.0,
@@ -145,7 +138,7 @@ mod tests {
         // 150 blocks, whose 0.6th power is 20.2.
         for engine in [Engine::Structured, Engine::Clarabel] {
             let dear = |first| {
-                let mut budget = Budget::of(&scene, engine, Tuned::TUNED);
+                let mut budget = Budget::of(&scene, engine, &Tuned::TUNED);
                 budget.learn(first);
                 budget.is_dear()
             };
