@@ -81,8 +81,7 @@ pub fn search(
     let settled = RestState::now(physics);
     let (mut rest, mut seen) = (physics.checkpoint(), RestState::now(physics));
     let mut hint = Hint::new(parameters, expected);
-    let mut lower: u64 = 0;
-    let mut unclear = false;
+    let (mut lower, mut unclear): (u64, bool) = (0, false);
     // Steps in a row that took too long.
     let mut slow = 0;
     let left_its_place = |states: &[BodyState]| {
