@@ -253,26 +253,14 @@ fn proves(scene: &Scene, optimum: &Optimum) -> bool {
 
 /// Largest violation of the forces and of the mechanism, over the whole scene.
 fn residual(scene: &Scene, optimum: &Optimum) -> f64 {
-    let Optimum {
-        forces,
-        mechanism,
-        bracket,
-        ..
-    } = optimum;
-    let statics = StaticResidual::of(scene, forces, bracket.lower).largest();
-    statics.max(associative_violation(scene, mechanism))
+    let statics = StaticResidual::of(scene, &optimum.forces, optimum.bracket.lower).largest();
+    statics.max(associative_violation(scene, &optimum.mechanism))
 }
 
 /// The same over what acts on single blocks.
 fn of_blocks(scene: &Scene, optimum: &Optimum) -> BlockResidual {
-    let Optimum {
-        forces,
-        mechanism,
-        bracket,
-        ..
-    } = optimum;
-    let of_forces = BlockResidual::of_forces(scene, forces, bracket.lower);
-    of_forces.worse(BlockResidual::of_flow(scene, mechanism))
+    let of_forces = BlockResidual::of_forces(scene, &optimum.forces, optimum.bracket.lower);
+    of_forces.worse(BlockResidual::of_flow(scene, &optimum.mechanism))
 }
 
 /// Why both ends prove nothing.

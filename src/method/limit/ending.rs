@@ -4,6 +4,12 @@ use crate::answer::SolverEnding;
 use crate::mechanics::JointForce;
 use crate::method::settings::Engine;
 
+/// N of every joint, negative rounding cut off.
+pub(super) fn totals(forces: &[JointForce]) -> Vec<f64> {
+    let total = |force: &JointForce| (force.normal[0] + force.normal[1]).max(0.0);
+    forces.iter().map(total).collect()
+}
+
 /// How a program ended.
 #[derive(Clone, Debug)]
 pub enum Ending {

@@ -142,19 +142,13 @@ pub(super) fn needs_own_units(scene: &Scene) -> bool {
 }
 
 fn reaches(scene: &Scene, scale: &Scale) -> Vec<f64> {
-    let reaches = scene
-        .blocks()
-        .iter()
-        .map(|block| reach(block) / scale.length);
-    reaches.collect()
+    let blocks = scene.blocks().iter();
+    blocks.map(|block| reach(block) / scale.length).collect()
 }
 
 fn shear_units(scene: &Scene) -> Vec<f64> {
-    let units = scene
-        .joints()
-        .iter()
-        .map(|joint| shear_unit(joint.friction));
-    units.collect()
+    let joints = scene.joints().iter();
+    joints.map(|joint| shear_unit(joint.friction)).collect()
 }
 
 fn are_sticky(shears: &[f64]) -> bool {

@@ -4,16 +4,17 @@ mod associative;
 mod bound;
 mod columns;
 mod ending;
-mod engine;
 mod equilibration;
 mod falling;
 mod interval;
+mod numbers;
 mod own_weight;
 mod program;
 mod reduction;
 mod scale;
 mod sequential;
 mod solver;
+mod structured;
 mod vertical;
 #[cfg(test)]
 mod walls;

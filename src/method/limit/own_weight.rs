@@ -120,12 +120,6 @@ pub(super) fn stands_without_dilatancy(
     })
 }
 
-/// Distance of forces from their limits, so that what the solver leaves stays inside them.
-const RAY_MARGINS: Margins = Margins {
-    force: 1e-11,
-    opening: 0.0,
-};
-
 /// Forces that balance the live load for λ = 1 and nothing else, within friction: they can be added
 /// to any state without limit, so that λ_A has none. Where the solver says so and no such forces are
 /// proved, it is the solver's word alone.
@@ -140,7 +134,7 @@ pub(super) fn ray(scene: &Scene, work: &mut Work) -> Option<Vec<JointForce>> {
         length: scene.height(),
         multiplier: 1.0,
     };
-    for margins in [Some(RAY_MARGINS), None] {
+    for margins in [Some(Margins::OF_FORCES), None] {
         let mut program = Program::at_multiplier(&pushed, 0.0, scale);
         if let Some(margins) = margins {
             program.set_margins(margins);

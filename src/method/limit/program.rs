@@ -15,8 +15,9 @@ use clarabel::algebra::CscMatrix;
 use super::columns::{Entries, joint_columns, multiplier_column, right_side, slack_column};
 use super::ending::{Ending, Solution};
 use super::equilibration::{Equilibration, UnitPower};
+use super::numbers::{Numbers, Verdict};
 use super::scale::Scale;
-use super::solver::{Numbers, Solver, Verdict};
+use super::solver::Solver;
 use crate::answer::Work;
 use crate::mechanics::JointForce;
 use crate::method::settings::{Engine, LP_TOLERANCE};
@@ -42,6 +43,14 @@ pub(super) struct Margins {
     /// Least opening beyond the flow rule. It bounds self-equilibrated forces, so a scene that can
     /// lock has no optimum with it.
     pub(super) opening: f64,
+}
+
+impl Margins {
+    /// Distance of forces from their limits, so that what the solver leaves stays inside them.
+    pub(super) const OF_FORCES: Self = Self {
+        force: 1e-11,
+        opening: 0.0,
+    };
 }
 
 /// The program of one scene.

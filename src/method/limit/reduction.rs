@@ -126,10 +126,7 @@ impl ScenePart {
         rest.take_boundary(whole, &kept, &all);
         let scale = Scale::of(whole);
         let mut program = Program::at_multiplier(&rest.scene, lambda, scale);
-        program.set_margins(Margins {
-            force: 1e-11,
-            opening: 0.0,
-        });
+        program.set_margins(Margins::OF_FORCES);
         let Ending::Solved(solution) = program.solve_counted(work) else {
             return None;
         };

@@ -1,13 +1,12 @@
 //! Sequential linear programming for non-associative friction, the paper's micro-block method
 //! (Gilbert, Casapulla & Ahmed, Computers & Structures 84 (2006) 873-887).
 
-use super::ending::{Ending, Solution};
+use super::ending::{Ending, Solution, totals};
 use super::own_weight::{own_weight, stands_without_dilatancy, without_optimum};
 use super::program::{FrictionLaw, Program};
 use crate::answer::{Evidence, Outcome, SequentialEnding, SequentialFacts, Status, Work};
 use crate::mechanics::{
-    CollapseState, JointForce, Mechanism, VELOCITY_THRESHOLDS, crack_slope, friction_excess,
-    live_unit,
+    CollapseState, Mechanism, VELOCITY_THRESHOLDS, crack_slope, friction_excess, live_unit,
 };
 use crate::method::{Method, SequentialSettings, Settings};
 use crate::scene::Scene;
@@ -55,7 +54,7 @@ fn sequential(scene: &Scene, settings: &Settings) -> Outcome {
     let (mut frozen, mut lambdas) = match program.solve_counted(&mut work) {
         Ending::Solved(solution) => {
             ceiling = Some(program.scale().mechanism(&solution.velocity));
-            (normal_forces(&solution.forces), vec![solution.lambda])
+            (totals(&solution.forces), vec![solution.lambda])
         }
         // Nothing collapses by associative friction. The forces under the own weight are a start.
         Ending::Unbounded => {
@@ -63,7 +62,7 @@ fn sequential(scene: &Scene, settings: &Settings) -> Outcome {
                 return outcome;
             }
             let unit = scene.total_weight();
-            let normal = normal_forces(&at_rest);
+            let normal = totals(&at_rest);
             (normal.iter().map(|n| n / unit).collect(), Vec::new())
         }
         ending => return without_optimum(scene, &ending, at_rest, &mut work),
@@ -83,7 +82,7 @@ fn sequential(scene: &Scene, settings: &Settings) -> Outcome {
         };
         steps += 1;
         lambdas.push(solution.lambda);
-        let normal = normal_forces(&solution.forces);
+        let normal = totals(&solution.forces);
         last = Some(solution);
         let at_floor = alpha <= LAST_ALPHA;
         if at_floor && has_settled(&lambdas) {
@@ -135,13 +134,6 @@ fn stated_error(scene: &Scene, state: &CollapseState, ceiling: &Mechanism) -> Op
     let least = 1e-3 * scene.total_weight() / live_unit(scene);
     let error = STEPS_SETTLED as f64 * SETTLED + excess / lambda.abs().max(least);
     error.is_finite().then_some(error)
-}
-
-fn normal_forces(forces: &[JointForce]) -> Vec<f64> {
-    let forces = forces.iter();
-    forces
-        .map(|f| (f.normal[0] + f.normal[1]).max(0.0))
-        .collect()
 }
 
 /// |t| ≤ c0 + (1+α) μ n̄ − α μ n, a slightly contractant law through (n̄, μ n̄).

@@ -9,49 +9,9 @@ use clarabel::solver::{
     SupportedConeT::{NonnegativeConeT, ZeroConeT},
 };
 
-use super::engine::{InteriorPoint, Problem};
+use super::numbers::{Numbers, Solved, Verdict};
+use super::structured::InteriorPoint;
 use crate::method::settings::{Engine, LP_TOLERANCE};
-
-/// The numbers of a program, in its own units.
-pub(super) struct Numbers {
-    /// Equilibrium rows, then inequalities.
-    pub(super) matrix: CscMatrix<f64>,
-    pub(super) right: Vec<f64>,
-    pub(super) cost: Vec<f64>,
-    /// Slope of the friction law of every joint.
-    pub(super) slopes: Vec<f64>,
-    pub(super) rows_of_blocks: usize,
-    /// Relative tolerance of gap and residuals.
-    pub(super) tolerance: f64,
-    /// Relative width of λ* that is enough where rounding leaves no better answer; whoever sets it
-    /// tests what the answer proves.
-    pub(super) width: f64,
-    /// Whether blocks or joints have units of their own.
-    pub(super) has_own_units: bool,
-    /// Whether there is a slack that all inequalities share.
-    pub(super) has_slack: bool,
-}
-
-/// What a solver says of a program: values of all variables and velocities, or why there are none.
-pub(super) enum Verdict {
-    Optimum {
-        variables: Vec<f64>,
-        velocities: Vec<f64>,
-    },
-    Infeasible {
-        velocities: Vec<f64>,
-    },
-    Unbounded,
-    GaveUp(String),
-}
-
-/// A solved program.
-pub(super) struct Solved {
-    pub(super) verdict: Verdict,
-    pub(super) iterations: usize,
-    /// Who says so.
-    pub(super) engine: Engine,
-}
 
 /// A solver of one scene's programs, one after the other.
 pub(super) enum Solver {
@@ -65,12 +25,7 @@ impl Solver {
         let knows = !numbers.has_own_units && !numbers.has_slack;
         match engine {
             Engine::Structured if knows => {
-                let matrix = &numbers.matrix;
-                Solver::Structured(Box::new(InteriorPoint::new(
-                    numbers.rows_of_blocks / 3,
-                    numbers.slopes.len(),
-                    (&matrix.colptr, &matrix.rowval, &matrix.nzval),
-                )))
+                Solver::Structured(Box::new(InteriorPoint::new(numbers)))
             }
             Engine::Structured | Engine::Clarabel => {
                 let settings = settings(numbers.tolerance, numbers.has_own_units);
@@ -107,31 +62,14 @@ impl Solver {
             Solver::Clarabel(solver) => return solved(solver, numbers),
             Solver::Structured(solver) => solver,
         };
-        let answer = solver.solve(&Problem {
-            right: &numbers.right,
-            cost: &numbers.cost,
-            slopes: &numbers.slopes,
-            tolerance: numbers.tolerance,
-            width: numbers.width,
-        });
-        match answer {
-            Ok(answer) => Solved {
-                verdict: Verdict::Optimum {
-                    variables: answer.forces,
-                    velocities: answer.velocities,
-                },
-                iterations: answer.iterations,
-                engine: Engine::Structured,
-            },
-            Err(iterations) => {
-                let mut clarabel = clarabel(numbers, settings(numbers.tolerance, false));
-                let solved = solved(&mut clarabel, numbers);
-                Solved {
-                    iterations: iterations + solved.iterations,
-                    ..solved
-                }
+        solver.solve(numbers).unwrap_or_else(|iterations| {
+            let mut clarabel = clarabel(numbers, settings(numbers.tolerance, false));
+            let solved = solved(&mut clarabel, numbers);
+            Solved {
+                iterations: iterations + solved.iterations,
+                ..solved
             }
-        }
+        })
     }
 
     /// Which solver this is.
@@ -152,21 +90,31 @@ pub(super) enum Change {
 }
 
 fn clarabel(numbers: &Numbers, settings: DefaultSettings<f64>) -> DefaultSolver<f64> {
-    let columns = numbers.cost.len();
-    let inequalities = numbers.right.len() - numbers.rows_of_blocks;
-    let cones = [
-        ZeroConeT(numbers.rows_of_blocks),
-        NonnegativeConeT(inequalities),
-    ];
-    let solver = DefaultSolver::new(
-        &CscMatrix::zeros((columns, columns)),
-        &numbers.cost,
-        &numbers.matrix,
-        &numbers.right,
-        &cones,
-        settings,
-    );
+    let Numbers {
+        cost,
+        matrix,
+        right,
+        rows_of_blocks,
+        ..
+    } = numbers;
+    let solver = linear(cost, matrix, right, *rows_of_blocks, settings);
     solver.expect("dimensions agree by construction")
+}
+
+/// Clarabel for a program whose first so many rows are equations, the others inequalities.
+fn linear(
+    cost: &[f64],
+    matrix: &CscMatrix<f64>,
+    right: &[f64],
+    equations: usize,
+    settings: DefaultSettings<f64>,
+) -> Option<DefaultSolver<f64>> {
+    let quadratic = CscMatrix::zeros((cost.len(), cost.len()));
+    let cones = [
+        ZeroConeT(equations),
+        NonnegativeConeT(right.len() - equations),
+    ];
+    DefaultSolver::new(&quadratic, cost, matrix, right, &cones, settings).ok()
 }
 
 fn solved(solver: &mut DefaultSolver<f64>, numbers: &Numbers) -> Solved {
@@ -206,19 +154,13 @@ pub(super) fn multipliers(
     right: &[f64],
     equations: usize,
 ) -> Option<Vec<f64>> {
-    let cones = [
-        ZeroConeT(equations),
-        NonnegativeConeT(right.len() - equations),
-    ];
-    let solver = DefaultSolver::new(
-        &CscMatrix::zeros((cost.len(), cost.len())),
+    let mut solver = linear(
         cost,
         matrix,
         right,
-        &cones,
+        equations,
         settings(LP_TOLERANCE, false),
-    );
-    let mut solver = solver.ok()?;
+    )?;
     solver.solve();
     match solver.solution.status {
         SolverStatus::Solved | SolverStatus::PrimalInfeasible => Some(solver.solution.z.clone()),

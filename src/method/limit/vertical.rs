@@ -102,42 +102,18 @@ fn distribute(rests: &[Rest], weight: f64, x: f64) -> Option<Vec<(Rest, f64)>> {
 mod tests {
     use super::*;
     use crate::mechanics::StaticResidual;
-    use crate::scene::{HeadJoints, OfBlocks, Piece, Push, Wall};
-
-    fn wall(courses: Vec<Vec<Piece>>) -> Scene {
-        let wall = Wall {
-            unit_length: 4.0,
-            unit_height: 1.75,
-            thickness: 1.0,
-            unit_weight: 1.0,
-            courses,
-            friction: 0.65.into(),
-            overburden: 0.5,
-            push: Push::Right,
-            of_blocks: OfBlocks::default(),
-        };
-        wall.scene(HeadJoints::Contact)
-            .expect("the wall can be laid")
-    }
+    use crate::method::limit::walls::bonded;
 
     /// Statics: no tolerance beyond rounding.
     #[test]
     fn a_wall_with_a_gap_is_held_without_a_program() {
-        use Piece::{Gap, Half, Unit};
-        let scene = wall(vec![
-            vec![Unit, Unit, Unit],
-            vec![Half, Unit, Unit, Half],
-            vec![Unit, Gap, Unit],
-            vec![Half, Unit, Unit, Half],
-        ]);
+        let scene = bonded(&["111", "h11h", "1g1", "h11h"]);
         let forces = forces(&scene).expect("vertical forces hold it");
         assert!(StaticResidual::of(&scene, &forces, 0.0).largest() < 1e-14);
     }
 
     #[test]
     fn an_overhang_beyond_its_bed_is_not_held() {
-        use Piece::{Half, Unit};
-        let scene = wall(vec![vec![Half], vec![Unit, Unit]]);
-        assert!(forces(&scene).is_none());
+        assert!(forces(&bonded(&["h", "11"])).is_none());
     }
 }

@@ -26,15 +26,37 @@ pub(super) const LOWEST_OF_SMALL_WALL: f64 = 0.264_706;
 /// top.
 pub(super) fn wall(courses: usize, push: Push) -> Scene {
     let wall = Wall {
+        overburden: 1.0,
+        push,
+        ..laid(&vec!["111"; courses])
+    };
+    wall.scene(HeadJoints::Contact).expect("it can be laid")
+}
+
+/// A wall of these courses, a letter a piece, with head joints in contact and a load on top.
+pub(super) fn bonded(courses: &[&str]) -> Scene {
+    let scene = laid(courses).scene(HeadJoints::Contact);
+    scene.expect("it can be laid")
+}
+
+fn laid(courses: &[&str]) -> Wall {
+    let piece = |letter| match letter {
+        'h' => Piece::Half,
+        'g' => Piece::Gap,
+        _ => Piece::Unit,
+    };
+    Wall {
         unit_length: 4.0,
         unit_height: 1.75,
         thickness: 1.0,
         unit_weight: 1.0,
-        courses: vec![vec![Piece::Unit; 3]; courses],
+        courses: courses
+            .iter()
+            .map(|course| course.chars().map(piece).collect())
+            .collect(),
         friction: 0.65.into(),
-        overburden: 1.0,
-        push,
+        overburden: 0.5,
+        push: Push::Right,
         of_blocks: OfBlocks::default(),
-    };
-    wall.scene(HeadJoints::Contact).expect("it can be laid")
+    }
 }

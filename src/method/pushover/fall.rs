@@ -1,7 +1,7 @@
 //! What the blocks do once the collapse has been called: the motion itself, without damping.
 
-use super::engine::{BodyState, Engine};
-use super::model::{EngineBody, GRID, Model};
+use super::model::{GRID, Model, MovingBody};
+use super::physics::{BodyState, Physics};
 
 /// Course heights that some point moves until enough has been seen.
 const FAR: f64 = 1.0;
@@ -21,23 +21,23 @@ pub struct Fall {
 /// where it was at `from`. Keeps at least `least` frames, and fewer than twice as many, of a motion
 /// that takes so many time steps. The steps are none of the search's and are not counted.
 pub fn fall(
-    engine: &mut Engine,
+    physics: &mut Physics,
     model: &Model,
     load: u64,
     from: &[BodyState],
     least: usize,
 ) -> Fall {
-    let counted = engine.steps;
-    engine.multiplier = load as f64 / GRID;
+    let counted = physics.steps;
+    physics.multiplier = load as f64 / GRID;
     let mut stride = 1;
-    let mut frames = vec![engine.states()];
-    let steps = (LONGEST / engine.dt()) as usize;
+    let mut frames = vec![physics.states()];
+    let steps = (LONGEST / physics.dt()) as usize;
     for step in 1..=steps {
-        engine.step();
-        if engine.broken {
+        physics.step();
+        if physics.broken {
             break;
         }
-        let states = engine.states();
+        let states = physics.states();
         let far = farthest(&model.blocks, from, &states) >= FAR;
         if step.is_multiple_of(stride) {
             frames.push(states);
@@ -50,15 +50,15 @@ pub fn fall(
             break;
         }
     }
-    engine.steps = counted;
+    physics.steps = counted;
     Fall {
         frames,
-        interval: stride as f64 * engine.dt(),
+        interval: stride as f64 * physics.dt(),
     }
 }
 
 /// Largest displacement of any point, in course heights, whatever the size of its block.
-fn farthest(blocks: &[EngineBody], from: &[BodyState], to: &[BodyState]) -> f64 {
+fn farthest(blocks: &[MovingBody], from: &[BodyState], to: &[BodyState]) -> f64 {
     let moved = from.iter().zip(to).zip(blocks).map(|((a, b), block)| {
         let (x, y) = (b.position[0] - a.position[0], b.position[1] - a.position[1]);
         x.hypot(y) + (b.rotation - a.rotation).abs() * block.reach

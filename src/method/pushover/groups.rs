@@ -249,7 +249,7 @@ mod tests {
     use super::*;
     use crate::scene::{HeadJoints, OfBlocks, Piece, Push, Wall};
 
-    /// Coefficients with which two bodies collide, as the engine combines them.
+    /// Coefficients with which two bodies collide, as rapier combines them.
     fn meeting(one: &[Surface], other: &[Surface]) -> Vec<f64> {
         let collide = |a: Groups, b: Groups| a.member & b.meets != 0 && b.member & a.meets != 0;
         let pairs = one.iter().flat_map(|a| other.iter().map(move |b| (a, b)));

@@ -1,6 +1,9 @@
 //! Where to look next: steps that double, then an extrapolation of how fast too large loads ran
 //! away. Nothing here decides anything; it only spares holds.
 
+use super::model::GRID;
+use super::parameters::Parameters;
+
 /// What is known about where the limit may be, in grid units of λ*.
 #[derive(Clone, Debug)]
 pub struct Hint {
@@ -13,16 +16,17 @@ pub struct Hint {
     expected: Option<[u64; 2]>,
     /// A load that was reached in too long a step to come to rest in time.
     slow: Option<u64>,
+    doubt: f64,
+    near: f64,
 }
 
-/// Part of the distance to the nearest runaway by which an extrapolation may be wrong.
-const DOUBT: f64 = 0.05;
-
 impl Hint {
-    /// The first step is `increment` where no limit is `expected`.
-    pub fn new(increment: u64, expected: Option<[u64; 2]>) -> Self {
+    /// Nothing is known yet but where the limit may be `expected`.
+    pub fn new(parameters: &Parameters, expected: Option<[u64; 2]>) -> Self {
         Self {
-            increment,
+            increment: (parameters.first_increment * GRID).round() as u64,
+            doubt: parameters.doubt,
+            near: parameters.near,
             runaways: Vec::new(),
             overshot: false,
             expected,
@@ -76,10 +80,10 @@ impl Hint {
         let Some(at) = estimate else {
             return middle;
         };
-        if at - low <= 0.75 * width {
+        if at - low <= self.near * width {
             return lower + finest;
         }
-        let doubt = (DOUBT * (high as f64 - at)).max(0.5 * width);
+        let doubt = (self.doubt * (high as f64 - at)).max(0.5 * width);
         let below = ((at - doubt) / half as f64).round() as u64 * half;
         if below > lower {
             return below;
@@ -94,9 +98,8 @@ impl Hint {
         let [from, to] = self.expected?;
         let below = from.saturating_sub(2 * finest);
         let part = |of: u64| below / 32 * of / finest * finest;
-        let stops = [part(16), part(28), part(31), below, from];
-        let [half, most, nearly, below, from] = stops;
-        Some([half, most, nearly, below, from, to.max(from + finest)])
+        let beyond = to.max(from + finest);
+        Some([part(16), part(28), part(31), below, from, beyond])
     }
 
     /// A step to `load` neither rested nor ran away in time: a shorter one sways less.

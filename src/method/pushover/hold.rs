@@ -1,9 +1,9 @@
 //! Holding a load until the blocks rest or run away.
 
-use super::engine::{BodyState, Engine};
 use super::measure::{displacement, speed, twice_kinetic_energy};
 use super::model::{GRID, Model};
 use super::parameters::Parameters;
+use super::physics::{BodyState, Physics};
 
 /// How a hold at constant λ ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -43,32 +43,27 @@ impl<'a> Hold<'a> {
         }
     }
 
-    /// The scene under its weight alone.
-    pub fn settle(&mut self, engine: &mut Engine) -> Held {
+    /// The scene under its weight and a push against its live loads: none, or a small one.
+    pub fn settle(&mut self, physics: &mut Physics, push: f64) -> Held {
         let Parameters {
             settled_speed,
             fall,
             patience,
             ..
         } = *self.parameters;
-        self.hold(engine, [0.0; 2], settled_speed, fall, patience)
-    }
-
-    /// The scene under its weight and a small push against its live loads.
-    pub fn settle_against(&mut self, engine: &mut Engine, push: f64) -> Held {
-        let Parameters {
-            settled_speed,
-            fall,
-            patience,
-            ..
-        } = *self.parameters;
-        self.hold(engine, [-push; 2], settled_speed, fall, patience)
+        self.hold(physics, [-push; 2], settled_speed, fall, patience)
     }
 
     /// From rest at one λ* to another, in grid units. `last`: a collapse counts, and there is all the
     /// time that is allowed. A longer step has a few times what rests have taken: what sways longer
     /// is reached sooner by two shorter steps.
-    pub fn step(&mut self, engine: &mut Engine, loads: [u64; 2], finest: u64, last: bool) -> Held {
+    pub fn step(
+        &mut self,
+        physics: &mut Physics,
+        loads: [u64; 2],
+        finest: u64,
+        last: bool,
+    ) -> Held {
         let parameters = self.parameters;
         let (limit, patience) = if last {
             (parameters.collapse, parameters.patience)
@@ -82,9 +77,9 @@ impl<'a> Hold<'a> {
             (parameters.runaway, patience)
         };
         // An unbalanced tenth of the smallest increment would reach this speed in a window.
-        let resting_speed = 0.1 * finest as f64 / GRID * parameters.window;
+        let resting_speed = parameters.resting * finest as f64 / GRID * parameters.window;
         let loads = loads.map(|load| load as f64 / GRID);
-        let held = self.hold(engine, loads, resting_speed, limit, patience);
+        let held = self.hold(physics, loads, resting_speed, limit, patience);
         if held == Held::Rest {
             self.longest = self.longest.max(self.elapsed);
             if self.first == 0.0 {
@@ -100,18 +95,18 @@ impl<'a> Hold<'a> {
     /// without it.
     fn hold(
         &mut self,
-        engine: &mut Engine,
+        physics: &mut Physics,
         loads: [f64; 2],
         resting_speed: f64,
         limit: f64,
         patience: f64,
     ) -> Held {
         let parameters = self.parameters;
-        let from: Vec<BodyState> = engine.states();
-        let steps = (parameters.window / engine.dt()).ceil() as usize;
+        let from: Vec<BodyState> = physics.states();
+        let steps = (parameters.window / physics.dt()).ceil() as usize;
         let windows = (patience / parameters.window).ceil() as usize;
         let ramp = parameters.ramp.max(parameters.ramp_of_rest * self.first);
-        let ramp = (ramp / engine.dt()).ceil().max(1.0);
+        let ramp = (ramp / physics.dt()).ceil().max(1.0);
         // Largest speed of the window before.
         let mut peak_before = f64::INFINITY;
         // Twice the kinetic energy at its peak since the blocks were last stopped.
@@ -123,13 +118,13 @@ impl<'a> Hold<'a> {
             let (mut peak, mut stopped) = (0.0f64, false);
             for step in 0..steps {
                 let part = ((window * steps + step + 1) as f64 / ramp).min(1.0);
-                engine.multiplier = loads[0] + part * (loads[1] - loads[0]);
-                engine.step();
-                self.elapsed = (window * steps + step + 1) as f64 * engine.dt();
-                if engine.broken {
+                physics.multiplier = loads[0] + part * (loads[1] - loads[0]);
+                physics.step();
+                self.elapsed = (window * steps + step + 1) as f64 * physics.dt();
+                if physics.broken {
                     return Held::Unclear;
                 }
-                let states = engine.states();
+                let states = physics.states();
                 let now = speed(self.model, &states);
                 peak = peak.max(now);
                 let moved = displacement(self.model, &from, &states);
@@ -137,10 +132,10 @@ impl<'a> Hold<'a> {
                     let acceleration = now * now / (2.0 * moved);
                     return Held::Collapse { acceleration };
                 }
-                let present = twice_kinetic_energy(self.model, &states);
+                let present = twice_kinetic_energy(self.model, &states, parameters.seen);
                 let falling = present < parameters.damp_below * energy;
                 if damped && falling {
-                    engine.scale_velocities(0.0);
+                    physics.scale_velocities(0.0);
                     stopped = true;
                 }
                 energy = if falling { 0.0 } else { present.max(energy) };
@@ -150,10 +145,10 @@ impl<'a> Hold<'a> {
             }
             peak_before = peak;
             if damped && !ramping && !stopped {
-                let factor = self.extrapolate_drift(engine, &from, pace_before);
+                let factor = self.extrapolate_drift(physics, &from, pace_before);
                 energy = energy * factor * factor;
                 peak_before *= factor.max(1.0);
-                pace_before = Some(self.pace(&engine.states()));
+                pace_before = Some(self.pace(&physics.states()));
             } else {
                 pace_before = None;
             }
@@ -163,7 +158,7 @@ impl<'a> Hold<'a> {
 
     /// How fast all blocks are together: the root of twice their kinetic energy.
     fn pace(&self, states: &[BodyState]) -> f64 {
-        twice_kinetic_energy(self.model, states).sqrt()
+        twice_kinetic_energy(self.model, states, self.parameters.seen).sqrt()
     }
 
     /// Extrapolates slow drift: scales velocities by 1 + factor · (1 − before/now), `before` being
@@ -172,7 +167,7 @@ impl<'a> Hold<'a> {
     /// takes; it has no part in where they stop. Returns the scale of the velocities.
     fn extrapolate_drift(
         &self,
-        engine: &mut Engine,
+        physics: &mut Physics,
         from: &[BodyState],
         before: Option<f64>,
     ) -> f64 {
@@ -181,20 +176,20 @@ impl<'a> Hold<'a> {
             slow_motion,
             ..
         } = *self.parameters;
-        let states = engine.states();
+        let states = physics.states();
         let fastest = speed(self.model, &states);
         let moved = displacement(self.model, from, &states);
         let now = self.pace(&states);
         // Of a push by λ*, no more than a small part is left to accelerate a slow motion. A slender
         // column stands by so little that a fixed limit would let it be thrown over.
-        let slow_motion = slow_motion * engine.multiplier.abs().min(1.0);
+        let slow_motion = slow_motion * physics.multiplier.abs().min(1.0);
         let slow = fastest * fastest < 2.0 * moved * slow_motion;
         let Some(before) = before.filter(|_| slow && now > 0.0 && extrapolation > 0.0) else {
             return 1.0;
         };
         let scale = 1.0 + extrapolation * (1.0 - before / now);
         let scale = scale.clamp(0.0, 1.0 + extrapolation / 2.0);
-        engine.scale_velocities(scale);
+        physics.scale_velocities(scale);
         scale
     }
 }

@@ -5,32 +5,12 @@
 //! necessary, not proof: a state that all levels miss is missed.
 
 use super::model::{GRID, Model};
-use super::parameters::Parameters;
+use super::parameters::Asked;
 use super::portion::Portion;
 use super::run::Trial;
+use super::tuned::Tuned;
 use crate::answer::{Bracket, Checked, Fact, Outcome, PushoverFact, SelfCheck, Status, magnitude};
 use crate::scene::Scene;
-
-/// Levels that a pushover may have; each halves the substep.
-const MOST_LEVELS: usize = 4;
-
-/// Times that the substep may be halved.
-pub const MOST_HALVINGS: u32 = 6;
-
-/// Levels that may end with a load that neither rests nor collapses in time.
-const MOST_DOUBTS: usize = 3;
-
-/// Blocks times substeps after which no further level is begun.
-pub const BUDGET: usize = 250_000_000;
-
-/// Part of the error asked for within which two levels agree at once.
-const CLOSE: f64 = 0.25;
-
-/// Part of a difference between levels that the next one may be, where they shrink.
-const SHRINKING: f64 = 0.5;
-
-/// Times the error asked for up to which an error that was measured is stated and not refused.
-const MOST_ERROR: f64 = 5.0;
 
 /// How the pushovers of one portion ended, from the longest substep to the shortest.
 pub struct Levels {
@@ -78,21 +58,12 @@ pub struct Enclosure {
     pub error: f64,
 }
 
-/// Parameters with the substep halved so many times.
-pub fn halved(parameters: Parameters, halvings: u32) -> Parameters {
-    (0..halvings).fold(parameters, |own, _| own.halved())
-}
-
-/// Pushes a portion with shorter and shorter substeps until the brackets agree. `parameters` are
-/// those of the first level.
-pub fn by_levels(
-    scene: &Scene,
-    portion: &Portion,
-    parameters: &impl Fn(&Model) -> Parameters,
-) -> Levels {
+/// Pushes a portion with shorter and shorter substeps until the brackets agree.
+pub fn by_levels(scene: &Scene, portion: &Portion, asked: Asked) -> Levels {
+    let tuned = &asked.tuned;
     let sizes = Sizes {
         unit: portion.multiplier_unit(scene),
-        extent: Model::new(scene, portion).map_or(1.0, |model| model.extent),
+        extent: Model::new(scene, portion, tuned).map_or(1.0, |model| model.extent),
     };
     let mut levels = Levels {
         seen: Vec::new(),
@@ -106,9 +77,10 @@ pub fn by_levels(
         let trial = Trial {
             scene,
             portion,
+            asked,
             expected: levels.seen.last().map(|level| level.bracket),
         };
-        let outcome = trial.run(&|model: &Model| halved(parameters(model), halvings));
+        let outcome = trial.run(&|own| own.halved(halvings));
         let cost = outcome.work.block_steps;
         spent += cost;
         match (outcome.bracket(), outcome.evidence.stated_error()) {
@@ -117,8 +89,8 @@ pub fn by_levels(
                 levels.seen.push(Level { bracket, drift });
                 levels.last = outcome;
                 levels.halvings = halvings;
-                let ends = levels.seen.len() >= MOST_LEVELS || spent + cost > BUDGET;
-                levels.agreed = agreement(&levels.seen, sizes, target, ends);
+                let ends = levels.seen.len() >= tuned.levels || spent + cost > tuned.budget;
+                levels.agreed = agreement(&levels.seen, sizes, target, ends, tuned);
                 if ends || levels.agreed.is_some() {
                     break;
                 }
@@ -126,11 +98,12 @@ pub fn by_levels(
             }
             _ => {
                 let fell = outcome.status == Status::Falls && !std::mem::replace(&mut fallen, true);
-                let soft = softness(&outcome).filter(|_| shortens(&mut softest, &outcome));
+                let soft = softness(&outcome, tuned.halvings);
+                let soft = soft.filter(|_| shortens(&mut softest, &outcome, tuned.shrinking));
                 // Soft contacts let a scene down: shorter substeps have to see the fall too.
                 // So does what rests too slowly to tell: stiffer contacts drift less.
                 doubts += usize::from(is_unclear(&outcome));
-                let unclear = is_unclear(&outcome) && doubts <= MOST_DOUBTS;
+                let unclear = is_unclear(&outcome) && doubts <= tuned.doubts;
                 let more = if fell || unclear { Some(1) } else { soft };
                 if levels.seen.is_empty() {
                     levels.last = outcome;
@@ -138,7 +111,7 @@ pub fn by_levels(
                     levels.last.facts = outcome.facts;
                 }
                 halvings += more.unwrap_or(0);
-                if more.is_none() || halvings > MOST_HALVINGS {
+                if more.is_none() || halvings > tuned.halvings {
                     break;
                 }
             }
@@ -150,11 +123,11 @@ pub fn by_levels(
 
 /// Times that the substep has to be halved for contacts that are stiff enough, where a self-check
 /// says that they are not: deflections fall with the square of the substep.
-pub fn softness(outcome: &Outcome) -> Option<u32> {
+pub fn softness(outcome: &Outcome, most: u32) -> Option<u32> {
     let failed = failed_check(outcome)?;
     let soft = matches!(failed.what, Checked::Settlement | Checked::Drift);
     let times = (failed.value / failed.limit).sqrt().log2().ceil();
-    (soft && times.is_finite()).then(|| (times as u32).clamp(1, MOST_HALVINGS))
+    (soft && times.is_finite()).then(|| (times as u32).clamp(1, most))
 }
 
 /// The self-check that took a number away.
@@ -173,9 +146,9 @@ fn is_unclear(outcome: &Outcome) -> bool {
 
 /// Whether shorter substeps bring a figure down, `before` being the last one: a drift that they do
 /// not shorten is the scene's own.
-fn shortens(before: &mut f64, outcome: &Outcome) -> bool {
+fn shortens(before: &mut f64, outcome: &Outcome, shrinking: f64) -> bool {
     let figure = failed_check(outcome).map_or(f64::INFINITY, |check| check.value);
-    let shorter = figure <= SHRINKING * *before;
+    let shorter = figure <= shrinking * *before;
     *before = figure;
     shorter
 }
@@ -193,7 +166,13 @@ fn drift(outcome: &Outcome) -> f64 {
 /// What the levels agree on. Two suffice where they differ by less than a part of the error that is
 /// the `target`; of more the differences have to shrink. Where no further level may follow, an error
 /// up to a few times the target is stated.
-fn agreement(levels: &[Level], sizes: Sizes, target: f64, ends: bool) -> Option<Enclosure> {
+fn agreement(
+    levels: &[Level],
+    sizes: Sizes,
+    target: f64,
+    ends: bool,
+    tuned: &Tuned,
+) -> Option<Enclosure> {
     let [.., before, last] = *levels else {
         return None;
     };
@@ -201,22 +180,27 @@ fn agreement(levels: &[Level], sizes: Sizes, target: f64, ends: bool) -> Option<
     let size = magnitude(last.bracket.upper, sizes.unit);
     let step = apart(before, last);
     // Where none may follow, the difference itself has to be within the target, and is stated.
-    let part = if ends { 1.0 } else { CLOSE };
+    let part = if ends { 1.0 } else { tuned.close };
     let close = step.abs() <= part * target * size;
     let ratio = match *levels {
         [.., first, before, _] => step.abs() / apart(first, before).abs(),
         _ => f64::INFINITY,
     };
-    if !(close || ratio <= SHRINKING) {
+    if !(close || ratio <= tuned.shrinking) {
         return None;
     }
-    let left = step * ratio.min(SHRINKING) / (1.0 - ratio.min(SHRINKING));
+    let ratio = ratio.min(tuned.shrinking);
+    let left = step * ratio / (1.0 - ratio);
     let bracket = covering(before.bracket, last.bracket, left, sizes.unit / GRID);
     let error = bracket
         .relative_width(sizes.unit)
         .max(slid(before, last) / sizes.extent);
     let error = rounded_up(error);
-    let most = if ends { MOST_ERROR * target } else { target };
+    let most = if ends {
+        tuned.most_error * target
+    } else {
+        target
+    };
     (error <= most).then_some(Enclosure { bracket, error })
 }
 
@@ -283,7 +267,7 @@ mod tests {
     /// Figures that were seen on paper-1 and on a wall with a load on top.
     #[test]
     fn levels_agree_where_their_differences_shrink() {
-        let agree = |levels: &[Level]| agreement(levels, SIZES, 2e-3, false);
+        let agree = |levels: &[Level]| agreement(levels, SIZES, 2e-3, false, &Tuned::TUNED);
         assert_eq!(agree(&[at(0.5, 0.5002, 1e-3)]), None);
         let paper_1 = [at(0.63975, 0.64025, 3.8e-3), at(0.63975, 0.64, 1e-3)];
         let found = agree(&paper_1).unwrap();
@@ -304,7 +288,7 @@ mod tests {
     #[test]
     fn two_levels_agree_within_a_quarter_of_the_target() {
         let second = |apart: f64| [at(0.5, 0.5001, 1e-3), at(0.5 + apart, 0.5001 + apart, 1e-3)];
-        let agree = |apart| agreement(&second(apart), SIZES, 2e-3, false).is_some();
+        let agree = |apart| agreement(&second(apart), SIZES, 2e-3, false, &Tuned::TUNED).is_some();
         assert!(agree(2.0e-4));
         assert!(!agree(3.0e-4));
     }
@@ -313,7 +297,7 @@ mod tests {
     #[test]
     fn a_drift_that_stays_is_no_agreement() {
         let levels = [at(0.2414, 0.2415, 0.079), at(0.2414, 0.2415, 0.111)];
-        assert_eq!(agreement(&levels, SIZES, 2e-3, true), None);
+        assert_eq!(agreement(&levels, SIZES, 2e-3, true, &Tuned::TUNED), None);
     }
 
     #[test]
@@ -323,8 +307,8 @@ mod tests {
             at(0.496, 0.4962, 1e-3),
             at(0.499, 0.4992, 2e-4),
         ];
-        assert_eq!(agreement(&levels, SIZES, 2e-3, false), None);
-        let found = agreement(&levels, SIZES, 4e-3, true).unwrap();
+        assert_eq!(agreement(&levels, SIZES, 2e-3, false, &Tuned::TUNED), None);
+        let found = agreement(&levels, SIZES, 4e-3, true, &Tuned::TUNED).unwrap();
         let (lower, upper) = (0.496, 0.5022);
         assert_eq!(found.bracket, Bracket { lower, upper });
         assert_eq!(found.error, 2e-2);

@@ -2,22 +2,12 @@
 //! magnified before it is judged, so that a light or a small block is seen beside heavy ones.
 
 use super::portion::{Portion, Role};
+use super::tuned::Tuned;
 use crate::answer::PushoverFact;
+use crate::mechanics::reach;
 use crate::scene::{Block, JointClass, Scene, Side};
 
-/// Range of a block's mass, in mean masses.
-const RANGE: [f64; 2] = [0.05, 20.0];
-
-/// Weight over mass by area below which a block is light, in the unit of g.
-const LIGHT: f64 = 0.2;
-
-/// Diameter below which a block is small, in course heights.
-const SMALL: f64 = 0.3;
-
-/// Largest ratio of two blocks' weights that is answered.
-const MOST_UNEQUAL: f64 = 1e4;
-
-/// What the engine is told of one block, and what its motion is judged by.
+/// What rapier is told of one block, and what its motion is judged by.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Inert {
     /// Mass, in mean weights over g. By area: masses in proportion to uneven loads would keep the
@@ -30,7 +20,7 @@ pub struct Inert {
     pub slowness: f64,
 }
 
-/// For every block of a portion, in the scene's order, what the engine is told of it; weights and
+/// For every block of a portion, in the scene's order, what rapier is told of it; weights and
 /// areas are divided by `force` and `area`, lengths by `length`.
 ///
 /// # Errors
@@ -39,28 +29,25 @@ pub fn inert(
     scene: &Scene,
     portion: &Portion,
     [force, area, length]: [f64; 3],
+    tuned: &Tuned,
 ) -> Result<Vec<Inert>, PushoverFact> {
     let weights: Vec<f64> = scene.blocks().iter().map(|b| weight(b) / force).collect();
-    refuse_unequal(scene, portion, &weights)?;
+    refuse_unequal(scene, portion, &weights, tuned.most_unequal)?;
     let carried = heaviest_carried(scene, &weights);
     let of = |(index, block): (usize, &Block)| {
-        let shape = &block.shape;
-        let by_area = (shape.area() / area).clamp(RANGE[0], RANGE[1]);
-        let centroid = shape.centroid();
-        let corners = shape.corners().iter();
-        let reach = corners.map(|c| (c - centroid).norm()).fold(0.0, f64::max);
-        let smallness = (SMALL * length / (2.0 * reach)).max(1.0);
+        let by_area = (block.shape.area() / area).clamp(tuned.masses[0], tuned.masses[1]);
+        let smallness = (tuned.small * length / (2.0 * reach(block))).max(1.0);
         let (weight, carried) = (weights[index], carried[index]);
         let needed = (weight * smallness).max(carried.min(1.0));
-        let light = needed < LIGHT * by_area && weight > 0.0;
+        let light = needed < tuned.light * by_area && weight > 0.0;
         let mass = if light { needed } else { by_area };
         // Of blocks of ordinary weight nothing is magnified, and those without weight hang on others.
-        let slow = weight > 0.0 && weight < LIGHT * mass;
+        let slow = weight > 0.0 && weight < tuned.light * mass;
         let slowness = if slow { mass / weight } else { 1.0 };
         Inert {
             mass,
             smallness,
-            slowness: slowness.min(MOST_UNEQUAL),
+            slowness: slowness.min(tuned.most_unequal),
         }
     };
     Ok(scene.blocks().iter().enumerate().map(of).collect())
@@ -71,7 +58,12 @@ fn weight(block: &Block) -> f64 {
     block.loads.iter().map(|load| load.dead.norm()).sum()
 }
 
-fn refuse_unequal(scene: &Scene, portion: &Portion, weights: &[f64]) -> Result<(), PushoverFact> {
+fn refuse_unequal(
+    scene: &Scene,
+    portion: &Portion,
+    weights: &[f64],
+    most: f64,
+) -> Result<(), PushoverFact> {
     let free = (0..weights.len()).filter(|&i| portion.role(i) == Role::Free && weights[i] > 0.0);
     let by_weight = |a: &usize, b: &usize| weights[*a].total_cmp(&weights[*b]);
     let (Some(light), Some(heavy)) = (free.clone().min_by(by_weight), free.max_by(by_weight))
@@ -79,14 +71,14 @@ fn refuse_unequal(scene: &Scene, portion: &Portion, weights: &[f64]) -> Result<(
         return Ok(());
     };
     let ratio = weights[heavy] / weights[light];
-    if ratio <= MOST_UNEQUAL * (1.0 + 1e-9) {
+    if ratio <= most * (1.0 + 1e-9) {
         return Ok(());
     }
     Err(PushoverFact::UnequalWeights {
         light: scene.block_name(light),
         heavy: scene.block_name(heavy),
         ratio,
-        most: MOST_UNEQUAL,
+        most,
     })
 }
 

@@ -1,12 +1,12 @@
 //! How far and how fast: pure functions of states. What light and small blocks do is magnified, so
 //! that it is seen beside heavy ones.
 
-use super::engine::BodyState;
-use super::model::{EngineBody, Model};
+use super::model::{Model, MovingBody};
+use super::physics::BodyState;
 
 /// Largest speed of any point of any block.
 pub fn speed(model: &Model, states: &[BodyState]) -> f64 {
-    let of = |(state, block): (&BodyState, &EngineBody)| {
+    let of = |(state, block): (&BodyState, &MovingBody)| {
         let [x, y] = state.velocity;
         block.slowness * ((x * x + y * y).sqrt() + state.spin.abs() * block.reach)
     };
@@ -19,23 +19,20 @@ pub fn displacement(model: &Model, from: &[BodyState], to: &[BodyState]) -> f64 
 }
 
 /// Largest displacement of any point of these blocks.
-pub fn farthest(blocks: &[EngineBody], from: &[BodyState], to: &[BodyState]) -> f64 {
-    let of = |((a, b), block): ((&BodyState, &BodyState), &EngineBody)| {
+pub fn farthest(blocks: &[MovingBody], from: &[BodyState], to: &[BodyState]) -> f64 {
+    let of = |((a, b), block): ((&BodyState, &BodyState), &MovingBody)| {
         let (x, y) = (b.position[0] - a.position[0], b.position[1] - a.position[1]);
         block.smallness * ((x * x + y * y).sqrt() + (b.rotation - a.rotation).abs() * block.reach)
     };
     from.iter().zip(to).zip(blocks).map(of).fold(0.0, f64::max)
 }
 
-/// Mass below which a block's energy counts as if it had this mass.
-const SEEN: f64 = 0.05;
-
-/// Twice the kinetic energy.
-pub fn twice_kinetic_energy(model: &Model, states: &[BodyState]) -> f64 {
-    let of = |(state, block): (&BodyState, &EngineBody)| {
+/// Twice the kinetic energy, blocks of less mass than `seen` counting as if they had that.
+pub fn twice_kinetic_energy(model: &Model, states: &[BodyState], seen: f64) -> f64 {
+    let of = |(state, block): (&BodyState, &MovingBody)| {
         let [x, y] = state.velocity;
         let energy = block.mass * (x * x + y * y) + block.inertia * state.spin * state.spin;
-        energy * block.slowness * block.slowness * (SEEN / block.mass).max(1.0)
+        energy * block.slowness * block.slowness * (seen / block.mass).max(1.0)
     };
     states.iter().zip(&model.blocks).map(of).sum()
 }

@@ -1,14 +1,15 @@
 //! Pushover: the scene as rigid bodies in contact, pushed harder and harder until it collapses.
 //!
 //! ```text
-//! scene ── model (no dimensions) ──▶ engine (rapier) ◀── search ──▶ checks ──▶ outcome
+//! scene ── model (no dimensions) ──▶ physics (rapier) ◀── search ──▶ checks ──▶ outcome
 //! ```
 //!
 //! λ is the last load at rest and the first that collapsed from there. What the search or its
 //! self-checks cannot vouch for is `undecided` with a reason, never a number.
 
 mod checks;
-mod engine;
+#[cfg(test)]
+mod doubled;
 mod fall;
 mod groups;
 mod hint;
@@ -19,6 +20,7 @@ mod measure;
 mod model;
 mod parameters;
 mod parts;
+mod physics;
 mod portion;
 mod range;
 mod run;
@@ -26,7 +28,6 @@ mod search;
 mod single;
 #[cfg(test)]
 mod tests;
-#[cfg(test)]
 mod tuned;
 mod verify;
 
@@ -38,11 +39,11 @@ use crate::method::{Collapse, Method, PushoverSettings, Settings};
 use crate::scene::Scene;
 use levels::by_levels;
 use model::Model;
-use parameters::FIRST_SLIP;
+use parameters::{Asked, FIRST_SLIP};
 use parts::weakest;
 use portion::{Portion, beyond_stagger};
 use range::Varied;
-use single::solved;
+use run::Trial;
 
 /// The pushover method.
 #[derive(Clone, Copy, Debug, Default)]
@@ -55,7 +56,7 @@ impl Method for Pushover {
 
     fn solve(&self, scene: &Scene, settings: &Settings) -> Outcome {
         let settings = &settings.pushover;
-        let outcome = weakest(scene, |part| answer(scene, part, settings));
+        let outcome = weakest(scene, |part| answer(scene, part, Asked::new(settings)));
         let ranges = Portion::default().has_range(scene);
         let outcome = if settings.verify && !ranges {
             verify::confirmed(scene, settings, outcome)
@@ -81,20 +82,25 @@ fn seen(mut outcome: Outcome, change: impl FnOnce(&mut Observed)) -> Outcome {
 
 /// The answer of one connected part: levels whose differences tell the error, or a range where there
 /// is more than one collapse state.
-fn answer(scene: &Scene, part: &Portion, settings: &PushoverSettings) -> Outcome {
-    let parameters = |model: &Model| Parameters::new(model, settings);
-    let varied = || Varied::new(scene, part, &parameters);
+fn answer(scene: &Scene, part: &Portion, asked: Asked) -> Outcome {
+    let varied = || Varied::new(scene, part, asked);
     let undecided = |fact| Outcome::without_number(Status::Undecided, fact);
     if part.has_range(scene) {
         return match varied() {
-            Ok(varied) => varied.over_head_joints(settings),
+            Ok(varied) => varied.over_head_joints(),
             Err(fact) => undecided(fact),
         };
     }
-    if settings.collapse == Collapse::FirstSlip || is_coarser(settings) {
-        return solved(scene, part, &parameters);
+    if asked.settings.collapse == Collapse::FirstSlip || is_coarser(asked.settings) {
+        let trial = Trial {
+            scene,
+            portion: part,
+            asked,
+            expected: None,
+        };
+        return trial.run(&|own| own);
     }
-    let levels = by_levels(scene, part, &parameters);
+    let levels = by_levels(scene, part, asked);
     if let Some(agreed) = levels.agreed {
         return seen(levels.last, |observed| {
             observed.bracket = Some(agreed.bracket);
@@ -150,9 +156,10 @@ fn qualified(outcome: Outcome, status: Status, fact: PushoverFact) -> Outcome {
 /// # Errors
 /// What this method cannot honour in the scene.
 pub fn parameters(scene: &Scene, settings: &PushoverSettings) -> Result<String, PushoverFact> {
-    let portion = beyond_stagger(scene, &Portion::default()).unwrap_or_default();
-    let model = Model::new(scene, &portion)?;
-    let parameters = Parameters::new(&model, settings);
+    let asked = Asked::new(settings);
+    let portion = beyond_stagger(scene, &Portion::default(), &asked.tuned).unwrap_or_default();
+    let model = Model::new(scene, &portion, &asked.tuned)?;
+    let parameters = Parameters::new(&model, &asked);
     let mut text = format!(
         "  {:<26} {:<12} case length\n  {:<26} {:<12}\n",
         "course height H_c",

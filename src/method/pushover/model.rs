@@ -1,13 +1,15 @@
 //! The scene without dimensions: lengths in course heights, forces in mean block weights, g = 1, and
 //! live loads that for a multiplier λ* of 1 add up to the dead ones.
 //!
-//! Engines carry lengths of their own (prediction distances, slops), so a scene in millimetres
+//! Physics engines carry lengths of their own (prediction distances, slops), so a scene in millimetres
 //! or far from the origin would fail by construction; here every scene looks alike.
 
 use super::groups::{Surface, surfaces};
 use super::mass::{Inert, inert};
 use super::portion::{Portion, Role};
+use super::tuned::Tuned;
 use crate::answer::{Bracket, PushoverFact};
+use crate::mechanics::reach;
 use crate::scene::{Block, Point, Polygon, Scene, Side, Vector, multiplier_unit};
 
 /// A force at a point that turns with its block.
@@ -23,8 +25,8 @@ pub struct BodyForce {
 /// Corners of a convex piece.
 pub type Outline = Vec<[f64; 2]>;
 
-/// A block as the engine sees it.
-pub struct EngineBody {
+/// A block as rapier sees it.
+pub struct MovingBody {
     /// Its place in the scene.
     pub index: usize,
     /// Centroid.
@@ -47,7 +49,7 @@ pub struct EngineBody {
     pub loads: Vec<BodyForce>,
 }
 
-/// A support as the engine sees it.
+/// A support as rapier sees it.
 pub struct FixedBody {
     /// What it is in the scene: a support, or a block that is held fixed.
     pub side: Side,
@@ -62,7 +64,7 @@ pub struct FixedBody {
 /// The dimensionless scene.
 pub struct Model {
     /// Blocks that may move, in the scene's order.
-    pub blocks: Vec<EngineBody>,
+    pub blocks: Vec<MovingBody>,
     /// Supports in the scene's order, then blocks held fixed.
     pub supports: Vec<FixedBody>,
     /// Course height: the median block height, in the scene's length unit.
@@ -89,7 +91,7 @@ pub const GRID: f64 = 1e5;
 const NEAR: f64 = 0.2;
 
 /// Course heights by which the sides of other shapes than level rectangles are moved outwards:
-/// where two polygons touch exactly, the engine finds a normal of rounding errors.
+/// where two polygons touch exactly, rapier finds a normal of rounding errors.
 const OVERLAP: f64 = 1e-6;
 
 impl Model {
@@ -97,9 +99,14 @@ impl Model {
     ///
     /// # Errors
     /// What this method cannot honour in the scene.
-    pub fn new(scene: &Scene, portion: &Portion) -> Result<Self, PushoverFact> {
+    pub fn new(scene: &Scene, portion: &Portion, tuned: &Tuned) -> Result<Self, PushoverFact> {
         let units = Units::of(scene, portion)?;
-        let inert = inert(scene, portion, [units.force, units.area, units.length])?;
+        let inert = inert(
+            scene,
+            portion,
+            [units.force, units.area, units.length],
+            tuned,
+        )?;
         let surfaces = surfaces(scene, NEAR * units.length)?;
         let supports = scene.supports().iter().zip(surfaces.supports).enumerate();
         let mut supports: Vec<FixedBody> = supports
@@ -209,7 +216,7 @@ impl Units {
         block: &Block,
         inert: Inert,
         surfaces: Vec<Surface>,
-    ) -> EngineBody {
+    ) -> MovingBody {
         let shape = &block.shape;
         let centroid = shape.centroid();
         let mass = inert.mass;
@@ -218,15 +225,13 @@ impl Units {
             dead: self.vector(load.dead),
             live: self.vector(load.live * self.multiplier),
         });
-        let corners = shape.corners().iter();
-        let reach = corners.map(|c| (c - centroid).norm()).fold(0.0, f64::max);
-        EngineBody {
+        MovingBody {
             index,
             centre: self.point(centroid),
             outlines: outlines(shape, self.length),
             mass,
             inertia: mass * gyration_squared(shape) / (self.length * self.length),
-            reach: reach / self.length,
+            reach: reach(block) / self.length,
             smallness: inert.smallness,
             slowness: inert.slowness,
             surfaces,
@@ -236,7 +241,7 @@ impl Units {
 }
 
 /// Sum of a part of all forces.
-fn total(blocks: &[EngineBody], part: fn(&BodyForce) -> [f64; 2]) -> [f64; 2] {
+fn total(blocks: &[MovingBody], part: fn(&BodyForce) -> [f64; 2]) -> [f64; 2] {
     let loads = blocks.iter().flat_map(|block| &block.loads);
     let add = |[x, y]: [f64; 2], force: [f64; 2]| [x + force[0], y + force[1]];
     loads.map(part).fold([0.0; 2], add)

@@ -1,9 +1,13 @@
-//! Every tuned number of one pushover in one table (the test `tuned` halves and doubles each, and
-//! answers must stay within their stated error), without dimensions: lengths in course heights H_c,
-//! g = 1, so times are in √(H_c/g) and speeds in √(g·H_c).
+//! Every tuned number of one pushover in one table, without dimensions: lengths in course heights H_c,
+//! g = 1, so times are in √(H_c/g) and speeds in √(g·H_c). Those of models, levels and ranges, which no
+//! scene changes, stand in `tuned`. The tests in `doubled` halve and double each, and answers must stay
+//! within their stated error.
+//!
+//! What stands elsewhere is no tuned number: the grid of λ and what collision shapes are made of
+//! (`model`), stiffnesses that a range is over (`range`), how long a recorded fall is (`fall`).
 
-use super::model::{GRID, Model};
-use super::portion::SWAYING;
+use super::model::Model;
+use super::tuned::Tuned;
 use crate::method::{Accuracy, Collapse, PushoverSettings};
 
 /// Courses above which a bracket states a larger error.
@@ -39,13 +43,13 @@ struct Basis {
 }
 
 impl Basis {
-    fn new(model: &Model, accuracy: Accuracy) -> Self {
+    fn new(model: &Model, accuracy: Accuracy, tuned: &Tuned) -> Self {
         let finer = match accuracy {
             Accuracy::Coarse => 0.5,
             Accuracy::Normal => 1.0,
             Accuracy::Fine => 2.0,
         };
-        let sways = model.courses >= SWAYING;
+        let sways = model.courses >= tuned.swaying;
         // Elastic deflections, and with them all drift up to the limit, fall with the square of the
         // substep at the same number of substeps: a wall that sways has to be kept from leaning.
         let product = if sways { 0.015 } else { 0.025 } / finer;
@@ -111,7 +115,7 @@ macro_rules! parameters {
             pub fn listed(&self) -> Vec<(&'static str, f64, &'static str)> {
                 vec![
                     ("time step", self.time_step(), TIME),
-                    $($(($name, self.$field.figure(), $unit),)?)+
+                    $($(($name, self.$field as f64, $unit),)?)+
                 ]
             }
         }
@@ -188,10 +192,10 @@ parameters! { of:
     fall: f64 = 1.0, "fall", LENGTH;
     /// Displacement up to the last load at rest beyond which that is no longer the scene as laid.
     drift: f64 = 0.02 * of.courses.max(5.0), "drift limit", LENGTH;
-    /// First increment of λ*, in `GRID` units.
-    first_increment: u64 = if of.sways { 20_000 } else { 5_000 }, "first increment", LAMBDA;
-    /// Largest λ* that is tried, in `GRID` units.
-    largest: u64 = 10_000_000, "largest", LAMBDA;
+    /// First increment of λ*.
+    first_increment: f64 = if of.sways { 0.2 } else { 0.05 }, "first increment", LAMBDA;
+    /// Largest λ* that is tried.
+    largest: f64 = 100.0, "largest", LAMBDA;
     /// Width of the bracket relative to λ.
     tolerance: f64 = if of.courses > LESS_ACCURATE { 0.5 } else { 0.4 } * of.stated_error,
         "tolerance", LAMBDA;
@@ -199,31 +203,40 @@ parameters! { of:
     stated_error: f64 = of.stated_error, "stated error", LAMBDA;
     /// Time steps after which the search gives up.
     budget: usize = 200_000, "budget", "time steps";
+    /// Part of the smallest increment of λ* whose push no scene at rest may gain speed by in a window.
+    resting: f64 = 0.1;
+    /// Mass below which a block's energy counts as if it had this mass.
+    seen: f64 = 0.05;
+    /// Part of the distance to the nearest runaway by which an extrapolation of runaways may be wrong.
+    doubt: f64 = 0.05;
+    /// Part of the smallest increment within which an extrapolated limit lets that increment follow.
+    near: f64 = 0.75;
+    /// Part of the largest displacement up to which a block beside those held fixed stands still.
+    still: f64 = 1e-2;
+    /// Largest speed of a settled scene.
+    moving: f64 = 1e-6;
+    /// Largest part of the weight that what is fixed may fail to carry.
+    missing: f64 = 1e-4;
+    /// Largest part of the weight between bodies that share no joint.
+    stray: f64 = 1e-3;
     /// Whether a self-check that fails takes the number away. Off only to show what they are worth.
     self_checks: bool = true;
 }
 
-/// A value as it is printed.
-trait Figure {
-    fn figure(self) -> f64;
+/// What is asked of every pushover of a scene.
+#[derive(Clone, Copy)]
+pub struct Asked<'a> {
+    /// What a user may change.
+    pub settings: &'a PushoverSettings,
+    /// What nobody needs to.
+    pub tuned: Tuned,
 }
 
-impl Figure for f64 {
-    fn figure(self) -> f64 {
-        self
-    }
-}
-
-impl Figure for usize {
-    fn figure(self) -> f64 {
-        self as f64
-    }
-}
-
-/// A multiplier in `GRID` units.
-impl Figure for u64 {
-    fn figure(self) -> f64 {
-        self as f64 / GRID
+impl<'a> Asked<'a> {
+    /// With the numbers as they are tuned.
+    pub fn new(settings: &'a PushoverSettings) -> Self {
+        let tuned = Tuned::TUNED;
+        Self { settings, tuned }
     }
 }
 
@@ -231,8 +244,9 @@ impl Parameters {
     /// Parameters for a model, with the definition of collapse, the recording, the substep and the
     /// stiffness that the settings ask for. Contacts soften with a longer substep; stiffness goes
     /// with the square of their frequency.
-    pub fn new(model: &Model, settings: &PushoverSettings) -> Self {
-        let own = Self::of(&Basis::new(model, settings.accuracy));
+    pub fn new(model: &Model, asked: &Asked) -> Self {
+        let settings = asked.settings;
+        let own = Self::of(&Basis::new(model, settings.accuracy, &asked.tuned));
         Self {
             substep: own.substep * settings.substep,
             substeps: ((own.substeps as f64 / settings.substep).round() as usize).max(1),
@@ -251,12 +265,13 @@ impl Parameters {
         self.substep * self.substeps as f64
     }
 
-    /// The same with half the substep.
-    pub fn halved(self) -> Self {
+    /// The same with the substep halved so many times.
+    pub fn halved(self, times: u32) -> Self {
+        let finer = 1 << times;
         Self {
-            substep: self.substep / 2.0,
-            contact_frequency: 2.0 * self.contact_frequency,
-            substeps: 2 * self.substeps,
+            substep: self.substep / finer as f64,
+            contact_frequency: finer as f64 * self.contact_frequency,
+            substeps: finer * self.substeps,
             ..self
         }
     }

@@ -5,14 +5,8 @@
 //! Of tall walls, what lies beyond the stagger line is held fixed, which halves the work, and must
 //! be shown afterwards to have had no reason to move.
 
+use super::tuned::Tuned;
 use crate::scene::{Block, HeadJoints, Joint, JointClass, Push, Scene, Side, multiplier_unit};
-
-/// Overlaps between the stagger line and the frozen part: the strip that must stay still.
-const MARGIN: f64 = 3.0;
-
-/// Courses from which on a wall sways: it leans further before it falls, settles more slowly and
-/// is costlier, so that other tolerances hold for it, and a part of it is held fixed.
-pub const SWAYING: f64 = 20.0;
 
 /// What a block is in a pushover.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -132,14 +126,14 @@ impl Portion {
 /// The part of a tall regular wall beyond the line that rises from the toe by one course for
 /// each overlap. `None` where there is nothing to gain, and for irregular walls: a part with
 /// openings may fail far from that line, where nothing would tell.
-pub fn beyond_stagger(scene: &Scene, part: &Portion) -> Option<Portion> {
+pub fn beyond_stagger(scene: &Scene, part: &Portion, tuned: &Tuned) -> Option<Portion> {
     if part.absent.contains(&true) {
         return None;
     }
     scene.regular().as_ref().ok()?;
     let wall = scene
         .coursing()
-        .filter(|wall| wall.courses as f64 >= SWAYING)?;
+        .filter(|wall| wall.courses as f64 >= tuned.swaying)?;
     let (low, high) = scene.bounds();
     let unit_height = wall.height / wall.courses as f64;
     // Overlaps between the stagger line and the block's near side.
@@ -153,7 +147,7 @@ pub fn beyond_stagger(scene: &Scene, part: &Portion) -> Option<Portion> {
         near / wall.overlap - course
     });
     let beyond: Vec<f64> = beyond.collect();
-    let fixed: Vec<bool> = beyond.iter().map(|&by| by > MARGIN - 0.5).collect();
+    let fixed: Vec<bool> = beyond.iter().map(|&by| by > tuned.margin - 0.5).collect();
     let strip = beyond
         .iter()
         .zip(&fixed)

@@ -1,13 +1,15 @@
 //! One pushover of one scene: search, self-checks, outcome.
 
-use super::checks::{self, AtRest};
-use super::engine::{BodyState, Engine};
+use super::checks::{self, AtRest, check};
 use super::measure;
 use super::model::{GRID, Model};
-use super::parameters::Parameters;
+use super::parameters::{Asked, Parameters};
+use super::physics::{BodyState, Physics};
 use super::portion::{Portion, beyond_stagger};
 use super::search::{Observation, SearchEnd, search};
-use crate::answer::{Bracket, Observed, Outcome, PushoverFact, Recording, SelfCheck, Status, Work};
+use crate::answer::{
+    Bracket, Checked, Observed, Outcome, PushoverFact, Recording, SelfCheck, Status, Work,
+};
 use crate::mechanics::{Mechanism, Motion, crack_slope_by_gap};
 use crate::scene::{Scene, Vector};
 
@@ -21,23 +23,25 @@ pub struct Trial<'a> {
     pub scene: &'a Scene,
     /// What of it is pushed.
     pub portion: &'a Portion,
+    /// What is asked of all pushovers of the scene.
+    pub asked: Asked<'a>,
     /// Where another pushover saw the collapse: a hint of where to look.
     pub expected: Option<Bracket>,
 }
 
 impl Trial<'_> {
-    /// The outcome with parameters that follow from the model. A part that was held fixed and might
-    /// have moved is set free, and the pushover repeated.
-    pub fn run(&self, parameters: &impl Fn(&Model) -> Parameters) -> Outcome {
-        let Some(portion) = beyond_stagger(self.scene, self.portion) else {
-            return run(self, self.portion, parameters).0;
+    /// The outcome with parameters changed. A part that was held fixed and might have moved is set
+    /// free, and the pushover repeated.
+    pub fn run(&self, change: &impl Fn(Parameters) -> Parameters) -> Outcome {
+        let Some(portion) = beyond_stagger(self.scene, self.portion, &self.asked.tuned) else {
+            return run(self, self.portion, change).0;
         };
-        let (outcome, moved) = run(self, &portion, parameters);
+        let (outcome, moved) = run(self, &portion, change);
         if !moved {
             return outcome;
         }
         let spent = outcome.work.block_steps;
-        let mut outcome = run(self, self.portion, parameters).0;
+        let mut outcome = run(self, self.portion, change).0;
         outcome.work.block_steps += spent;
         outcome
     }
@@ -47,25 +51,25 @@ impl Trial<'_> {
 fn run(
     trial: &Trial,
     portion: &Portion,
-    parameters: &impl Fn(&Model) -> Parameters,
+    change: &impl Fn(Parameters) -> Parameters,
 ) -> (Outcome, bool) {
     let scene = trial.scene;
     let undecided = |fact: PushoverFact| Outcome::without_number(Status::Undecided, fact);
-    let model = match Model::new(scene, portion) {
+    let model = match Model::new(scene, portion, &trial.asked.tuned) {
         Ok(model) => model,
         Err(fact) => return (undecided(fact), false),
     };
-    let parameters = parameters(&model);
+    let parameters = change(Parameters::new(&model, &trial.asked));
     if parameters.contact_frequency * parameters.substep > MOST_STIFF {
         return (undecided(PushoverFact::TooStiff), false);
     }
-    let Some(mut engine) = Engine::new(&model, &parameters) else {
+    let Some(mut physics) = Physics::new(&model, &parameters) else {
         return (undecided(PushoverFact::ShapeRefused), false);
     };
-    let laid = engine.states();
-    engine.step();
+    let laid = physics.states();
+    physics.step();
     let fixed = |side| portion.is_fixed(side);
-    let sees = checks::sees_joints(portion.joints(scene), &engine.contacts(), fixed);
+    let sees = checks::sees_joints(portion.joints(scene), &physics.contacts(), fixed);
     if !sees.passed() {
         return (undecided(PushoverFact::Checked(sees)), false);
     }
@@ -76,14 +80,13 @@ fn run(
     };
     let mut moved = portion.holds_any();
     let expected = trial.expected.map(|at| model.in_grid(at));
-    let mut outcome = match search(&mut engine, &model, &parameters, expected, slip) {
+    let mut outcome = match search(&mut physics, &model, &parameters, expected, slip) {
         SearchEnd::Bracketed(seen) => {
-            moved &= strip_moved(portion, &model, &seen.settled.states, &seen.collapsed);
+            let states = [&seen.settled.states[..], &seen.collapsed];
+            moved &= strip_moved(portion, &model, parameters.still, states);
             let settlement = measure::displacement(&model, &laid, &seen.settled.states);
-            let mut checks = vec![
-                sees,
-                checks::settles_little(settlement, parameters.settlement),
-            ];
+            let settles = check(Checked::Settlement, settlement, parameters.settlement);
+            let mut checks = vec![sees, settles];
             checks.extend(self_checks(scene, &model, &parameters, portion, &seen));
             judged(scene, &model, &parameters, &seen, checks)
         }
@@ -91,18 +94,20 @@ fn run(
         SearchEnd::Falls(fact) => Outcome::without_number(Status::Falls, fact),
     };
     outcome.work = Work {
-        block_steps: engine.steps * parameters.substeps * model.blocks.len(),
+        block_steps: physics.steps * parameters.substeps * model.blocks.len(),
         ..Work::default()
     };
     (outcome, moved)
 }
 
-/// Part of the largest displacement up to which a block counts as standing still.
-const STILL: f64 = 1e-2;
-
 /// Whether any block beside those held fixed moved between two states.
-fn strip_moved(portion: &Portion, model: &Model, from: &[BodyState], to: &[BodyState]) -> bool {
-    let limit = STILL * measure::displacement(model, from, to);
+fn strip_moved(
+    portion: &Portion,
+    model: &Model,
+    still: f64,
+    [from, to]: [&[BodyState]; 2],
+) -> bool {
+    let limit = still * measure::displacement(model, from, to);
     (0..model.blocks.len()).any(|i| {
         let block = std::slice::from_ref(&model.blocks[i]);
         portion.is_in_strip(block[0].index)
@@ -158,13 +163,16 @@ fn self_checks(
     let settled = checks::reaction(&seen.settled.contacts, fixed);
     let carried = checks::reaction(&seen.rest.contacts, fixed);
     let closed = checks::off_joints(scene, &seen.rest.contacts);
+    let carry =
+        |load, reaction, at| checks::supports_carry(load, reaction, weight, at, parameters.missing);
+    let speed = measure::speed(model, &seen.settled.states);
     let drift = measure::displacement(model, &seen.settled.states, &seen.rest.states);
     [
-        checks::at_rest(measure::speed(model, &seen.settled.states)),
-        checks::supports_carry(model.dead, settled, weight, AtRest::Settled),
-        checks::supports_carry(pushed, carried, weight, AtRest::Last),
-        checks::open_stays_open(closed, weight),
-        checks::small_drift(drift, parameters.drift),
+        check(Checked::SettledSpeed, speed, parameters.moving),
+        carry(model.dead, settled, AtRest::Settled),
+        carry(pushed, carried, AtRest::Last),
+        check(Checked::OpenJoints, closed / weight, parameters.stray),
+        check(Checked::Drift, drift, parameters.drift),
     ]
 }
 

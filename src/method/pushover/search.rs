@@ -1,12 +1,12 @@
 //! The whole search: settle, then raise λ from rest to rest until the smallest step collapses.
 
-use super::engine::{BodyState, Checkpoint, Contact, Engine};
 use super::fall::{Fall, fall};
 use super::hint::{Hint, finest_increment};
 use super::hold::{Held, Hold};
 use super::measure::displacement;
-use super::model::Model;
+use super::model::{GRID, Model};
 use super::parameters::Parameters;
+use super::physics::{BodyState, Checkpoint, Contact, Physics};
 use crate::answer::PushoverFact;
 
 /// A bracket as it was observed, and what the self-checks need to know about it.
@@ -34,10 +34,10 @@ pub struct RestState {
 }
 
 impl RestState {
-    fn now(engine: &Engine) -> Self {
+    fn now(physics: &Physics) -> Self {
         Self {
-            states: engine.states(),
-            contacts: engine.contacts(),
+            states: physics.states(),
+            contacts: physics.contacts(),
         }
     }
 }
@@ -62,28 +62,26 @@ pub enum SearchEnd {
 /// `slip` gives the largest slip of a joint between two states; a rest with more of it than the
 /// parameters allow is a collapse too.
 pub fn search(
-    engine: &mut Engine,
+    physics: &mut Physics,
     model: &Model,
     parameters: &Parameters,
     expected: Option<[u64; 2]>,
     slip: impl Fn(&[BodyState], &[BodyState]) -> f64,
 ) -> SearchEnd {
     let mut hold = Hold::new(model, parameters);
-    let laid = engine.checkpoint();
-    match hold.settle(engine) {
+    let laid = physics.checkpoint();
+    match hold.settle(physics, 0.0) {
         Held::Rest => {}
-        Held::Collapse { .. } => return fallen(engine, hold, model, parameters, &laid),
+        Held::Collapse { .. } => return fallen(physics, hold, model, parameters, &laid),
         Held::Unclear => {
             let time = parameters.patience;
             return SearchEnd::Undecided(PushoverFact::NotSettled { time });
         }
     }
-    let settled = RestState::now(engine);
-    let mut rest = engine.checkpoint();
-    let mut seen = RestState::now(engine);
-    let mut hint = Hint::new(parameters.first_increment, expected);
-    let mut lower: u64 = 0;
-    let mut unclear = false;
+    let settled = RestState::now(physics);
+    let (mut rest, mut seen) = (physics.checkpoint(), RestState::now(physics));
+    let mut hint = Hint::new(parameters, expected);
+    let (mut lower, mut unclear): (u64, bool) = (0, false);
     // Steps in a row that took too long.
     let mut slow = 0;
     let left_its_place = |states: &[BodyState]| {
@@ -92,37 +90,29 @@ pub fn search(
     };
     loop {
         let finest = finest_increment(hint.near(lower), parameters.tolerance);
-        let target = if unclear {
-            lower + 2 * finest
-        } else {
-            hint.next(lower, finest)
+        let target = match unclear {
+            true => lower + 2 * finest,
+            false => hint.next(lower, finest),
         };
         let last = unclear || target - lower <= finest;
-        if engine.steps > parameters.budget {
-            let lambda = model.lambda(lower);
-            return SearchEnd::Undecided(PushoverFact::OutOfSteps { lambda });
+        if let Some(fact) = out_of_reach(physics, model, parameters, [lower, target]) {
+            return SearchEnd::Undecided(fact);
         }
-        if target > parameters.largest {
-            let lambda = model.lambda(lower);
-            return SearchEnd::Undecided(PushoverFact::StillStands { lambda });
-        }
-        let held = match hold.step(engine, [lower, target], finest, last) {
-            Held::Rest if left_its_place(&engine.states()) => Held::Collapse { acceleration: 0.0 },
+        let held = match hold.step(physics, [lower, target], finest, last) {
+            Held::Rest if left_its_place(&physics.states()) => Held::Collapse { acceleration: 0.0 },
             held => held,
         };
         match held {
             Held::Rest => {
-                rest = engine.checkpoint();
-                seen = RestState::now(engine);
-                lower = target;
-                unclear = false;
-                slow = 0;
+                (rest, seen) = (physics.checkpoint(), RestState::now(physics));
+                (lower, unclear, slow) = (target, false, 0);
                 hint.rested(lower, finest);
+                continue;
             }
             Held::Collapse { .. } if last => {
-                let collapsed = engine.states();
+                let collapsed = physics.states();
                 let fall = (parameters.frames > 0)
-                    .then(|| fall(engine, model, target, &settled.states, parameters.frames));
+                    .then(|| fall(physics, model, target, &settled.states, parameters.frames));
                 return SearchEnd::Bracketed(Box::new(Observation {
                     lower,
                     upper: target,
@@ -132,39 +122,43 @@ pub fn search(
                     fall,
                 }));
             }
-            Held::Collapse { acceleration } => {
-                hint.ran_away(target, acceleration);
-                engine.restore(&rest);
-            }
-            Held::Unclear if unclear => {
-                let lambda = engine.multiplier * model.multiplier;
-                return SearchEnd::Undecided(PushoverFact::Unclear { lambda });
-            }
-            Held::Unclear if last => {
+            Held::Collapse { acceleration } => hint.ran_away(target, acceleration),
+            Held::Unclear if last && !unclear => {
                 // Perhaps too close to the limit to tell; a step twice as long may still tell.
                 unclear = true;
                 hint.ran_away(target, 0.0);
-                engine.restore(&rest);
             }
             Held::Unclear => {
                 slow += 1;
-                let [at_first, later] = parameters.slow_steps;
-                let most = if lower == 0 { at_first } else { later };
-                if slow > most {
-                    let lambda = engine.multiplier * model.multiplier;
+                if unclear || slow > parameters.slow_steps[usize::from(lower > 0)] {
+                    let lambda = physics.multiplier * model.multiplier;
                     return SearchEnd::Undecided(PushoverFact::Unclear { lambda });
                 }
                 hint.was_slow(target);
-                engine.restore(&rest);
             }
         }
+        physics.restore(&rest);
     }
+}
+
+/// Why a search that has come to rest at the first of two loads does not try the other.
+fn out_of_reach(
+    physics: &Physics,
+    model: &Model,
+    parameters: &Parameters,
+    [lower, target]: [u64; 2],
+) -> Option<PushoverFact> {
+    let lambda = model.lambda(lower);
+    if physics.steps > parameters.budget {
+        return Some(PushoverFact::OutOfSteps { lambda });
+    }
+    (target as f64 > parameters.largest * GRID).then_some(PushoverFact::StillStands { lambda })
 }
 
 /// The end of a scene that did not settle: it falls, unless it stands with a push against its live
 /// loads that is as small as the error asked for.
 fn fallen(
-    engine: &mut Engine,
+    physics: &mut Physics,
     mut hold: Hold,
     model: &Model,
     parameters: &Parameters,
@@ -172,8 +166,8 @@ fn fallen(
 ) -> SearchEnd {
     let (distance, time) = (parameters.fall, hold.elapsed);
     let resolution = parameters.stated_error;
-    engine.restore(laid);
-    match hold.settle_against(engine, resolution) {
+    physics.restore(laid);
+    match hold.settle(physics, resolution) {
         Held::Rest => SearchEnd::Undecided(PushoverFact::NearZero {
             resolution: resolution * model.multiplier,
         }),

@@ -40,7 +40,7 @@ pub fn verify(scene: &Scene, settings: &PushoverSettings, outcome: &Outcome) -> 
     };
     let repeated = |with: Repetition| {
         let run = match with {
-            Repetition::HalfSubstep => solve_with(scene, settings, Parameters::halved),
+            Repetition::HalfSubstep => solve_with(scene, settings, |own| own.halved(1)),
             Repetition::Undamped => solve_with(scene, settings, Parameters::undamped),
             Repetition::Mirrored => match scene.mirrored() {
                 Ok(mirror) => solve_with(&mirror, settings, |own| own),

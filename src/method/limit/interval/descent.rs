@@ -1,9 +1,10 @@
 //! From normal forces to a collapse state, and down from there.
 
 use super::noise::Noise;
-use super::search::{CLOSED, COST_CHANGES, Prices, Search, State, totals};
+use super::parameters::Tuned;
+use super::search::{Prices, Search, State};
 use crate::answer::{SearchFailure, is_same_multiplier};
-use crate::method::limit::ending::Solution;
+use crate::method::limit::ending::{Solution, totals};
 use crate::scene::JointClass;
 
 /// How a search goes on from capacities that leave a gap.
@@ -25,12 +26,6 @@ pub(super) struct Branch {
     pub(super) lowest: State,
 }
 
-/// Frozen programs of one start until it is given up.
-const MAX_STEPS: usize = 40;
-
-/// Infeasible frozen programs of one start until it goes back to a Coulomb state's own forces.
-const MAX_INFEASIBLE: usize = 4;
-
 /// Whether two states count as one by their λ*.
 pub(super) fn is_same(lambda: f64, other: f64) -> bool {
     is_same_multiplier(lambda, other, 1.0)
@@ -40,11 +35,6 @@ pub(super) fn is_same(lambda: f64, other: f64) -> bool {
 pub(super) fn is_below(lambda: f64, other: f64) -> bool {
     lambda < other && !is_same(lambda, other)
 }
-
-/// Largest change of a joint's frozen normal force, in mean block weights, at random or in head
-/// joints. Without it the solver lands in the middle of all mechanisms that are equally good, where
-/// most joints move and the fewest states remain; with it, on one mechanism.
-const CHANGE: f64 = 1e-3;
 
 /// One start on its way.
 pub(super) struct Descent<'a, 'b> {
@@ -60,15 +50,16 @@ impl Descent<'_, '_> {
     /// falling: (a) gives a mechanism, (b) tells whether it has states. Where it has none the normal
     /// forces are blended, or replaced, by those of (a) or (b).
     pub(super) fn follow(&mut self, mut normal: Vec<f64>) -> Result<Branch, SearchFailure> {
+        let tuned = self.search.tuned;
         let mut branch: Option<Branch> = None;
         let mut refused: Option<Refused> = None;
         let mut last_gap = f64::INFINITY;
         let mut infeasible = 0;
         let mut failure = SearchFailure::GapOpen;
-        for _ in 0..MAX_STEPS {
+        for _ in 0..tuned.steps {
             let above = match self.frozen(&normal, branch.is_some()) {
                 // Inclined joints may need more shear than these capacities give.
-                Err(SearchFailure::Infeasible) if infeasible < MAX_INFEASIBLE => {
+                Err(SearchFailure::Infeasible) if infeasible < tuned.infeasible => {
                     infeasible += 1;
                     normal = self.nearer_to_coulomb(&normal, infeasible)?;
                     continue;
@@ -80,7 +71,9 @@ impl Descent<'_, '_> {
                 Ok(above) => above,
             };
             let prices = self.search.prices(&above.velocity);
-            let (gap, coulomb) = match refused.take_if(|known| known.prices.are_those_of(&prices)) {
+            let (gap, coulomb) = match refused
+                .take_if(|known| known.prices.are_those_of(&prices, tuned.same_prices))
+            {
                 Some(known) => (known.gap, known.normal),
                 None => match self.states_of(&above, &prices) {
                     Ok(Tested::Lowest(state)) => {
@@ -115,8 +108,10 @@ impl Descent<'_, '_> {
             }
             self.search.coulomb_normal = Some(coulomb.clone());
             normal = match self.approach {
-                Approach::Quick if gap < 0.5 * last_gap => coulomb.clone(),
-                Approach::Quick | Approach::Nearby => blend(&normal, &totals(&above.forces), 0.5),
+                Approach::Quick if gap < tuned.gap_left * last_gap => coulomb.clone(),
+                Approach::Quick | Approach::Nearby => {
+                    blend(&normal, &totals(&above.forces), tuned.part_way)
+                }
                 Approach::Blending => blend(&normal, &totals(&above.forces), self.noise.uniform()),
             };
             last_gap = gap;
@@ -133,20 +128,14 @@ impl Descent<'_, '_> {
     /// raised in the head joints once the quick way has reached a state.
     fn frozen(&mut self, normal: &[f64], has_state: bool) -> Result<Solution, SearchFailure> {
         let mut changed = normal.to_vec();
-        for (j, (joint, n)) in self
-            .search
-            .scene
-            .joints()
-            .iter()
-            .zip(&mut changed)
-            .enumerate()
-        {
+        let joints = self.search.scene.joints().iter();
+        for (j, (joint, n)) in joints.zip(&mut changed).enumerate() {
             let share = match self.approach {
                 Approach::Blending => self.noise.between(-1.0, 1.0),
                 Approach::Quick if has_state && joint.class == JointClass::Head => 1.0,
                 Approach::Quick | Approach::Nearby => continue,
             };
-            *n = (*n + CHANGE * share * self.search.unit(j)).max(0.0);
+            *n = (*n + self.search.tuned.change * share * self.search.unit(j)).max(0.0);
         }
         self.search.frozen(&changed)
     }
@@ -157,25 +146,30 @@ impl Descent<'_, '_> {
     /// mechanism has a state.
     fn states_of(&mut self, above: &Solution, prices: &Prices) -> Result<Tested, SearchFailure> {
         let state = |solution| State::new(solution, above.velocity.clone(), prices.clone());
-        let mut changes = &COST_CHANGES[..];
+        let Tuned {
+            closed,
+            cost_changes,
+            ..
+        } = self.search.tuned;
+        let mut changes = &cost_changes[..];
         // The quick way goes to N of the nearest Coulomb state itself.
         if self.approach != Approach::Quick {
             let change = changes[0];
             changes = &changes[1..];
             let tilted = self.search.nearest(prices, 1.0 - change)?;
             let gap = prices.gap(&tilted);
-            if gap.abs() <= CLOSED {
+            if gap.abs() <= closed {
                 return Ok(Tested::Lowest(state(tilted)));
             }
             let highest = self.search.associative.unwrap_or(f64::INFINITY);
-            if gap + change * tilted.lambda > change * highest + CLOSED {
+            if gap + change * tilted.lambda > change * highest + closed {
                 let normal = totals(&tilted.forces);
                 return Ok(Tested::None { gap, normal });
             }
         }
         let below = self.search.nearest(prices, 1.0)?;
         let gap = prices.gap(&below);
-        if gap.abs() > CLOSED {
+        if gap.abs() > closed {
             let normal = totals(&below.forces);
             return Ok(Tested::None { gap, normal });
         }
@@ -197,10 +191,10 @@ impl Descent<'_, '_> {
             Some(coulomb) => coulomb,
             None => (self.search.associative()).map_err(|_| SearchFailure::Unsolved)?,
         };
-        Ok(if infeasible == MAX_INFEASIBLE {
+        Ok(if infeasible == self.search.tuned.infeasible {
             coulomb
         } else {
-            blend(normal, &coulomb, 0.5)
+            blend(normal, &coulomb, self.search.tuned.part_way)
         })
     }
 }

@@ -1,6 +1,7 @@
 //! One search: starts followed down to their lowest states until the budget ends.
 
 use super::found::{Budget, Found};
+use super::parameters::Tuned;
 use super::place::Place;
 use super::search::{Numerics, Search, State};
 use super::starts::Starts;
@@ -12,11 +13,24 @@ use crate::method::limit::ending::Ending;
 /// What a search is asked for.
 pub(super) struct Request<'a> {
     pub(super) settings: &'a Settings,
+    pub(super) tuned: Tuned,
     /// The search stops at the first state below this λ.
     pub(super) stop_below: f64,
     /// Normal forces of neighbours: N of every joint over the whole scene's weight. The search
     /// starts from them too, beside the starts that its settings ask for.
     pub(super) neighbours: &'a [Vec<f64>],
+}
+
+impl<'a> Request<'a> {
+    /// All that these settings ask for, from no neighbours and to no end before theirs.
+    pub(super) fn of(settings: &'a Settings) -> Self {
+        Self {
+            settings,
+            tuned: Tuned::TUNED,
+            stop_below: f64::NEG_INFINITY,
+            neighbours: &[],
+        }
+    }
 }
 
 /// What a search has found.
@@ -36,7 +50,7 @@ pub(super) fn explore(
     at_rest: &[JointForce],
     work: &mut Work,
 ) -> Result<Explored, Ending> {
-    let mut search = Search::new(place.searched(), numerics);
+    let mut search = Search::new(place.searched(), numerics, request.tuned);
     let associative = search.associative()?;
     let starts = Starts::of(&mut search, associative, place.normal(at_rest));
     Ok(follow(place, request, search, starts, work))
@@ -55,7 +69,7 @@ pub(super) fn follow(
     let neighbours: Vec<_> = neighbours.map(|n| place.normal_of(n)).collect();
     let asked = request.settings.interval.starts;
     let mut budget = match asked {
-        0 => Budget::of(searched, search.program().engine()),
+        0 => Budget::of(searched, search.program().engine(), &request.tuned),
         asked => Budget::Starts(asked + neighbours.len()),
     };
     let after = if asked > 0 { asked } else { usize::MAX };
@@ -64,7 +78,7 @@ pub(super) fn follow(
     let mut found = Found::default();
     let mut endings = Vec::new();
     let mut unresolved = None;
-    while budget.goes_on(endings.len(), &search.work, &found) {
+    while budget.goes_on(endings.len(), &search.work, &found, &request.tuned) {
         let lowest = found.lowest().map_or(f64::INFINITY, |state| state.lambda);
         let before = search.work.programs;
         let (start, branch) = starts.follow_next(&mut search, &found);
@@ -83,7 +97,7 @@ pub(super) fn follow(
         let (ending, lambda) = match branch {
             Ok(branch) => {
                 let lambda = branch.lowest.lambda;
-                found.take(branch);
+                found.take(branch, request.tuned.firsts);
                 let lowest = lambda * scale.multiplier;
                 (SearchEnding::Verified { lowest }, lambda)
             }
@@ -108,9 +122,6 @@ pub(super) fn follow(
         unresolved,
     }
 }
-
-/// How far above λ_A a state may lie, relative to that: what the program for λ_A leaves.
-const ABOVE_BOUND: f64 = 1e-8;
 
 /// The states found that are states of the whole scene. Each one of a part costs a program, so that
 /// of those only the lowest and the highest are completed.
@@ -139,7 +150,7 @@ fn whole_states(
     let known = states[states.len() - 1].lambda;
     // The gap that a state may leave could lift it above λ_A where that is small.
     let bound = search.associative.unwrap_or(f64::INFINITY);
-    let bound = bound + ABOVE_BOUND * bound.abs();
+    let bound = bound + search.tuned.above_bound * bound.abs();
     let higher = higher
         .iter()
         .filter(|state| state.lambda * scale.multiplier > known && state.lambda <= bound);

@@ -1,6 +1,7 @@
 //! The states that a search has found, and whether it goes on.
 
 use super::descent::{Branch, is_same};
+use super::parameters::Tuned;
 use super::search::State;
 use crate::answer::Work;
 use crate::method::settings::Engine;
@@ -20,17 +21,14 @@ pub(super) struct Found {
     firsts: Vec<State>,
 }
 
-/// First states kept: on a part of a wall the highest ones need not be states of the whole wall.
-const KEPT_FIRSTS: usize = 4;
-
 impl Found {
-    /// Takes what one start led to.
-    pub(super) fn take(&mut self, branch: Branch) {
+    /// Takes what one start led to; of the first states no more than so many are kept.
+    pub(super) fn take(&mut self, branch: Branch, firsts: usize) {
         let lambda = branch.lowest.lambda;
         let first = branch.first.lambda;
         let at = self.firsts.partition_point(|state| state.lambda > first);
         self.firsts.insert(at, branch.first);
-        self.firsts.truncate(KEPT_FIRSTS);
+        self.firsts.truncate(firsts);
         let known = |met: &&mut Met| is_same(lambda, met.state.lambda);
         if let Some(met) = self.distinct.iter_mut().find(known) {
             met.times += 1;
@@ -67,25 +65,6 @@ impl Found {
     }
 }
 
-/// Starts are dear where the first one takes more programs than this over blocks^[`SHARE`], whatever
-/// the budget (chosen: on walls of 150 blocks and more small steps from the lowest state found more
-/// than further starts did).
-const DEAR: f64 = 2_000.0;
-
-/// Programs of a search times blocks^[`SHARE`] (chosen for time: about a second for 15 to 40 blocks).
-const PROGRAMS: f64 = 20_000.0;
-
-/// A program's time grows with the blocks by a power of about 1.5, a search's by 0.9.
-const SHARE: f64 = 0.6;
-
-/// Programs of a search for each joint at most: a scene of few joints has few states to look for
-/// (chosen).
-const OF_JOINT: usize = 60;
-
-/// What a program costs with Clarabel, in programs of the engine that knows their structure: 3 to 7
-/// times as much in searches on walls of 28 to 650 blocks (measured).
-const CLARABEL: usize = 4;
-
 /// How long a search goes on.
 pub(super) enum Budget {
     /// For so many starts.
@@ -103,16 +82,16 @@ pub(super) enum Budget {
 
 impl Budget {
     /// The budget of a scene. Where Clarabel solves the programs there are fewer.
-    pub(super) fn of(scene: &Scene, engine: Engine) -> Self {
-        let size = (scene.blocks().len() as f64).powf(SHARE);
-        let programs = (PROGRAMS / size) as usize;
+    pub(super) fn of(scene: &Scene, engine: Engine, tuned: &Tuned) -> Self {
+        let size = (scene.blocks().len() as f64).powf(tuned.growth);
+        let programs = (tuned.programs / size) as usize;
         let programs = match engine {
             Engine::Structured => programs,
-            Engine::Clarabel => programs / CLARABEL,
+            Engine::Clarabel => programs / tuned.clarabel,
         };
         Budget::Programs {
-            programs: programs.min(OF_JOINT * scene.joints().len()),
-            cheap: (DEAR / size) as usize,
+            programs: programs.min(tuned.of_joint * scene.joints().len()),
+            cheap: (tuned.dear / size) as usize,
             dear: false,
         }
     }
@@ -129,19 +108,21 @@ impl Budget {
         matches!(self, Budget::Programs { dear: true, .. })
     }
 
-    /// Whether a search of so many starts goes on after its work. Where the lowest state was met once
-    /// only, others may be missed, and it gets half as many programs again.
-    pub(super) fn goes_on(&self, starts: usize, work: &Work, found: &Found) -> bool {
-        let spent = work.programs + (CLARABEL - 1) * work.fallbacks;
-        match *self {
-            Budget::Starts(asked) => starts < asked,
-            Budget::Programs { programs, .. } if found.lowest().is_none() => spent < programs,
+    /// Whether a search of so many starts goes on after its work.
+    pub(super) fn goes_on(&self, starts: usize, work: &Work, found: &Found, tuned: &Tuned) -> bool {
+        let (programs, dear) = match *self {
+            Budget::Starts(asked) => return starts < asked,
+            Budget::Programs { programs, dear, .. } => (programs, dear),
+        };
+        let part = match found.lowest() {
+            None => 1.0,
+            Some(_) if !found.is_lowest_met_again() => tuned.met_once,
             // Where starts are dear, two that end alike are worth more than many elsewhere.
-            Budget::Programs { programs, dear, .. } if found.is_lowest_met_again() => {
-                spent < programs / if dear { 2 } else { 1 }
-            }
-            Budget::Programs { programs, .. } => 2 * spent < 3 * programs,
-        }
+            Some(_) if dear => tuned.dear_part,
+            Some(_) => 1.0,
+        };
+        let spent = work.programs + (tuned.clarabel - 1) * work.fallbacks;
+        (spent as f64) < part * programs as f64
     }
 }
 
@@ -157,7 +138,7 @@ mod tests {
         // 150 blocks, whose 0.6th power is 20.2.
         for engine in [Engine::Structured, Engine::Clarabel] {
             let dear = |first| {
-                let mut budget = Budget::of(&scene, engine);
+                let mut budget = Budget::of(&scene, engine, &Tuned::TUNED);
                 budget.learn(first);
                 budget.is_dear()
             };

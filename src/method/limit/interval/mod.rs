@@ -11,6 +11,7 @@ mod explore;
 mod found;
 mod noise;
 mod outer;
+mod parameters;
 mod place;
 mod search;
 mod starts;
@@ -54,9 +55,8 @@ impl Interval {
         neighbours: &[Vec<f64>],
     ) -> Outcome {
         let request = Request {
-            settings,
-            stop_below: f64::NEG_INFINITY,
             neighbours,
+            ..Request::of(settings)
         };
         solve(scene, &request)
     }
@@ -65,9 +65,8 @@ impl Interval {
 /// The interval; a search that stops at the first state below `stop_below`.
 pub(crate) fn lowest(scene: &Scene, settings: &Settings, stop_below: f64) -> Outcome {
     let request = Request {
-        settings,
         stop_below,
-        neighbours: &[],
+        ..Request::of(settings)
     };
     solve(scene, &request)
 }
@@ -142,7 +141,7 @@ fn without_bound(
         refinement: Refinement::Full,
         ..Numerics::first(request.settings.programs.engine)
     };
-    let mut search = Search::new(scene, numerics);
+    let mut search = Search::new(scene, numerics, request.tuned);
     let starts = Starts::without_associative(&mut search, place.normal(at_rest));
     let explored = follow(place, request, search, starts, &mut work);
     match report(scene, &explored, at_rest, &mut work) {

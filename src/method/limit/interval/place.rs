@@ -1,11 +1,12 @@
 //! Where a search takes place: in a scene or in a part of it, whose states are completed.
 
 use super::descent::Branch;
-use super::search::{State, totals};
+use super::search::State;
 use crate::answer::{SearchFailure, Work};
 use crate::mechanics::{
     BlockResidual, CollapseResidual, CollapseState, JointForce, StaticResidual, VERIFIED_RESIDUAL,
 };
+use crate::method::limit::ending::totals;
 use crate::method::limit::reduction::ScenePart;
 use crate::method::limit::scale::Scale;
 use crate::scene::Scene;

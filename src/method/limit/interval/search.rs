@@ -10,21 +10,14 @@
 //! it vanishes. It holds no mode that could be guessed wrong: every opening counts with its size.
 
 use super::noise::Noise;
+use super::parameters::Tuned;
 use crate::answer::{SearchFailure, Work};
 use crate::mechanics::{JointForce, dead_power};
-use crate::method::limit::ending::{Ending, Solution};
+use crate::method::limit::ending::{Ending, Solution, totals};
 use crate::method::limit::equilibration::{UnitPower, unit_powers};
 use crate::method::limit::program::{FrictionLaw, Program};
 use crate::method::settings::{Engine, LP_TOLERANCE};
 use crate::scene::Scene;
-
-/// Largest gap of a collapse state. The judge allows 1e-8; a state must keep away from that.
-pub(super) const CLOSED: f64 = 2e-9;
-
-/// Shares by which the cost of λ in program (b) is changed to look for the lowest and highest λ
-/// among the states of one mechanism, from large to small. Up to a size that depends on the scene
-/// this leaves the gap closed (an exact penalty), which the gap itself shows.
-pub(super) const COST_CHANGES: [f64; 4] = [1e-2, 1e-3, 1e-4, 1e-5];
 
 /// A collapse state in dimensionless form.
 #[derive(Clone, Debug)]
@@ -55,9 +48,6 @@ pub(super) struct Prices {
     dead_power: f64,
 }
 
-/// Largest difference of the prices of one mechanism.
-const SAME_PRICES: f64 = 1e-6;
-
 impl Prices {
     /// Prices that belong to no mechanism.
     pub(super) fn without_mechanism(friction: Vec<f64>) -> Self {
@@ -68,29 +58,17 @@ impl Prices {
     }
 
     pub(super) fn gap(&self, solution: &Solution) -> f64 {
-        let dissipated = totals(&solution.forces);
-        let dissipated: f64 = dissipated
-            .iter()
-            .zip(&self.friction)
-            .map(|(n, p)| n * p)
-            .sum();
-        dissipated - self.dead_power - solution.lambda
+        let normal = totals(&solution.forces);
+        let dissipated = normal.iter().zip(&self.friction).map(|(n, p)| n * p);
+        dissipated.sum::<f64>() - self.dead_power - solution.lambda
     }
 
     /// Whether these are the prices of the same mechanism, so that program (b) would give the same.
-    pub(super) fn are_those_of(&self, other: &Prices) -> bool {
-        let alike = |(a, b): (&f64, &f64)| (a - b).abs() <= SAME_PRICES;
+    pub(super) fn are_those_of(&self, other: &Prices, within: f64) -> bool {
+        let alike = |(a, b): (&f64, &f64)| (a - b).abs() <= within;
         alike((&self.dead_power, &other.dead_power))
             && self.friction.iter().zip(&other.friction).all(alike)
     }
-}
-
-/// N of every joint, negative rounding cut off.
-pub(super) fn totals(forces: &[JointForce]) -> Vec<f64> {
-    forces
-        .iter()
-        .map(|f| (f.normal[0] + f.normal[1]).max(0.0))
-        .collect()
 }
 
 /// How far the solver refines its linear systems.
@@ -148,6 +126,7 @@ pub(super) struct Search<'a> {
     pub(super) scene: &'a Scene,
     /// What solves the programs.
     pub(super) engine: Engine,
+    pub(super) tuned: Tuned,
     program: Program,
     /// The program for forces at a given λ, once it is needed.
     statics: Option<Program>,
@@ -164,7 +143,7 @@ pub(super) struct Search<'a> {
 }
 
 impl<'a> Search<'a> {
-    pub(super) fn new(scene: &'a Scene, numerics: Numerics) -> Self {
+    pub(super) fn new(scene: &'a Scene, numerics: Numerics, tuned: Tuned) -> Self {
         let coulomb = scene.joints().iter().map(|joint| FrictionLaw {
             slope: joint.friction,
             intercept: 0.0,
@@ -177,6 +156,7 @@ impl<'a> Search<'a> {
         Self {
             scene,
             engine: numerics.engine,
+            tuned,
             program,
             statics: None,
             unlimited: false,
@@ -269,14 +249,15 @@ impl<'a> Search<'a> {
     ) -> Option<State> {
         changes.iter().find_map(|change| {
             let found = self.nearest(prices, 1.0 + sign * change).ok()?;
-            let closed = prices.gap(&found).abs() <= CLOSED;
+            let closed = prices.gap(&found).abs() <= self.tuned.closed;
             closed.then(|| State::new(found, velocity.to_vec(), prices.clone()))
         })
     }
 
     /// The highest state of a state's own mechanism.
     pub(super) fn highest_of(&mut self, state: &State) -> State {
-        let found = self.extreme(&state.velocity, &state.prices, 1.0, &COST_CHANGES);
+        let changes = self.tuned.cost_changes;
+        let found = self.extreme(&state.velocity, &state.prices, 1.0, &changes);
         let higher = found.filter(|other| other.lambda > state.lambda);
         higher.unwrap_or_else(|| state.clone())
     }

@@ -7,8 +7,9 @@
 use super::descent::{Approach, Branch, Descent};
 use super::found::Found;
 use super::noise::Noise;
-use super::search::{Numerics, Prices, Search, State, totals};
+use super::search::{Numerics, Prices, Search, State};
 use crate::answer::{SearchFailure, SearchStart};
+use crate::method::limit::ending::totals;
 use crate::scene::{HeadJoints, JointClass};
 
 /// Normal forces to begin with.
@@ -168,21 +169,20 @@ impl Starts {
             self.sequence += 1;
             let mut noise = Noise::new(self.sequence);
             let normal = self.normal(kind, search, found.lowest(), &mut noise);
-            if normal.is_none() {
+            let Some(normal) = normal else {
                 self.turn += 1;
-            }
-            if let Some(normal) = normal {
-                let approach = match kind {
-                    SearchStart::LowestRaised => Approach::Nearby,
-                    _ => Approach::Blending,
-                };
-                let start = normal.map_err(|why| (kind, why)).map(|normal| Start {
-                    kind,
-                    normal,
-                    approach,
-                });
-                return (start, noise);
-            }
+                continue;
+            };
+            let approach = match kind {
+                SearchStart::LowestRaised => Approach::Nearby,
+                _ => Approach::Blending,
+            };
+            let start = |normal| Start {
+                kind,
+                normal,
+                approach,
+            };
+            return (normal.map(start).map_err(|why| (kind, why)), noise);
         }
     }
 
@@ -194,8 +194,9 @@ impl Starts {
         lowest: Option<&State>,
         noise: &mut Noise,
     ) -> Option<Result<Vec<f64>, SearchFailure>> {
+        let tuned = search.tuned;
         let scaled = |normal: &[f64], noise: &mut Noise| {
-            let scaled = normal.iter().map(|n| n * noise.between(0.1, 1.8));
+            let scaled = normal.iter().map(|n| n * tuned.scaled.pick(noise));
             scaled.collect::<Vec<f64>>()
         };
         let highest = search.associative.or(lowest.map(|state| state.lambda));
@@ -205,37 +206,40 @@ impl Starts {
                 self.at_rest.iter().map(|n| n * noise.uniform()).collect()
             }
             SearchStart::OwnWeightThinned => {
-                let thinned = |n: &f64| if noise.uniform() < 0.5 { 0.05 * n } else { *n };
+                let thinned = |n: &f64| match noise.uniform() < tuned.thinned {
+                    true => tuned.thinned_to * n,
+                    false => *n,
+                };
                 self.at_rest.iter().map(thinned).collect()
             }
             SearchStart::Even => {
                 let joints = 0..self.at_rest.len();
-                let even = joints.map(|j| search.unit(j) * 10f64.powf(noise.between(-2.0, 1.0)));
+                let even = joints.map(|j| search.unit(j) * tuned.even.pick(noise));
                 even.collect()
             }
             SearchStart::Statics => {
-                let lambda = highest? * noise.between(0.05, 1.0);
+                let lambda = highest? * tuned.statics.pick(noise);
                 return Some(search.random_statics(lambda, noise));
             }
             SearchStart::StaticsScaled => {
-                let lambda = highest? * noise.between(0.1, 1.0);
+                let lambda = highest? * tuned.statics_scaled.pick(noise);
                 let statics = search.random_statics(lambda, noise);
                 return Some(statics.map(|normal| scaled(&normal, noise)));
             }
             SearchStart::StaticsBelow => {
-                let lambda = lowest?.lambda * noise.between(0.2, 1.0);
+                let lambda = lowest?.lambda * tuned.statics_below.pick(noise);
                 return Some(search.random_statics(lambda, noise));
             }
             SearchStart::Priced => {
-                let size = 10f64.powf(noise.between(-2.0, 0.5));
+                let size = tuned.priced.pick(noise);
                 let friction = self.at_rest.iter().map(|_| size * noise.uniform());
                 let prices = Prices::without_mechanism(friction.collect());
                 let nearest = search.nearest(&prices, 1.0);
                 return Some(nearest.map(|solution| totals(&solution.forces)));
             }
             SearchStart::LowestRaised => {
-                let raise = 10f64.powf(noise.between(-3.0, 0.0));
-                let heads_alone = noise.uniform() < 0.3;
+                let raise = tuned.raised.pick(noise);
+                let heads_alone = noise.uniform() < tuned.heads_alone;
                 let joints = search.scene.joints().iter().enumerate();
                 let normal = joints.zip(totals(&lowest?.forces)).map(|((j, joint), n)| {
                     let is_raised = !heads_alone || joint.class == JointClass::Head;
@@ -248,9 +252,9 @@ impl Starts {
             SearchStart::LowestRepriced => {
                 let mut prices = lowest?.prices.clone();
                 for price in &mut prices.friction {
-                    *price *= 2.0 * noise.uniform();
+                    *price *= tuned.repriced * noise.uniform();
                 }
-                let weight = 1.0 - 0.9 * noise.uniform();
+                let weight = 1.0 - tuned.repriced_weight * noise.uniform();
                 let nearest = search.nearest(&prices, weight);
                 return Some(nearest.map(|solution| totals(&solution.forces)));
             }
@@ -266,7 +270,7 @@ impl Starts {
 /// Normal forces after a few programs with frozen capacities, each from the last one's forces: the
 /// way of the sequential method, which ends on other branches than the gap does.
 fn frozen_state(search: &mut Search, mut normal: Vec<f64>) -> Option<Vec<f64>> {
-    for _ in 0..4 {
+    for _ in 0..search.tuned.frozen {
         normal = totals(&search.frozen(&normal).ok()?.forces);
     }
     Some(normal)
@@ -281,7 +285,7 @@ fn open_state(search: &mut Search) -> Option<Vec<f64>> {
         return None;
     }
     let open = scene.clone().with_head_joints(HeadJoints::Open);
-    let mut inner = Search::new(&open, Numerics::first(search.engine));
+    let mut inner = Search::new(&open, Numerics::first(search.engine), search.tuned);
     let state = inner.associative().ok().and_then(|normal| {
         let mut descent = Descent {
             search: &mut inner,

@@ -1,28 +1,24 @@
 //! The range over what perpends in contact carry.
 
-use super::super::levels::{MOST_HALVINGS, softness};
+use super::super::levels::softness;
 use super::super::model::Model;
-use super::super::parameters::Parameters;
+use super::super::parameters::Asked;
 use super::joined::{Runs, covered, joined, moved, seen, steps};
-use super::{Conditions, End, MOST_WORK, SOFTEST, STIFFNESSES, Varied};
+use super::{Conditions, End, SOFTEST, STIFFNESSES, Varied};
 use crate::answer::{Outcome, PushoverFact, Status, Variation};
-use crate::method::PushoverSettings;
 use crate::method::at_once::both;
 
 /// Pushovers of a range over head joints in contact.
 const PUSHOVERS: usize = 2 * (STIFFNESSES.len() + 1);
 
-/// Substeps of one pushover for every course: what a range is expected to cost. Measured on walls of
-/// 6 to 48 courses, which need 800 to 3400.
-const SUBSTEPS_A_COURSE: f64 = 2000.0;
-
-impl<P: Fn(&Model) -> Parameters + Sync> Varied<'_, P> {
+impl Varied<'_> {
     /// The lowest lower and the highest upper value over both directions, several stiffnesses and
     /// two substeps.
-    pub fn over_head_joints(&self, settings: &PushoverSettings) -> Outcome {
+    pub fn over_head_joints(&self) -> Outcome {
+        let Asked { settings, tuned } = self.asked;
         let blocks = self.portion.present(self.scene).count();
-        let costs = PUSHOVERS as f64 * blocks as f64 * SUBSTEPS_A_COURSE * self.courses();
-        if costs > MOST_WORK as f64 && !settings.long_ranges {
+        let costs = PUSHOVERS as f64 * blocks as f64 * tuned.substeps_of_course * self.courses();
+        if costs > tuned.range_budget as f64 && !settings.long_ranges {
             let pushovers = PUSHOVERS;
             let fact = PushoverFact::RangeNotRun { pushovers, blocks };
             return Outcome::without_number(Status::Undecided, fact);
@@ -38,8 +34,8 @@ impl<P: Fn(&Model) -> Parameters + Sync> Varied<'_, P> {
         // The softest contacts say how short the substep has to be.
         let softest = loop {
             let run = self.run(conditions(SOFTEST, false, halvings), halvings);
-            match softness(&run.1) {
-                Some(more) if halvings + more <= MOST_HALVINGS => {
+            match softness(&run.1, tuned.halvings) {
+                Some(more) if halvings + more <= tuned.halvings => {
                     spent += run.1.work.block_steps;
                     halvings += more;
                 }
@@ -59,7 +55,8 @@ impl<P: Fn(&Model) -> Parameters + Sync> Varied<'_, P> {
             self.run(conditions(stiffness, mirrored, halvings), halvings)
         };
         for pair in varied.chunks(2) {
-            let is_over = |runs: &Runs| spent + steps(runs) > MOST_WORK && !settings.long_ranges;
+            let is_over =
+                |runs: &Runs| spent + steps(runs) > tuned.range_budget && !settings.long_ranges;
             if is_over(&runs) {
                 return unfinished(runs, spent);
             }
@@ -99,7 +96,7 @@ impl<P: Fn(&Model) -> Parameters + Sync> Varied<'_, P> {
 
     /// Courses that fit into the height of the portion.
     fn courses(&self) -> f64 {
-        Model::new(self.scene, self.portion).map_or(1.0, |model| model.courses)
+        Model::new(self.scene, self.portion, &self.asked.tuned).map_or(1.0, |model| model.courses)
     }
 }
 

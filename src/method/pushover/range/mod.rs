@@ -8,9 +8,7 @@ mod head_joints;
 mod joined;
 mod states;
 
-use super::levels::halved;
-use super::model::Model;
-use super::parameters::{Parameters, SLIDE};
+use super::parameters::{Asked, Parameters, SLIDE};
 use super::portion::Portion;
 use super::run::Trial;
 use crate::answer::{Bracket, Outcome, PushoverFact, Variation};
@@ -22,15 +20,12 @@ const STIFFNESSES: [f64; 3] = [1.0, 0.5, SOFTEST];
 
 const SOFTEST: f64 = 0.25;
 
-/// Blocks times substeps beyond which a range is not begun, or not ended, but on request.
-const MOST_WORK: usize = 500_000_000;
-
 /// A portion and its mirror image, whose pushovers are varied.
-pub struct Varied<'a, P> {
+pub struct Varied<'a> {
     scene: &'a Scene,
     mirror: Scene,
     portion: &'a Portion,
-    parameters: &'a P,
+    asked: Asked<'a>,
 }
 
 /// The conditions of one pushover of a range.
@@ -59,22 +54,22 @@ enum End {
     LeftPlace,
 }
 
-impl<'a, P: Fn(&Model) -> Parameters> Varied<'a, P> {
-    /// `parameters` are those of the first level.
+impl<'a> Varied<'a> {
+    /// A portion of a scene, and of its mirror image.
     ///
     /// # Errors
     /// The scene has no mirror image.
     pub fn new(
         scene: &'a Scene,
         portion: &'a Portion,
-        parameters: &'a P,
+        asked: Asked<'a>,
     ) -> Result<Self, PushoverFact> {
         let mirror = scene.mirrored().map_err(|_| PushoverFact::NoMirror)?;
         Ok(Self {
             scene,
             mirror,
             portion,
-            parameters,
+            asked,
         })
     }
 
@@ -93,10 +88,11 @@ impl<'a, P: Fn(&Model) -> Parameters> Varied<'a, P> {
                 self.scene
             },
             portion: self.portion,
+            asked: self.asked,
             expected: conditions.expected,
         };
-        let outcome = trial.run(&|model: &Model| {
-            let own = halved((self.parameters)(model), conditions.halvings);
+        let outcome = trial.run(&|own| {
+            let own = own.halved(conditions.halvings);
             let own = Parameters {
                 // Stiffness goes with the square of the frequency.
                 contact_frequency: own.contact_frequency * conditions.stiffness.sqrt(),

@@ -1,14 +1,12 @@
 //! The range of a scene on whose multiplier the levels disagree.
 
-use super::super::levels::{BUDGET, Levels};
-use super::super::model::Model;
-use super::super::parameters::Parameters;
+use super::super::levels::Levels;
 use super::super::seen;
 use super::joined::{covered, hull, joined, moved};
 use super::{Conditions, End, STIFFNESSES, Varied};
 use crate::answer::{Bracket, Outcome, PushoverFact, Status};
 
-impl<P: Fn(&Model) -> Parameters> Varied<'_, P> {
+impl Varied<'_> {
     /// The range of levels that disagree: over both directions and several stiffnesses at the last of
     /// them, over the last two, and down to where a block leaves its place. Its error is how far the
     /// ends move with half the substep.
@@ -24,7 +22,7 @@ impl<P: Fn(&Model) -> Parameters> Varied<'_, P> {
             },
         };
         let spent = levels.last.work.block_steps;
-        if spent > BUDGET / 8 {
+        if spent > self.asked.tuned.budget / 8 {
             return Outcome {
                 work: levels.last.work,
                 ..Outcome::without_number(Status::Undecided, fact)

@@ -127,29 +127,34 @@ impl Scenes {
     }
 }
 
-const fn rung(changes: Changes, scenes: Scenes, loose: bool) -> Rung {
+const fn all(changes: Changes) -> Rung {
     Rung {
         changes,
-        scenes,
-        loose,
+        scenes: Scenes::All,
+        loose: false,
     }
 }
 
-const fn all(changes: Changes) -> Rung {
-    rung(changes, Scenes::All, false)
-}
-
 const fn small(changes: Changes) -> Rung {
-    rung(changes, Scenes::Small, false)
+    Rung {
+        scenes: Scenes::Small,
+        ..all(changes)
+    }
 }
 
 const fn large(changes: Changes) -> Rung {
-    rung(changes, Scenes::Large, false)
+    Rung {
+        scenes: Scenes::Large,
+        ..all(changes)
+    }
 }
 
 /// For all scenes, and looser than the default.
 const fn loose(changes: Changes) -> Rung {
-    rung(changes, Scenes::All, true)
+    Rung {
+        loose: true,
+        ..all(changes)
+    }
 }
 
 /// One method with everything that others need to know of it.

@@ -19,10 +19,8 @@ mod law;
 mod measure;
 mod newton;
 mod point;
-mod problem;
 mod start;
 mod substitution;
 mod symbolic;
 
 pub(super) use point::InteriorPoint;
-pub(super) use problem::Problem;

@@ -1,4 +1,4 @@
-//! The engine: rapier behind one file. Nothing else in the crate names it.
+//! The physics: rapier behind one file. Nothing else in the crate names it.
 //!
 //! Lengths here are in course heights, g = 1, forces in mean block weights.
 
@@ -14,7 +14,7 @@ use rapier2d::prelude::{
 };
 
 use super::groups::{Groups, Surface};
-use super::model::{EngineBody, Model, Outline};
+use super::model::{Model, MovingBody, Outline};
 use super::parameters::Parameters;
 use crate::scene::Side;
 
@@ -44,7 +44,7 @@ pub struct Contact {
     pub force: [f64; 2],
 }
 
-/// The part of the engine that a checkpoint has to keep.
+/// The part of the physics that a checkpoint has to keep.
 #[derive(Clone)]
 struct World {
     islands: IslandManager,
@@ -62,7 +62,7 @@ struct World {
 pub struct Checkpoint(World);
 
 /// Blocks on supports under `dead + λ · live`.
-pub struct Engine<'a> {
+pub struct Physics<'a> {
     model: &'a Model,
     parameters: IntegrationParameters,
     pipeline: PhysicsPipeline,
@@ -76,7 +76,7 @@ pub struct Engine<'a> {
     pub broken: bool,
 }
 
-impl<'a> Engine<'a> {
+impl<'a> Physics<'a> {
     /// Puts the model's bodies where they belong, at rest. `None` where rapier refuses a shape.
     pub fn new(model: &'a Model, parameters: &Parameters) -> Option<Self> {
         let mut world = World {
@@ -289,7 +289,7 @@ fn integration(parameters: &Parameters) -> IntegrationParameters {
 }
 
 /// A block's body. Gravity is off: weights are forces like all others.
-fn body(block: &EngineBody) -> RigidBodyBuilder {
+fn body(block: &MovingBody) -> RigidBodyBuilder {
     let properties = MassProperties::new(Vec2::ZERO, block.mass, block.inertia);
     RigidBodyBuilder::dynamic()
         .translation(vec2(block.centre))

@@ -3,8 +3,9 @@
 use super::joint::{Joint, JointStep};
 use super::measure::Measure;
 use super::point::{InteriorPoint, LEFT};
-use super::problem::{Answer, Problem};
 use crate::answer::magnitude;
+use crate::method::limit::numbers::{Numbers, Solved, Verdict};
+use crate::method::settings::Engine;
 
 /// Iterations after which it gives up.
 const ITERATIONS: usize = 100;
@@ -26,7 +27,7 @@ const SHARES: [f64; 2] = [0.99, 0.9995];
 
 impl InteriorPoint {
     /// The optimum, or the iterations after which this solver gave up.
-    pub(in super::super) fn solve(&mut self, problem: &Problem) -> Result<Answer, usize> {
+    pub(in super::super) fn solve(&mut self, problem: &Numbers) -> Result<Solved, usize> {
         self.load(problem);
         self.start();
         let (mut best, mut since) = (f64::INFINITY, 0);
@@ -59,7 +60,7 @@ impl InteriorPoint {
     }
 
     /// Whether a point is an answer where no better one is found.
-    fn is_almost(&self, measure: &Measure, problem: &Problem) -> bool {
+    fn is_almost(&self, measure: &Measure, problem: &Numbers) -> bool {
         let violation = ALMOST * problem.tolerance;
         let width = problem.width * magnitude(self.lambda, 1.0);
         measure.is_balanced
@@ -142,15 +143,19 @@ impl InteriorPoint {
         }
     }
 
-    fn answer(&self, iterations: usize) -> Answer {
-        let mut forces: Vec<f64> = self.joints.iter().flat_map(|joint| joint.forces).collect();
+    fn answer(&self, iterations: usize) -> Solved {
+        let mut variables: Vec<f64> = self.joints.iter().flat_map(|joint| joint.forces).collect();
         if !self.newton.live().is_empty() {
-            forces.push(self.lambda);
+            variables.push(self.lambda);
         }
-        Answer {
-            forces,
-            velocities: self.velocities.clone(),
+        let velocities = self.velocities.clone();
+        Solved {
+            verdict: Verdict::Optimum {
+                variables,
+                velocities,
+            },
             iterations,
+            engine: Engine::Structured,
         }
     }
 }

@@ -3,7 +3,7 @@
 use super::joint::{Bodies, Joint};
 use super::law::Law;
 use super::newton::{Balance, Change, Newton};
-use super::problem::Problem;
+use crate::method::limit::numbers::Numbers;
 
 /// The solver of the programs of one scene.
 pub(in super::super) struct InteriorPoint {
@@ -33,23 +33,22 @@ const OF_WEIGHTLESS: f64 = 1e-13;
 pub(super) const LEFT: [f64; 2] = [1e-15, 1e-11];
 
 impl InteriorPoint {
-    /// A solver for the matrix of a program, in compressed columns.
-    pub(in super::super) fn new(
-        blocks: usize,
-        joints: usize,
-        (starts, rows, values): (&[usize], &[usize], &[f64]),
-    ) -> Self {
+    /// A solver for the matrix of a program.
+    pub(in super::super) fn new(numbers: &Numbers) -> Self {
+        let (matrix, blocks) = (&numbers.matrix, numbers.rows_of_blocks / 3);
         let column = |c: usize| {
-            let range = starts[c]..starts[c + 1];
-            let entries = rows[range.clone()].iter().zip(&values[range]);
+            let range = matrix.colptr[c]..matrix.colptr[c + 1];
+            let entries = matrix.rowval[range.clone()]
+                .iter()
+                .zip(&matrix.nzval[range]);
             entries
                 .map(|(&row, &value)| (row, value))
                 .filter(move |&(row, _)| row < 3 * blocks)
         };
-        let joints = (0..joints).map(|j| Joint::new(bodies(|k| column(3 * j + k))));
+        let joints = (0..numbers.slopes.len()).map(|j| Joint::new(bodies(|k| column(3 * j + k))));
         let joints: Vec<Joint> = joints.collect();
         let mut live = Vec::new();
-        if starts.len() > 3 * joints.len() + 1 {
+        if matrix.n > 3 * joints.len() {
             live.resize(3 * blocks, 0.0);
             for (row, value) in column(3 * joints.len()) {
                 live[row] = value;
@@ -70,12 +69,12 @@ impl InteriorPoint {
     }
 
     /// Takes the numbers of a program.
-    pub(super) fn load(&mut self, problem: &Problem) {
+    pub(super) fn load(&mut self, problem: &Numbers) {
         let (right, limits) = problem.right.split_at(self.velocities.len());
         self.right.clear();
         self.right.extend(right);
         let numbers =
-            (limits.chunks_exact(4).zip(problem.slopes)).zip(problem.cost.chunks_exact(3));
+            (limits.chunks_exact(4).zip(&problem.slopes)).zip(problem.cost.chunks_exact(3));
         for (joint, ((limits, slope), cost)) in self.joints.iter_mut().zip(numbers) {
             joint.law = Law::new(*slope, std::array::from_fn(|k| limits[k]));
             joint.cost = std::array::from_fn(|k| cost[k]);

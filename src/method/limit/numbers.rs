@@ -1,0 +1,48 @@
+//! The numbers of a linear program and what a solver says of it.
+
+use clarabel::algebra::CscMatrix;
+
+use crate::method::settings::Engine;
+
+/// The numbers of a program over the joints of one scene, in its own units: two corner forces and a
+/// shear a joint, then λ or the slack where there is one.
+pub(super) struct Numbers {
+    /// Three equilibrium rows a block, then four inequalities a joint.
+    pub(super) matrix: CscMatrix<f64>,
+    pub(super) right: Vec<f64>,
+    /// Cost of every variable, the sum to be smallest.
+    pub(super) cost: Vec<f64>,
+    /// Slope of the friction law of every joint.
+    pub(super) slopes: Vec<f64>,
+    pub(super) rows_of_blocks: usize,
+    /// Relative tolerance of gap and residuals.
+    pub(super) tolerance: f64,
+    /// Relative width of λ* that is enough where rounding leaves no better answer; whoever sets it
+    /// tests what the answer proves.
+    pub(super) width: f64,
+    /// Whether blocks or joints have units of their own.
+    pub(super) has_own_units: bool,
+    /// Whether there is a slack that all inequalities share.
+    pub(super) has_slack: bool,
+}
+
+/// What a solver says of a program: values of all variables and velocities, or why there are none.
+pub(super) enum Verdict {
+    Optimum {
+        variables: Vec<f64>,
+        velocities: Vec<f64>,
+    },
+    Infeasible {
+        velocities: Vec<f64>,
+    },
+    Unbounded,
+    GaveUp(String),
+}
+
+/// A solved program.
+pub(super) struct Solved {
+    pub(super) verdict: Verdict,
+    pub(super) iterations: usize,
+    /// Who says so.
+    pub(super) engine: Engine,
+}
