@@ -5,7 +5,7 @@ use std::collections::HashMap;
 
 use super::checks::{LARGEST, SMALLEST};
 use super::outline::Outline;
-use super::table::{Cell, Decimals, Row, Separator, Table, table};
+use super::spreadsheet::{Cell, Decimals, Row, Separator, Table, table};
 use crate::case::complaint::{Complaint, Document, Place, shorten};
 use crate::case::suggestion::listed;
 use crate::scene::Point;
