@@ -220,12 +220,6 @@ mod tests {
     /// Every course of a bond is as wide as asked for, and no perpend stands on another.
     #[test]
     fn courses_are_as_wide_as_asked_and_perpends_are_staggered() {
-        let part = |piece: &Piece| match piece {
-            Unit | Piece::Gap => 1.0,
-            Half => 0.5,
-            Quarter => 0.25,
-            Part(part) | Piece::Opening(part) => *part,
-        };
         // All courses of a stack are alike.
         let staggered = BONDS.iter().filter(|bond| bond.lowest.is_some());
         let with = |bond: &'static Bond| {
@@ -235,7 +229,7 @@ mod tests {
         for (bond, overlap) in staggered.flat_map(with) {
             let perpends = |course: &Course| -> Vec<f64> {
                 let ends = course.iter().scan(0.0, |x, piece| {
-                    *x += part(piece);
+                    *x += piece.part();
                     Some(*x)
                 });
                 ends.collect()

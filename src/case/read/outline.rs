@@ -1,7 +1,7 @@
 //! The outline of a block or support as written, and its shape.
 
 use crate::case::complaint::{Complaint, Place};
-use crate::scene::{Point, Polygon, PolygonError};
+use crate::scene::{Point, Polygon, PolygonError, signed_area};
 
 /// The name of a block or support and its corners, with the places they were read from.
 #[derive(Clone, Debug)]
@@ -110,14 +110,9 @@ impl Outline {
     /// The place of a polygon's corner in the list as written: the polygon turns it round where it
     /// runs clockwise.
     fn as_written(&self, corner: usize) -> usize {
-        let origin = self.corners[0];
-        let double: f64 = (self.corners.windows(2))
-            .map(|pair| (pair[0] - origin).perp(&(pair[1] - origin)))
-            .sum();
-        if double < 0.0 {
-            self.corners.len() - 1 - corner
-        } else {
-            corner
+        match signed_area(&self.corners) < 0.0 {
+            true => self.corners.len() - 1 - corner,
+            false => corner,
         }
     }
 }
