@@ -9,6 +9,7 @@ use super::supports::supports;
 use crate::case::complaint::{Complaint, Document};
 use crate::case::geometry::Geometry;
 use crate::case::model::Case;
+use crate::case::name::plain;
 use crate::case::printable::printable;
 use crate::scene::{Assembly, Forces, NamedBlock, Polygon, Support, TOUCHING, extent};
 
@@ -61,15 +62,9 @@ impl Case {
 /// The file's name as a case's: drawings are called with spaces and all.
 fn plain_name(path: &str) -> String {
     let stem = std::path::Path::new(path).file_stem().unwrap_or_default();
-    let plain = |c: char| match c {
-        c if c.is_alphanumeric() || "-_.".contains(c) => c,
-        _ => '-',
-    };
-    let name: String = stem.to_string_lossy().chars().map(plain).collect();
-    if name.is_empty() {
-        "drawing".to_owned()
-    } else {
-        name
+    match plain(&stem.to_string_lossy()) {
+        name if name.is_empty() => "drawing".to_owned(),
+        name => name,
     }
 }
 

@@ -5,8 +5,8 @@ use toml::Spanned;
 use super::checks::{HEAD_JOINTS, Written, choose, not_negative, positive};
 use super::file::ReferenceTable;
 use crate::case::complaint::{Complaint, shorten};
+use crate::case::outside_name::outside_name;
 use crate::case::printable::printable;
-use crate::case::program::program_name;
 use crate::case::reference::{Quantity, Reference, SourceKind, known_method_names};
 use crate::case::suggestion::{listed, nearest};
 use crate::scene::HeadJoints;
@@ -63,7 +63,7 @@ fn method(word: &Spanned<String>) -> Result<String, Complaint> {
             "did you mean `method = \"{near}\"`? A program of yours needs a name that is less like it"
         )));
     }
-    if let Err(help) = program_name(name) {
+    if let Err(help) = outside_name(name) {
         let known = listed(known_method_names());
         return Err(complaint.help(format!("the methods are {known}; for a program, {help}")));
     }
