@@ -223,6 +223,10 @@ fn longest_edge(corners: &[Point]) -> f64 {
 mod tests {
     use super::*;
 
+    fn at(corners: &[(f64, f64)]) -> Result<Polygon, PolygonError> {
+        Polygon::new(corners.iter().map(|&(x, y)| Point::new(x, y)).collect())
+    }
+
     #[test]
     fn a_rectangle_far_away_keeps_area_and_centroid() {
         let r = Polygon::rectangle(1e6, 1e6 + 4.0, -1e6, -1e6 + 1.75).unwrap();
@@ -232,19 +236,12 @@ mod tests {
 
     #[test]
     fn corners_may_come_clockwise() {
-        let r = Polygon::new(vec![
-            Point::new(0.0, 0.0),
-            Point::new(0.0, 1.0),
-            Point::new(1.0, 0.0),
-        ])
-        .unwrap();
+        let r = at(&[(0., 0.), (0., 1.), (1., 0.)]).unwrap();
         assert!(signed_area(r.corners()) > 0.0);
     }
 
     #[test]
     fn outlines_may_bend_inwards_and_corners_on_straight_edges_are_left_out() {
-        let at =
-            |v: &[(f64, f64)]| Polygon::new(v.iter().map(|&(x, y)| Point::new(x, y)).collect());
         let l = at(&[
             (0., 0.),
             (1., 0.),
@@ -266,8 +263,6 @@ mod tests {
 
     #[test]
     fn unusable_outlines_are_named() {
-        let at =
-            |v: &[(f64, f64)]| Polygon::new(v.iter().map(|&(x, y)| Point::new(x, y)).collect());
         assert_eq!(
             at(&[(0., 0.), (1., 0.)]),
             Err(PolygonError::TooFewCorners(2))

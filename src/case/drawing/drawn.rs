@@ -1,11 +1,11 @@
 //! The closed outlines of a drawing as shapes with names.
 
 use super::curves::Chords;
-use super::entities::file;
+use super::entities::{file, handle_and_layer};
 use super::groups::groups;
 use super::options::DrawingOptions;
 use super::outlines::outlines;
-use super::paths::{Path, Paths, handle_and_layer};
+use super::paths::{Path, Paths};
 use crate::case::complaint::{Complaint, Document};
 use crate::case::printable::printable;
 use crate::scene::{Polygon, PolygonError, TOUCHING, bounds};

@@ -89,6 +89,12 @@ impl<'a> Entity<'a> {
             layer => layer,
         }
     }
+
+    /// What is wrong with it, where it is on this layer.
+    pub fn complain(&self, layer: &str, what: &str) -> Complaint {
+        let label = handle_and_layer(self.text(5), layer);
+        Complaint::at(self.place.clone(), what, label)
+    }
 }
 
 /// The number in a group.
@@ -189,4 +195,12 @@ fn entities<'a>(groups: &'a [Group<'a>]) -> Vec<Entity<'a>> {
         }
     }
     found
+}
+
+/// What finds something in a drawing: its handle, where it has one, and its layer.
+pub(super) fn handle_and_layer(handle: &str, layer: &str) -> String {
+    match handle {
+        "" => format!("layer `{layer}`"),
+        handle => format!("handle {handle}, layer `{layer}`"),
+    }
 }

@@ -1,6 +1,7 @@
 //! From paths to closed outlines: lines and arcs joined end to end.
 
-use super::paths::{Path, handle_and_layer};
+use super::entities::handle_and_layer;
+use super::paths::Path;
 use crate::case::complaint::Complaint;
 use crate::scene::Point;
 

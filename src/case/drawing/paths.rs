@@ -108,7 +108,7 @@ impl<'a> Paths<'a> {
             self.entity(entity, layer, inside)?;
             if self.found.len() > MOST_PATHS {
                 let what = format!("more than {MOST_PATHS} outlines and lines");
-                let complaint = complain(entity, layer, &what);
+                let complaint = entity.complain(layer, &what);
                 return Err(complaint.help("leave out layers with `--without LAYER`"));
             }
         }
@@ -150,7 +150,7 @@ impl<'a> Paths<'a> {
                     }
                 };
                 let what = format!("{kind} is no outline of a block");
-                return Err(complain(entity, layer, &what).help(help));
+                return Err(entity.complain(layer, &what).help(help));
             }
         };
         let mirrored = mirrored(entity, layer)?;
@@ -178,12 +178,12 @@ impl<'a> Paths<'a> {
         let name = entity.text(2);
         let Some(block) = self.file.blocks.get(&name.to_lowercase()) else {
             let what = format!("an INSERT of `{name}`, which is not in the drawing");
-            let complaint = complain(entity, layer, &what);
+            let complaint = entity.complain(layer, &what);
             return Err(complaint.help("bind references to other drawings before saving"));
         };
         if inside.depth >= DEEPEST {
             let what = format!("INSERTs in one another, more than {DEEPEST} deep");
-            return Err(complain(entity, layer, &what).help("explode them"));
+            return Err(entity.complain(layer, &what).help("explode them"));
         }
         let mirrored = if mirrored(entity, layer)? { -1.0 } else { 1.0 };
         let (x, y) = (entity.number(41, 1.0)?, entity.number(42, 1.0)?);
@@ -191,7 +191,7 @@ impl<'a> Paths<'a> {
         let [columns, rows] = [70, 71].map(|code| entity.flags(code).max(1));
         if columns.saturating_mul(rows) > MOST_COPIES {
             let what = format!("an INSERT of {columns} by {rows} copies");
-            return Err(complain(entity, layer, &what).help("insert fewer copies"));
+            return Err(entity.complain(layer, &what).help("insert fewer copies"));
         }
         let (wide, high) = (entity.number(44, 0.0)?, entity.number(45, 0.0)?);
         let turned =
@@ -233,7 +233,7 @@ fn mirrored(entity: &Entity, layer: &str) -> Result<bool, Complaint> {
     let z = entity.number(230, 1.0)?;
     if x?.abs().max(y?.abs()) > 1e-6 {
         let what = "an outline that does not lie in the plane of x and y";
-        let complaint = complain(entity, layer, what);
+        let complaint = entity.complain(layer, what);
         return Err(complaint.help("draw the elevation in the plane of x and y"));
     }
     Ok(z < 0.0 && entity.kind != "LINE")
@@ -276,7 +276,7 @@ fn polyline(
     let flags = entity.flags(70);
     if flags & (2 | 4 | 16 | 64) != 0 {
         let what = "a POLYLINE that is a fitted curve or a mesh";
-        let complaint = complain(entity, layer, what);
+        let complaint = entity.complain(layer, what);
         return Err(complaint.help("draw the outline as a polyline with arcs"));
     }
     let vertices = entity.vertices.iter().filter(|v| v.kind == "VERTEX");
@@ -287,19 +287,6 @@ fn polyline(
     let corners: Vec<(Vector, f64)> = vertices.map(corner).collect::<Result<_, _>>()?;
     let closed = flags & 1 == 1;
     Ok((chords.polyline(&corners, closed), closed))
-}
-
-fn complain(entity: &Entity, layer: &str, what: &str) -> Complaint {
-    let label = handle_and_layer(entity.text(5), layer);
-    Complaint::at(entity.place.clone(), what, label)
-}
-
-/// What finds something in a drawing: its handle, where it has one, and its layer.
-pub(super) fn handle_and_layer(handle: &str, layer: &str) -> String {
-    match handle {
-        "" => format!("layer `{layer}`"),
-        handle => format!("handle {handle}, layer `{layer}`"),
-    }
 }
 
 /// Whether two layers are one: their names do not tell capitals.

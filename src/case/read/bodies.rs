@@ -6,8 +6,8 @@ use toml::Spanned;
 
 use super::checks::{MOST_BLOCKS, Written, coordinates, positive, unknown_block};
 use super::csv::{CsvBlock, outlines};
-use super::explain::missing_key;
 use super::file::{BlocksTable, BodyTable, CaseFile};
+use super::missing::missing_key;
 use super::outline::Outline;
 use super::values::Pair;
 use crate::case::complaint::{Complaint, Document, Place};

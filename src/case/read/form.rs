@@ -3,8 +3,8 @@
 use super::arch::arch;
 use super::blocks::assembly;
 use super::bodies::ReadFile;
-use super::explain::missing_key;
 use super::file::{CaseFile, Form, FormKey};
+use super::missing::missing_key;
 use super::wall::wall;
 use crate::case::complaint::{Complaint, Document};
 use crate::case::geometry::Geometry;

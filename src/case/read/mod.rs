@@ -15,6 +15,7 @@ mod file;
 mod forces;
 mod form;
 mod friction;
+mod missing;
 mod not_modelled;
 mod outline;
 mod own_blocks;

@@ -6,9 +6,9 @@ use toml::Spanned;
 
 use super::bodies::short_name;
 use super::checks::{Written, positive, whole};
-use super::explain::missing_key;
 use super::file::{BodyTable, CaseFile, Place};
 use super::forces::{Loadable, forces};
+use super::missing::missing_key;
 use super::values::WholeNumber;
 use crate::case::complaint::Complaint;
 use crate::scene::Wall;

@@ -4,9 +4,9 @@ use toml::Spanned;
 
 use super::checks::{HEAD_JOINTS, Written, not_negative, positive, positive_or_one};
 use super::courses::{PlacedCourses, courses};
-use super::explain::missing_key;
 use super::file::{CaseFile, UnitTable};
 use super::friction::friction;
+use super::missing::missing_key;
 use super::own_blocks::own_blocks;
 use super::pieces::legend;
 use super::values::CoursesValue;
