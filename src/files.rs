@@ -171,28 +171,4 @@ mod tests {
         let left: Vec<_> = fs::read_dir(folder.path()).unwrap().flatten().collect();
         assert_eq!(left.len(), 3, "{left:?}");
     }
-
-    #[test]
-    fn what_is_no_file_or_too_large_is_not_read() {
-        let folder = tempfile::tempdir().unwrap();
-        let refused = |path: &Path| read_input(path, Input::Table).unwrap_err().to_string();
-        assert_eq!(refused(folder.path()), "it is a folder, not a file");
-        let large = folder.path().join("large.csv");
-        // Sparse: it takes no room.
-        File::create(&large)
-            .unwrap()
-            .set_len(1_500_000_000)
-            .unwrap();
-        assert_eq!(
-            refused(&large),
-            "it has 1431 MiB, and no more than 64 MiB are read"
-        );
-        File::create(&large).unwrap().set_len(3).unwrap();
-        assert_eq!(read_input(&large, Input::Table).unwrap(), [0; 3]);
-        #[cfg(unix)]
-        assert_eq!(
-            refused(Path::new("/dev/zero")),
-            "it is a device, not a file"
-        );
-    }
 }

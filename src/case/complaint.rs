@@ -11,10 +11,19 @@ use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet, normali
 pub struct Complaint {
     title: String,
     /// The offending text, and the label below it.
-    marked: Option<Box<(Place, String)>>,
+    marked: Option<Box<(Mark, String)>>,
     help: Option<String>,
     /// Whether the input is taken all the same.
     warns: bool,
+}
+
+/// Which text is offending.
+#[derive(Clone, Debug, PartialEq)]
+enum Mark {
+    /// That of a file.
+    Place(Place),
+    /// That of the file which is being read: [`Complaint::in_document`] says which it is.
+    Span(Range<usize>),
 }
 
 /// A part of a file's text, within one line.
@@ -48,6 +57,28 @@ impl Complaint {
         }
     }
 
+    /// A complaint about a text of the file that is being read, with a label below it.
+    pub(crate) fn at(
+        span: Range<usize>,
+        title: impl Into<String>,
+        label: impl Into<String>,
+    ) -> Self {
+        Self {
+            marked: Some(Box::new((Mark::Span(span), label.into()))),
+            ..Self::new(title)
+        }
+    }
+
+    /// The same about the text of this file, where nobody has said of which.
+    pub(crate) fn in_document(mut self, document: &Document) -> Self {
+        if let Some(marked) = self.marked.as_deref_mut()
+            && let (Mark::Span(span), _) = marked
+        {
+            marked.0 = Mark::Place(Place::new(document, span.clone()));
+        }
+        self
+    }
+
     /// The same as a warning: the input is taken all the same.
     pub(crate) fn into_warning(mut self) -> Self {
         self.warns = true;
@@ -72,8 +103,10 @@ impl Complaint {
 
     /// The file and the line (from 1), where the complaint is about a text.
     pub fn line(&self) -> Option<(&str, usize)> {
-        let (place, _) = self.marked.as_deref()?;
-        Some((&place.document.path, place.line()))
+        match self.marked.as_deref()? {
+            (Mark::Place(place), _) => Some((&place.document.path, place.line())),
+            (Mark::Span(_), _) => None,
+        }
     }
 }
 
@@ -87,7 +120,7 @@ impl fmt::Display for Complaint {
             Level::ERROR
         };
         let mut report = Group::with_title(level.primary_title(printable(&self.title)));
-        if let Some((place, label)) = self.marked.as_deref() {
+        if let Some((Mark::Place(place), label)) = self.marked.as_deref() {
             let mark = AnnotationKind::Primary
                 .span(place.span.clone())
                 .label(printable(label));
@@ -153,10 +186,8 @@ impl Place {
     /// A complaint about this text, with a label below it.
     pub fn complain(&self, title: impl Into<String>, label: impl Into<String>) -> Complaint {
         Complaint {
-            title: title.into(),
-            marked: Some(Box::new((self.clone(), label.into()))),
-            help: None,
-            warns: false,
+            marked: Some(Box::new((Mark::Place(self.clone()), label.into()))),
+            ..Complaint::new(title)
         }
     }
 
@@ -188,10 +219,8 @@ fn not_text(path: &str, bytes: &[u8], error: std::str::Utf8Error) -> Complaint {
         text: String::from_utf8_lossy(bytes).into(),
     };
     let byte = bytes.get(good).copied().unwrap_or_default();
-    let title = format!(
-        "not UTF-8 text: line {line}, byte {} is {byte:#04x}",
-        column + 1
-    );
+    let column = column + 1;
+    let title = format!("not UTF-8 text: line {line}, byte {column} is {byte:#04x}");
     document
         .complain(good..good + '\u{fffd}'.len_utf8(), title, "from here on")
         .help("save the file as UTF-8")

@@ -6,7 +6,7 @@ use super::geometry::Geometry;
 use super::model::Case;
 use super::reference::{Quantity, Reference};
 use crate::method::{Kind, kind};
-use crate::scene::{Assembly, Force, Friction, HeadJoints, Point, Polygon, Push, TOUCHING, Vector};
+use crate::scene::{Assembly, Force, Friction, Point, Polygon, TOUCHING, Vector};
 
 /// The two files of a case of explicit blocks.
 #[derive(Clone, Debug, PartialEq)]
@@ -42,15 +42,13 @@ impl Case {
         );
         if !matches!(self.geometry, Geometry::Arch(_)) {
             let word = match self.head_joints.as_slice() {
-                [HeadJoints::Contact] => "contact",
-                [HeadJoints::Open] => "open",
+                [one] => one.name(),
                 _ => "both",
             };
             let _ = writeln!(text, "head_joints = \"{word}\"");
         }
         let push = match self.pushes.as_slice() {
-            [Push::Right] => "right",
-            [Push::Left] => "left",
+            [one] => one.name(),
             _ => "both",
         };
         let live = match assembly.forces.weight_is_live {
@@ -184,6 +182,7 @@ pub(super) fn quoted(text: &str) -> String {
 mod tests {
     use super::*;
     use crate::case::find::library;
+    use crate::scene::HeadJoints;
 
     /// Every built-in case comes back with the same blocks, joints and forces, to the last bit.
     #[test]

@@ -29,14 +29,8 @@ impl Geometry {
                 let scene = wall.scene(head_joints);
                 scene.expect("the wall was laid when the case was read")
             }
-            Geometry::Blocks(assembly) => {
-                let scene = assembly.scene(head_joints, push);
-                scene.expect("the numbers were checked when the case was read")
-            }
-            Geometry::Arch(arch) => {
-                let assembly = arch.assembly();
-                let assembly = assembly.expect("the arch was built when the case was read");
-                let scene = assembly.scene(head_joints, push);
+            Geometry::Blocks(_) | Geometry::Arch(_) => {
+                let scene = self.assembly().scene(head_joints, push);
                 scene.expect("the numbers were checked when the case was read")
             }
         }

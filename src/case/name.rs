@@ -8,16 +8,21 @@ use super::complaint::Complaint;
 pub(super) fn case_name(path: &str) -> Result<String, Complaint> {
     let stem = Path::new(path).file_stem().unwrap_or_default();
     let stem = stem.to_string_lossy();
-    let plain = |c: char| c.is_alphanumeric() || "-_.".contains(c);
-    if !stem.is_empty() && stem.chars().all(plain) {
-        return Ok(stem.into_owned());
+    let renamed = plain(&stem);
+    if !stem.is_empty() && stem == renamed {
+        return Ok(renamed);
     }
-    let renamed: String = stem
-        .chars()
-        .map(|c| if plain(c) { c } else { '-' })
-        .collect();
     let title = format!("{path}: a case is named by its file, and `{stem}` is not a plain word");
     Err(Complaint::new(title).help(format!(
         "use letters, digits, `-`, `_` and `.`: rename the file to `{renamed}.toml`"
     )))
+}
+
+/// A word with a `-` for every letter that has no place in a name.
+pub(super) fn plain(word: &str) -> String {
+    let plain = |c: char| match c {
+        c if c.is_alphanumeric() || "-_.".contains(c) => c,
+        _ => '-',
+    };
+    word.chars().map(plain).collect()
 }

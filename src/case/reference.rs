@@ -51,19 +51,6 @@ pub enum Quantity {
 }
 
 impl Quantity {
-    /// What it is, in words.
-    pub fn words(self) -> &'static str {
-        match self {
-            Quantity::Lambda => "λ",
-            Quantity::Lower => "the lower λ",
-            Quantity::Upper => "the upper λ",
-            Quantity::TanBeta => "tan β",
-            Quantity::C => "the width c",
-            Quantity::E => "the width e",
-            Quantity::AtRest => "the rest under its own weight",
-        }
-    }
-
     /// Every quantity.
     pub(crate) const ALL: [Quantity; 7] = [
         Quantity::Lambda,
@@ -75,16 +62,25 @@ impl Quantity {
         Quantity::AtRest,
     ];
 
+    /// What it is, in words.
+    pub fn words(self) -> &'static str {
+        self.name_and_words().1
+    }
+
     /// The word in case files.
     pub fn name(self) -> &'static str {
+        self.name_and_words().0
+    }
+
+    fn name_and_words(self) -> (&'static str, &'static str) {
         match self {
-            Quantity::Lambda => "lambda",
-            Quantity::Lower => "lower",
-            Quantity::Upper => "upper",
-            Quantity::TanBeta => "tan_beta",
-            Quantity::C => "c",
-            Quantity::E => "e",
-            Quantity::AtRest => "at_rest",
+            Quantity::Lambda => ("lambda", "λ"),
+            Quantity::Lower => ("lower", "the lower λ"),
+            Quantity::Upper => ("upper", "the upper λ"),
+            Quantity::TanBeta => ("tan_beta", "tan β"),
+            Quantity::C => ("c", "the width c"),
+            Quantity::E => ("e", "the width e"),
+            Quantity::AtRest => ("at_rest", "the rest under its own weight"),
         }
     }
 }

@@ -64,6 +64,7 @@ fn lowest_courses() -> String {
 mod tests {
     use super::Template;
     use crate::case::model::Case;
+    use crate::case::read::CASE_KEYS;
     use crate::scene::{HeadJoints, Push};
 
     fn read(text: &str) -> Case {
@@ -97,6 +98,16 @@ mod tests {
             .replace(strings, "")
             .replace("repeat = 2", "");
         assert_eq!(read(&bond).geometry, read(&text).geometry);
+    }
+
+    #[test]
+    fn every_key_of_a_case_is_explained_in_some_template() {
+        let texts = [Template::Wall, Template::Blocks, Template::Arch].map(|t| t.text("garden"));
+        for key in CASE_KEYS {
+            let (value, table) = (format!("{key} = "), format!("[{key}]"));
+            let explains = |text: &String| text.contains(&value) || text.contains(&table);
+            assert!(texts.iter().any(explains), "{key}");
+        }
     }
 
     #[test]

@@ -14,8 +14,8 @@ use std::time::Duration;
 use serde::Deserialize;
 use toml::Spanned;
 
-use super::program::{DEFAULT_LIMIT, External};
-use crate::case::{Complaint, Document, explain, program_name};
+use super::outside::{DEFAULT_LIMIT, External};
+use crate::case::{Complaint, Document, explain, outside_name};
 use crate::files::{Input, read_input};
 use crate::method::METHODS;
 
@@ -90,18 +90,13 @@ pub fn parse(path: &str, text: &str) -> Result<Vec<External>, Complaint> {
     for entry in list.method {
         let name = entry.name.get_ref();
         let wrong_name = |(title, help): (String, String)| {
-            let label = "this name";
-            document
-                .complain(entry.name.span(), title, label)
-                .help(help)
+            let complaint = document.complain(entry.name.span(), title, "this name");
+            complaint.help(help)
         };
         check_name(name).map_err(wrong_name)?;
         if methods.iter().any(|other| other.name == *name) {
             let title = format!("two methods are named `{name}`");
-            return Err(wrong_name((
-                title,
-                "give each a name of its own".to_owned(),
-            )));
+            return Err(wrong_name((title, "give each a name of its own".into())));
         }
         if entry.command.get_ref().is_empty() {
             let complaint = document.complain(entry.command.span(), "no command", "empty");
@@ -131,7 +126,7 @@ pub fn parse(path: &str, text: &str) -> Result<Vec<External>, Complaint> {
 
 /// A plain word that names no other method, or what is wrong and what to write instead.
 fn check_name(name: &str) -> Result<(), (String, String)> {
-    program_name(name).map_err(|help| (format!("`{name}` is no plain, short word"), help))?;
+    outside_name(name).map_err(|help| (format!("`{name}` is no plain, short word"), help))?;
     if METHODS.iter().any(|method| method.name() == name) {
         let help = "choose another name".to_owned();
         return Err((format!("`{name}` is a method of trilith's own"), help));

@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use super::program::External;
+use super::outside::External;
 use super::{process, reading, scene};
 use crate::answer::{Outcome, ProgramFailure, Status};
 use crate::method::{Method, Settings};

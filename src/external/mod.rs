@@ -8,8 +8,8 @@
 mod answer;
 mod list;
 mod method;
+mod outside;
 mod process;
-mod program;
 mod reading;
 mod scene;
 mod states;
@@ -17,7 +17,7 @@ mod text;
 
 pub use answer::{AnswerFile, AnswerKind, answer_schema};
 pub use list::{parse, read};
+pub use outside::External;
 pub use process::stop_all;
-pub use program::External;
 pub use scene::{SceneFile, export, scene_schema};
 pub use states::answers;

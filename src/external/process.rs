@@ -9,7 +9,7 @@ use std::time::Duration;
 
 use wait4::Wait4;
 
-use super::program::External;
+use super::outside::External;
 use super::text::shortened;
 use crate::answer::{ProgramEnding, ProgramFailure};
 

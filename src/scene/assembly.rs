@@ -2,7 +2,6 @@
 
 use super::block::{Block, Load};
 use super::friction::Friction;
-use super::joints::Side;
 use super::model::Scene;
 use super::parts::{SceneError, SceneParts};
 use super::polygon::{Point, Polygon, Vector};
@@ -85,21 +84,17 @@ impl Assembly {
     /// # Errors
     /// [`SceneError`], where a number in the assembly means nothing.
     pub fn scene(&self, head_joints: HeadJoints, push: Push) -> Result<Scene, SceneError> {
+        Ok(Scene::new(self.parts(push))?.with_head_joints(head_joints))
+    }
+
+    /// What its scene is made of, for one direction of the push.
+    pub(super) fn parts(&self, push: Push) -> SceneParts {
         let supports = self.supports.iter().map(|support| support.shape.clone());
-        let scene = Scene::new(SceneParts {
+        SceneParts {
             tolerance: self.tolerance,
             radial: self.radial,
             push,
             ..SceneParts::new(self.loaded(push), supports.collect(), self.friction)
-        })?;
-        Ok(scene.with_head_joints(head_joints))
-    }
-
-    /// The name of a body.
-    pub fn name(&self, side: Side) -> &str {
-        match side {
-            Side::Support(support) => &self.supports[support].name,
-            Side::Block(block) => &self.blocks[block].name,
         }
     }
 

@@ -140,18 +140,6 @@ fn ends(end: &[Piece], middle: Course) -> Course {
     [end.to_vec(), middle, back.collect()].concat()
 }
 
-/// The pattern of a bond does not close at this width.
-#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-#[error("{bond} bond does not close at a width of {units} units")]
-pub(crate) struct BondError {
-    /// The bond's name.
-    bond: &'static str,
-    /// The width asked for.
-    units: usize,
-    /// The nearest width that closes.
-    pub nearest: usize,
-}
-
 /// Half a unit out of step.
 const HALF: f64 = 0.5;
 
@@ -166,14 +154,14 @@ impl Bond {
     /// [have one](Self::has_overlap).
     ///
     /// # Errors
-    /// [`BondError`] where the pattern does not close at this width.
+    /// The nearest width that closes, where the pattern does not at this one.
     pub fn lay(
         &self,
         courses: usize,
         units: usize,
         cut_first: bool,
         overlap: Option<f64>,
-    ) -> Result<Vec<Course>, BondError> {
+    ) -> Result<Vec<Course>, usize> {
         let [whole, cut] = self.pair(units, overlap)?;
         let course = |i: usize| {
             if i.is_multiple_of(2) == cut_first {
@@ -186,14 +174,10 @@ impl Bond {
     }
 
     /// The course with whole ends and the one with cut ends.
-    fn pair(&self, units: usize, overlap: Option<f64>) -> Result<[Course; 2], BondError> {
+    fn pair(&self, units: usize, overlap: Option<f64>) -> Result<[Course; 2], usize> {
         match self.pattern {
             Pattern::Lapped(pattern) => Ok(pattern(units, overlap.unwrap_or(HALF))),
-            Pattern::Fixed(pattern) => pattern(units).map_err(|nearest| BondError {
-                bond: self.name,
-                units,
-                nearest,
-            }),
+            Pattern::Fixed(pattern) => pattern(units),
         }
     }
 }
@@ -236,12 +220,6 @@ mod tests {
     /// Every course of a bond is as wide as asked for, and no perpend stands on another.
     #[test]
     fn courses_are_as_wide_as_asked_and_perpends_are_staggered() {
-        let part = |piece: &Piece| match piece {
-            Unit | Piece::Gap => 1.0,
-            Half => 0.5,
-            Quarter => 0.25,
-            Part(part) | Piece::Opening(part) => *part,
-        };
         // All courses of a stack are alike.
         let staggered = BONDS.iter().filter(|bond| bond.lowest.is_some());
         let with = |bond: &'static Bond| {
@@ -251,7 +229,7 @@ mod tests {
         for (bond, overlap) in staggered.flat_map(with) {
             let perpends = |course: &Course| -> Vec<f64> {
                 let ends = course.iter().scan(0.0, |x, piece| {
-                    *x += part(piece);
+                    *x += piece.part();
                     Some(*x)
                 });
                 ends.collect()
@@ -272,8 +250,8 @@ mod tests {
     #[test]
     fn a_width_that_does_not_close_is_refused_with_the_nearest() {
         for (units, nearest) in [(1, 4), (2, 4), (3, 4), (5, 4), (6, 7), (9, 10)] {
-            let error = bond("flemish").lay(2, units, true, None).unwrap_err();
-            assert_eq!(error.nearest, nearest, "{units}");
+            let laid = bond("flemish").lay(2, units, true, None);
+            assert_eq!(laid, Err(nearest), "{units}");
         }
         assert!(bond("english").lay(2, 1, true, None).is_err());
     }

@@ -104,24 +104,14 @@ impl Scene {
     pub fn mirrored(&self) -> Result<Self, PolygonError> {
         let (low, high) = self.bounds();
         let about = low.x + high.x;
-        let point = |p: Point| Point::new(about - p.x, p.y);
         let vector = |v: Vector| Vector::new(-v.x, v.y);
-        let shape = |s: &Polygon| Polygon::new(s.corners().iter().map(|&p| point(p)).collect());
-        let mut scene = self.clone();
-        for block in &mut scene.blocks {
-            block.shape = shape(&block.shape)?;
-            for load in &mut block.loads {
-                load.point = point(load.point);
-                load.dead = vector(load.dead);
-                load.live = vector(load.live);
-            }
+        let mut scene = self.moved(|_, p| Point::new(about - p.x, p.y))?;
+        for load in scene.blocks.iter_mut().flat_map(|block| &mut block.loads) {
+            load.dead = vector(load.dead);
+            load.live = vector(load.live);
         }
-        for support in &mut scene.supports {
-            *support = shape(support)?;
-        }
-        for joint in &mut scene.joints {
-            joint.ends = joint.ends.map(point);
-            joint.normal = vector(joint.normal);
+        for (joint, seen) in scene.joints.iter_mut().zip(&self.joints) {
+            joint.normal = vector(seen.normal);
         }
         scene.push = match self.push {
             Push::Right => Push::Left,

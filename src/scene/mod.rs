@@ -35,6 +35,7 @@ pub(crate) use model::multiplier_unit;
 pub use of_blocks::OfBlocks;
 pub use parts::{SceneError, SceneParts};
 pub use polygon::{Point, Polygon, PolygonError, Vector};
+pub(crate) use polygon::{bounds, signed_area};
 pub use push::{HeadJoints, Push};
 pub use regular::{Coursing, Irregularity, RegularWall, WallFacts};
 pub use soundness::Unsound;

@@ -11,21 +11,13 @@ use super::regular::{Coursing, Irregularity, RegularWall, WallFacts};
 /// [`Scene::new`] alone, or from another scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Scene {
-    /// Blocks that may move.
     pub(super) blocks: Vec<Block>,
-    /// Shapes that never move: the ground, springers.
     pub(super) supports: Vec<Polygon>,
-    /// Every joint that can carry a force. With open head joints, those are not here.
     pub(super) joints: Vec<Joint>,
-    /// What the head joints carry.
     pub(super) head_joints: HeadJoints,
-    /// How many head joints were left out, as open.
     pub(super) left_out: usize,
-    /// Direction of the live load.
     pub(super) push: Push,
-    /// What only a coursed wall has.
     pub(super) wall: Option<WallFacts>,
-    /// What its case calls it and its blocks.
     pub(super) labels: Labels,
 }
 

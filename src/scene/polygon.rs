@@ -51,10 +51,8 @@ impl Polygon {
         if count < 3 {
             return Err(PolygonError::TooFewCorners(count));
         }
-        if let Some(i) = corners
-            .iter()
-            .position(|p| !(p.x.is_finite() && p.y.is_finite()))
-        {
+        let not_finite = |p: &Point| !(p.x.is_finite() && p.y.is_finite());
+        if let Some(i) = corners.iter().position(not_finite) {
             return Err(PolygonError::NotFinite(i));
         }
         if signed_area(&corners) < 0.0 {
@@ -94,8 +92,7 @@ impl Polygon {
 
     /// Whether no corner bends inwards.
     pub fn is_convex(&self) -> bool {
-        let count = self.corners.len();
-        (0..count).all(|i| bend(&self.corners, i) > 0.0)
+        (0..self.corners.len()).all(|i| bend(&self.corners, i) > 0.0)
     }
 
     /// Convex pieces that fill it, as places in [`corners`](Self::corners), counter-clockwise; one
@@ -131,45 +128,47 @@ impl Polygon {
 
     /// Lower-left and upper-right corner of the bounding box.
     pub fn bounds(&self) -> (Point, Point) {
-        let mut low = self.corners[0];
-        let mut high = self.corners[0];
-        for p in &self.corners {
-            low = low.inf(p);
-            high = high.sup(p);
-        }
-        (low, high)
+        bounds(&self.corners)
     }
+}
+
+/// Lower-left and upper-right corner of the box about points, of which there is one at least.
+pub(crate) fn bounds(points: &[Point]) -> (Point, Point) {
+    let first = (points[0], points[0]);
+    let grown = points.iter();
+    grown.fold(first, |(low, high), p| (low.inf(p), high.sup(p)))
+}
+
+/// The edges before and behind a corner.
+fn edges_at(corners: &[Point], i: usize) -> (Vector, Vector) {
+    let count = corners.len();
+    let before = corners[i] - corners[(i + count - 1) % count];
+    (before, corners[(i + 1) % count] - corners[i])
 }
 
 /// Sine of the angle at a corner, positive to the left.
 fn bend(corners: &[Point], i: usize) -> f64 {
-    let count = corners.len();
-    let before = corners[i] - corners[(i + count - 1) % count];
-    sine(before, corners[(i + 1) % count] - corners[i])
+    let (before, behind) = edges_at(corners, i);
+    sine(before, behind)
 }
 
 /// The first corner at which an outline comes straight back.
 fn back(corners: &[Point]) -> Option<usize> {
-    let count = corners.len();
-    (0..count).find(|&i| {
-        let before = corners[i] - corners[(i + count - 1) % count];
-        let after = corners[(i + 1) % count] - corners[i];
+    (0..corners.len()).find(|&i| {
+        let (before, behind) = edges_at(corners, i);
         // Not a number where a corner is written twice.
-        let goes_on = bend(corners, i).abs() > STRAIGHT || before.dot(&after) > 0.0;
+        let goes_on = sine(before, behind).abs() > STRAIGHT || before.dot(&behind) > 0.0;
         !goes_on
     })
 }
 
 /// As [`crossing`]. An outline that turns to the left everywhere, and once round, needs no search.
 fn crossing_of(corners: &[Point]) -> Option<usize> {
-    let count = corners.len();
     let mut turn = 0.0;
-    let convex = (0..count).all(|i| {
-        let bend = bend(corners, i);
-        let before = corners[i] - corners[(i + count - 1) % count];
-        let after = corners[(i + 1) % count] - corners[i];
-        turn += before.perp(&after).atan2(before.dot(&after));
-        bend > STRAIGHT
+    let convex = (0..corners.len()).all(|i| {
+        let (before, behind) = edges_at(corners, i);
+        turn += before.perp(&behind).atan2(before.dot(&behind));
+        sine(before, behind) > STRAIGHT
     });
     // A pentagram turns left everywhere, but twice round.
     if convex && turn < 3.0 * std::f64::consts::PI {
@@ -189,7 +188,8 @@ fn without_straight(corners: Vec<Point>) -> Vec<Point> {
     kept.map(|i| corners[i]).collect()
 }
 
-fn signed_area(corners: &[Point]) -> f64 {
+/// Enclosed area of corners in order, negative where they run clockwise.
+pub(crate) fn signed_area(corners: &[Point]) -> f64 {
     // Relative to the first corner: a wall far from the origin keeps its digits.
     let origin = corners[0];
     corners
@@ -223,6 +223,10 @@ fn longest_edge(corners: &[Point]) -> f64 {
 mod tests {
     use super::*;
 
+    fn at(corners: &[(f64, f64)]) -> Result<Polygon, PolygonError> {
+        Polygon::new(corners.iter().map(|&(x, y)| Point::new(x, y)).collect())
+    }
+
     #[test]
     fn a_rectangle_far_away_keeps_area_and_centroid() {
         let r = Polygon::rectangle(1e6, 1e6 + 4.0, -1e6, -1e6 + 1.75).unwrap();
@@ -232,19 +236,12 @@ mod tests {
 
     #[test]
     fn corners_may_come_clockwise() {
-        let r = Polygon::new(vec![
-            Point::new(0.0, 0.0),
-            Point::new(0.0, 1.0),
-            Point::new(1.0, 0.0),
-        ])
-        .unwrap();
+        let r = at(&[(0., 0.), (0., 1.), (1., 0.)]).unwrap();
         assert!(signed_area(r.corners()) > 0.0);
     }
 
     #[test]
     fn outlines_may_bend_inwards_and_corners_on_straight_edges_are_left_out() {
-        let at =
-            |v: &[(f64, f64)]| Polygon::new(v.iter().map(|&(x, y)| Point::new(x, y)).collect());
         let l = at(&[
             (0., 0.),
             (1., 0.),
@@ -266,8 +263,6 @@ mod tests {
 
     #[test]
     fn unusable_outlines_are_named() {
-        let at =
-            |v: &[(f64, f64)]| Polygon::new(v.iter().map(|&(x, y)| Point::new(x, y)).collect());
         assert_eq!(
             at(&[(0., 0.), (1., 0.)]),
             Err(PolygonError::TooFewCorners(2))

@@ -74,24 +74,16 @@ impl Assembly {
             }
         }
         let floating = || {
-            let block = self.floating()?;
+            // Head joints in contact.
+            let joints = find_joints(self.tolerance, &shapes, &supports);
+            let mut connected = connected(shapes.len(), &joints).into_iter();
+            let block = connected.position(|connected| !connected)?;
             let touches = self.touched(block);
             Some(Unsound::Floating { block, touches })
         };
         near_miss.or_else(floating).map_or(Ok(()), Err)
     }
 
-    /// The first block that no chain of joints connects with a support, head joints in contact.
-    fn floating(&self) -> Option<usize> {
-        let shapes: Vec<&Polygon> = self.blocks.iter().map(|block| &block.shape).collect();
-        let supports: Vec<Polygon> = self.supports.iter().map(|s| s.shape.clone()).collect();
-        let joints = find_joints(self.tolerance, &shapes, &supports);
-        let connected = connected(shapes.len(), &joints);
-        connected.iter().position(|connected| !connected)
-    }
-}
-
-impl Assembly {
     /// The first body that a block touches without a joint.
     fn touched(&self, block: usize) -> Option<Side> {
         let supports = self.supports.iter().map(|support| &support.shape);

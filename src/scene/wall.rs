@@ -1,7 +1,6 @@
 //! Coursed walls: laying courses into blocks, the overburden, the closed-form description.
 
 use super::assembly::{Assembly, Force, Forces, NamedBlock, Support};
-use super::block::{Block, Load};
 use super::friction::Friction;
 use super::joints::TOUCHING;
 use super::model::Scene;
@@ -32,6 +31,16 @@ impl Piece {
     /// Whether there is nothing.
     pub(crate) fn is_gap(&self) -> bool {
         matches!(self, Piece::Gap | Piece::Opening(_))
+    }
+
+    /// Its length over that of a unit.
+    pub(super) fn part(self) -> f64 {
+        match self {
+            Piece::Unit | Piece::Gap => 1.0,
+            Piece::Half => 0.5,
+            Piece::Quarter => 0.25,
+            Piece::Part(part) | Piece::Opening(part) => part,
+        }
     }
 
     /// Whether its length is a multiple of half a unit.
@@ -150,12 +159,7 @@ impl Wall {
                 centre: laid.shape.centroid(),
                 shape: laid.shape.clone(),
             });
-            extra.extend(self.carried(&laid).map(|(point, weight)| Force {
-                block: index,
-                point,
-                dead: Vector::new(0.0, -weight),
-                live: Vector::new(self.live_of_weight(weight), 0.0),
-            }));
+            extra.extend(self.carried(index, &laid));
         }
         let own = &self.of_blocks.forces;
         extra.extend(&own.extra);
@@ -175,18 +179,10 @@ impl Wall {
         })
     }
 
-    fn width(&self, piece: Piece) -> f64 {
-        match piece {
-            Piece::Unit | Piece::Gap => self.unit_length,
-            Piece::Half => self.unit_length / 2.0,
-            Piece::Quarter => self.unit_length / 4.0,
-            Piece::Part(part) | Piece::Opening(part) => self.unit_length * part,
-        }
-    }
-
     /// Length of a course from the left end of the wall to its last piece or gap.
     pub fn course_width(&self, course: &Course) -> f64 {
-        course.iter().map(|&piece| self.width(piece)).sum()
+        let widths = course.iter().map(|piece| self.unit_length * piece.part());
+        widths.sum()
     }
 
     /// Blocks, ground, joints and forces of this wall.
@@ -194,24 +190,12 @@ impl Wall {
     /// # Errors
     /// [`WallError`] where the courses do not make a wall.
     pub fn scene(&self, head_joints: HeadJoints) -> Result<Scene, WallError> {
-        let laid = self.lay()?;
-        let laid = laid.into_iter().enumerate();
-        let blocks = laid.map(|(index, block)| self.load(index, block));
-        let mut blocks: Vec<Block> = blocks.collect();
-        for force in &self.of_blocks.forces.extra {
-            blocks[force.block].loads.push(Load {
-                point: force.point,
-                dead: force.dead,
-                live: Vector::new(self.push.sign() * force.live.x, force.live.y),
-            });
-        }
         let scene = Scene::new(SceneParts {
-            push: self.push,
             wall: Some(WallFacts {
                 coursing: self.coursing(),
                 regular: self.regular(),
             }),
-            ..SceneParts::new(blocks, vec![self.ground()?], self.friction)
+            ..self.assembly()?.parts(self.push)
         })?;
         Ok(scene.with_head_joints(head_joints))
     }
@@ -224,19 +208,16 @@ impl Wall {
         for (course, pieces) in self.courses.iter().enumerate() {
             let before = laid.len();
             // Positions as counts of quarter units: no sum of rounded widths along a long course.
-            let (mut quarters, mut parts) = (0u32, 0.0);
-            for &kind in pieces {
-                let at = |count: u32, parts: f64| {
-                    (f64::from(count) + 4.0 * parts) * (self.unit_length / 4.0)
-                };
+            let (mut quarters, mut parts) = (0.0, 0.0);
+            for &piece in pieces {
+                let at =
+                    |quarters: f64, parts: f64| (quarters + 4.0 * parts) * (self.unit_length / 4.0);
                 let x0 = at(quarters, parts);
-                match kind {
-                    Piece::Unit | Piece::Gap => quarters += 4,
-                    Piece::Half => quarters += 2,
-                    Piece::Quarter => quarters += 1,
+                match piece {
                     Piece::Part(part) | Piece::Opening(part) => parts += part,
+                    _ => quarters += 4.0 * piece.part(),
                 }
-                if kind.is_gap() {
+                if piece.is_gap() {
                     continue;
                 }
                 let x1 = at(quarters, parts);
@@ -259,23 +240,6 @@ impl Wall {
         Polygon::rectangle(-reach, right, -self.unit_height, 0.0)
     }
 
-    /// Weight with its live part at the centroid, then the overburden.
-    fn load(&self, index: usize, block: Laid) -> Block {
-        let sign = self.push.sign();
-        let load = |(point, weight): (Point, f64)| Load {
-            point,
-            dead: Vector::new(0.0, -weight),
-            live: Vector::new(sign * self.live_of_weight(weight) + 0.0, 0.0),
-        };
-        let own = (block.shape.centroid(), self.weight(index, &block.shape));
-        let mut loads = vec![load(own)];
-        loads.extend(self.carried(&block).map(load));
-        Block {
-            shape: block.shape,
-            loads,
-        }
-    }
-
     /// Weight of a block: its own, or that of the units times its area.
     fn weight(&self, index: usize, shape: &Polygon) -> f64 {
         let own = self.of_blocks.weights.get(&index);
@@ -290,22 +254,19 @@ impl Wall {
 
     /// The overburden on a block of the top course: p·b·width, dead downwards and live sideways (as
     /// λPH in Eq. 4), at the middle of its top face.
-    fn carried(&self, block: &Laid) -> Option<(Point, f64)> {
-        let is_top = block.course + 1 == self.courses.len();
+    fn carried(&self, block: usize, laid: &Laid) -> Option<Force> {
+        let is_top = laid.course + 1 == self.courses.len();
         (self.overburden > 0.0 && is_top).then(|| {
-            let (low, high) = block.shape.bounds();
+            let (low, high) = laid.shape.bounds();
             let weight = self.overburden * self.height() * self.pressure() * (high.x - low.x);
-            (Point::new((low.x + high.x) / 2.0, high.y), weight)
+            let live = self.of_blocks.forces.weight_is_live;
+            Force {
+                block,
+                point: Point::new((low.x + high.x) / 2.0, high.y),
+                dead: Vector::new(0.0, -weight),
+                live: Vector::new(if live { weight } else { 0.0 }, 0.0),
+            }
         })
-    }
-
-    /// The live force of a weight for a push to the right.
-    fn live_of_weight(&self, weight: f64) -> f64 {
-        if self.of_blocks.forces.weight_is_live {
-            weight
-        } else {
-            0.0
-        }
     }
 
     /// `None` without stagger. In every bond the stagger line advances half a unit a course on

@@ -14,7 +14,7 @@ pub struct GridColumn {
     pub spare: usize,
     /// Whether its cells end where it ends, as numbers do.
     pub right: bool,
-    /// What a cell layouts like.
+    /// What a cell looks like.
     pub style: fn(&str) -> Style,
 }
 
@@ -75,16 +75,13 @@ pub fn grid(layout: Layout, indent: usize, columns: &[GridColumn], rows: &[Vec<S
         let mut column = indent;
         for &at in &shown {
             let (cell, style) = cells(at);
-            let mut parts = if at == last && !columns[at].right {
+            let parts = if at == last && !columns[at].right {
                 lines(&cell, widths[at])
             } else {
                 vec![cut(&cell, widths[at])]
             };
-            let first = if parts.is_empty() {
-                String::new()
-            } else {
-                parts.remove(0)
-            };
+            let mut parts = parts.into_iter();
+            let first = parts.next().unwrap_or_default();
             let blanks = " ".repeat(widths[at].saturating_sub(length(&first)));
             if columns[at].right {
                 text.push_str(&blanks);

@@ -9,12 +9,14 @@ pub fn lines(text: &str, width: usize) -> Vec<String> {
     if text.is_empty() {
         return Vec::new();
     }
-    let options = Options::new(width)
+    let lines = textwrap::wrap(&text, options(width).break_words(false));
+    lines.into_iter().map(|line| line.into_owned()).collect()
+}
+
+fn options<'a>(width: usize) -> Options<'a> {
+    Options::new(width)
         .wrap_algorithm(WrapAlgorithm::FirstFit)
         .word_splitter(WordSplitter::NoHyphenation)
-        .break_words(false);
-    let lines = textwrap::wrap(&text, options);
-    lines.into_iter().map(|line| line.into_owned()).collect()
 }
 
 /// Text of several lines for a screen: each that is longer than `width` is wrapped, and its further
@@ -29,10 +31,7 @@ pub fn wrapped(text: &str, width: Option<usize>, indent: usize) -> String {
         }
         let blanks = line.len() - line.trim_start().len();
         let below = " ".repeat(blanks + indent);
-        let options = Options::new(width)
-            .wrap_algorithm(WrapAlgorithm::FirstFit)
-            .word_splitter(WordSplitter::NoHyphenation);
-        textwrap::wrap(line, options.subsequent_indent(&below)).join("\n")
+        textwrap::wrap(line, options(width).subsequent_indent(&below)).join("\n")
     });
     fitted.collect::<Vec<_>>().join("\n")
 }

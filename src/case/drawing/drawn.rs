@@ -1,13 +1,14 @@
 //! The closed outlines of a drawing as shapes with names.
 
 use super::curves::Chords;
-use super::entities::file;
+use super::entities::{file, handle_and_layer};
+use super::groups::groups;
 use super::options::DrawingOptions;
 use super::outlines::outlines;
 use super::paths::{Path, Paths};
 use crate::case::complaint::{Complaint, Document};
 use crate::case::printable::printable;
-use crate::scene::{Polygon, PolygonError, TOUCHING};
+use crate::scene::{Polygon, PolygonError, TOUCHING, bounds};
 
 /// Most blocks of a drawing.
 const MOST_BLOCKS: usize = 100_000;
@@ -25,9 +26,9 @@ pub(super) fn drawn(
     options: &DrawingOptions,
     remarks: &mut Vec<String>,
 ) -> Result<Vec<Drawn>, Complaint> {
-    let file = file(document)?;
+    let groups = groups(document)?;
+    let file = file(&groups)?;
     let mut paths = Paths {
-        document,
         file: &file,
         chords: Chords(options.chord),
         without: &options.without,
@@ -48,10 +49,10 @@ pub(super) fn drawn(
     }
     let scale = metres.unwrap_or(1.0);
     let per_metre = whole_if_near(1.0 / scale);
-    let closed = outlines(document, paths.found, options.tolerance.max(TOUCHING))?;
+    let closed = outlines(paths.found, options.tolerance.max(TOUCHING))?;
     if let Some(path) = closed.get(MOST_BLOCKS) {
         let title = format!("more than {MOST_BLOCKS} outlines");
-        return Err(complain(document, path, &title).help("leave out layers: `--without LAYER`"));
+        return Err(complain(path, &title).help("leave out layers: `--without LAYER`"));
     }
     let mut names = std::collections::HashSet::new();
     let mut drawn = Vec::new();
@@ -64,7 +65,7 @@ pub(super) fn drawn(
                 *point * scale
             };
         }
-        let shape = shape(document, &path)?;
+        let shape = shape(&path)?;
         let mut name = match path.handle.as_str() {
             "" => (index + 1).to_string(),
             handle => printable(handle),
@@ -87,13 +88,9 @@ fn whole_if_near(number: f64) -> f64 {
 }
 
 /// An outline as a shape. A circle's last point may repeat its first.
-pub(super) fn shape(document: &Document, path: &Path) -> Result<Polygon, Complaint> {
+pub(super) fn shape(path: &Path) -> Result<Polygon, Complaint> {
     let mut points = path.points.clone();
-    let (low, high) = points
-        .iter()
-        .fold((points[0], points[0]), |(low, high), p| {
-            (low.inf(p), high.sup(p))
-        });
+    let (low, high) = bounds(&points);
     // Points that a program wrote twice, but for rounding.
     let near = 1e-7 * (high - low).norm();
     points.dedup_by(|a, b| (*a - *b).norm() <= near);
@@ -117,17 +114,12 @@ pub(super) fn shape(document: &Document, path: &Path) -> Result<Polygon, Complai
             Some(at) => format!("{title}, at ({}, {})", at.x, at.y),
             None => title,
         };
-        complain(document, path, &title)
-            .help("draw it again, or leave its layer out: `--without LAYER`")
+        complain(path, &title).help("draw it again, or leave its layer out: `--without LAYER`")
     })
 }
 
 /// What is wrong with an outline, at its place in the drawing.
-pub(super) fn complain(document: &Document, path: &Path, title: &str) -> Complaint {
-    let handle = match path.handle.as_str() {
-        "" => String::new(),
-        handle => format!("handle {handle}, "),
-    };
-    let label = format!("{}: {handle}layer `{}`", path.kind, path.layer);
-    document.complain(path.place.clone(), title, label)
+pub(super) fn complain(path: &Path, title: &str) -> Complaint {
+    let whose = handle_and_layer(&path.handle, &path.layer);
+    Complaint::at(path.place.clone(), title, format!("{}: {whose}", path.kind))
 }

@@ -3,35 +3,36 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-use super::groups::{Group, groups};
-use crate::case::complaint::{Complaint, Document};
+use super::groups::{AT_THE_END, Group};
+use crate::case::complaint::Complaint;
+use crate::scene::Vector;
 
 /// Something drawn.
-#[derive(Clone, Debug)]
-pub(super) struct Entity {
+#[derive(Debug)]
+pub(super) struct Entity<'a> {
     /// `LINE`, `LWPOLYLINE`, …
-    pub kind: String,
+    pub kind: &'a str,
     /// Where it begins.
     pub place: Range<usize>,
-    groups: Vec<Group>,
+    /// All groups in order, for entities whose groups repeat.
+    pub groups: &'a [Group<'a>],
     /// The vertices of a POLYLINE.
-    pub vertices: Vec<Entity>,
+    pub vertices: Vec<Entity<'a>>,
 }
 
 /// What an INSERT puts into the drawing.
-#[derive(Clone, Debug, Default)]
-pub(super) struct BlockOfEntities {
+pub(super) struct BlockOfEntities<'a> {
     /// The point that comes to lie where the INSERT is.
-    pub base: [f64; 2],
-    pub entities: Vec<Entity>,
+    pub base: Vector,
+    pub entities: Vec<Entity<'a>>,
 }
 
 /// A drawing as it is written.
-pub(super) struct File {
+pub(super) struct File<'a> {
     /// Length of a drawing unit in metres; `None` where the header does not say.
     pub metres: Option<f64>,
-    pub blocks: HashMap<String, BlockOfEntities>,
-    pub entities: Vec<Entity>,
+    pub blocks: HashMap<String, BlockOfEntities<'a>>,
+    pub entities: Vec<Entity<'a>>,
     /// Whether this program wrote it, which puts what is no wall on layers of their own.
     pub is_ours: bool,
 }
@@ -48,53 +49,63 @@ const UNITS: [(i64, f64); 8] = [
     (7, 1e3),
 ];
 
-impl Entity {
+impl<'a> Entity<'a> {
+    fn group(&self, code: i32) -> Option<&'a Group<'a>> {
+        self.groups.iter().find(|group| group.code == code)
+    }
+
     /// The text of a group; empty where there is none.
-    pub fn text<'a>(&self, document: &'a Document, code: i32) -> &'a str {
-        let group = self.groups.iter().find(|group| group.code == code);
-        group.map_or("", |group| document.at(group.place.clone()))
+    pub fn text(&self, code: i32) -> &'a str {
+        self.group(code).map_or("", |group| group.text)
     }
 
     /// The number of a group, or what stands for one that is not written.
     ///
     /// # Errors
     /// A value that is no finite number.
-    pub fn number(&self, document: &Document, code: i32, unsaid: f64) -> Result<f64, Complaint> {
-        let group = self.groups.iter().find(|group| group.code == code);
-        group.map_or(Ok(unsaid), |group| number(document, group))
+    pub fn number(&self, code: i32, unsaid: f64) -> Result<f64, Complaint> {
+        self.group(code).map_or(Ok(unsaid), number)
+    }
+
+    /// A point or a direction: the numbers of a group and of the one for y, 0 where they are not
+    /// written.
+    ///
+    /// # Errors
+    /// A value that is no finite number.
+    pub fn pair(&self, code: i32) -> Result<Vector, Complaint> {
+        let (x, y) = (self.number(code, 0.0)?, self.number(code + 10, 0.0)?);
+        Ok(Vector::new(x, y))
     }
 
     /// The whole number of a group, 0 where there is none or no such number.
-    pub fn flags(&self, document: &Document, code: i32) -> i64 {
-        self.text(document, code).parse().unwrap_or(0)
-    }
-
-    /// All groups in order, for entities whose groups repeat.
-    pub fn groups(&self) -> &[Group] {
-        &self.groups
+    pub fn flags(&self, code: i32) -> i64 {
+        self.text(code).parse().unwrap_or(0)
     }
 
     /// The layer; `0` where none is said.
-    pub fn layer<'a>(&self, document: &'a Document) -> &'a str {
-        match self.text(document, 8) {
+    pub fn layer(&self) -> &'a str {
+        match self.text(8) {
             "" => "0",
             layer => layer,
         }
     }
+
+    /// What is wrong with it, where it is on this layer.
+    pub fn complain(&self, layer: &str, what: &str) -> Complaint {
+        let label = handle_and_layer(self.text(5), layer);
+        Complaint::at(self.place.clone(), what, label)
+    }
 }
 
 /// The number in a group.
-pub(super) fn number(document: &Document, group: &Group) -> Result<f64, Complaint> {
-    let text = document.at(group.place.clone());
-    match text.parse::<f64>() {
+pub(super) fn number(group: &Group) -> Result<f64, Complaint> {
+    match group.text.parse::<f64>() {
         Ok(number) if number.abs() <= 1e12 => Ok(number + 0.0),
-        _ => Err(document
-            .complain(
-                group.place.clone(),
-                format!("`{text}` is no number for group {}", group.code),
-                "here",
-            )
-            .help("save the drawing again; coordinates reach from -1e12 to 1e12")),
+        _ => {
+            let title = format!("`{}` is no number for group {}", group.text, group.code);
+            Err(Complaint::at(group.place.clone(), title, "here")
+                .help("save the drawing again; coordinates reach from -1e12 to 1e12"))
+        }
     }
 }
 
@@ -102,123 +113,94 @@ pub(super) fn number(document: &Document, group: &Group) -> Result<f64, Complain
 ///
 /// # Errors
 /// What is no DXF.
-pub(super) fn file(document: &Document) -> Result<File, Complaint> {
-    let groups = groups(document)?;
-    let at = |group: &Group| document.at(group.place.clone());
+pub(super) fn file<'a>(groups: &'a [Group<'a>]) -> Result<File<'a>, Complaint> {
     let mut file = File {
         metres: None,
         blocks: HashMap::new(),
         entities: Vec::new(),
-        is_ours: groups
-            .first()
-            .is_some_and(|group| group.code == 999 && at(group) == "trilith"),
+        is_ours: matches!(groups, [first, ..] if first.code == 999 && first.text == "trilith"),
     };
     let mut seen = false;
-    let mut i = 0;
-    while i < groups.len() {
-        if groups[i].code == 0 && at(&groups[i]) == "SECTION" {
-            let end =
-                (i + 1..groups.len()).find(|&k| groups[k].code == 0 && at(&groups[k]) == "ENDSEC");
-            let end = end.unwrap_or(groups.len());
-            let inside = &groups[(i + 2).min(end)..end];
-            match groups.get(i + 1).map(at) {
-                Some("HEADER") => file.metres = metres(document, inside),
-                Some("BLOCKS") => file.blocks = blocks(document, inside)?,
-                Some("ENTITIES") => {
-                    seen = true;
-                    file.entities = entities(document, inside);
-                }
-                _ => {}
+    for section in groups.split(|group| group.begins("ENDSEC")) {
+        let begin = section.iter().position(|group| group.begins("SECTION"));
+        let Some([_, name, inside @ ..]) = begin.map(|begin| &section[begin..]) else {
+            continue;
+        };
+        match name.text {
+            "HEADER" => file.metres = metres(inside),
+            "BLOCKS" => file.blocks = blocks(inside)?,
+            "ENTITIES" => {
+                seen = true;
+                file.entities = entities(inside);
             }
-            i = end;
+            _ => {}
         }
-        i += 1;
     }
     if seen {
         return Ok(file);
     }
-    let end = document.text.len();
-    Err(document
-        .complain(end..end, "a DXF without entities", "no such section")
+    let complaint = Complaint::at(AT_THE_END, "a DXF without entities", "no such section");
+    Err(complaint
         .help("save the drawing again, with the blocks as closed polylines in model space"))
 }
 
 /// What the header says of the unit of length.
-fn metres(document: &Document, groups: &[Group]) -> Option<f64> {
-    let at = |group: &Group| document.at(group.place.clone()).to_owned();
-    let place = groups
-        .iter()
-        .position(|group| group.code == 9 && at(group) == "$INSUNITS")?;
-    let unit: i64 = at(groups.get(place + 1)?).parse().ok()?;
+fn metres(groups: &[Group]) -> Option<f64> {
+    let is_unit = |group: &Group| group.code == 9 && group.text == "$INSUNITS";
+    let place = groups.iter().position(is_unit)?;
+    let unit: i64 = groups.get(place + 1)?.text.parse().ok()?;
     let known = UNITS.iter().find(|(code, _)| *code == unit)?;
     Some(known.1)
 }
 
-fn blocks(
-    document: &Document,
-    groups: &[Group],
-) -> Result<HashMap<String, BlockOfEntities>, Complaint> {
+fn blocks<'a>(groups: &'a [Group<'a>]) -> Result<HashMap<String, BlockOfEntities<'a>>, Complaint> {
     let mut blocks = HashMap::new();
     let mut open: Option<(String, BlockOfEntities)> = None;
-    for entity in entities(document, groups) {
-        match entity.kind.as_str() {
-            "BLOCK" => {
-                let base = [
-                    entity.number(document, 10, 0.0)?,
-                    entity.number(document, 20, 0.0)?,
-                ];
-                let name = entity.text(document, 2).to_lowercase();
-                open = Some((
-                    name,
-                    BlockOfEntities {
-                        base,
-                        entities: Vec::new(),
-                    },
-                ));
+    for entity in entities(groups) {
+        match (entity.kind, &mut open) {
+            ("BLOCK", _) => {
+                let block = BlockOfEntities {
+                    base: entity.pair(10)?,
+                    entities: Vec::new(),
+                };
+                open = Some((entity.text(2).to_lowercase(), block));
             }
-            "ENDBLK" => blocks.extend(open.take()),
-            _ => {
-                if let Some((_, block)) = &mut open {
-                    block.entities.push(entity);
-                }
-            }
+            ("ENDBLK", _) => blocks.extend(open.take()),
+            (_, Some((_, block))) => block.entities.push(entity),
+            (_, None) => {}
         }
     }
     Ok(blocks)
 }
 
-/// The entities of a section; vertices and attributes go to what they belong to.
-fn entities(document: &Document, groups: &[Group]) -> Vec<Entity> {
+/// The entities of a section; vertices and attributes go to what they belong to, the entity before
+/// them.
+fn entities<'a>(groups: &'a [Group<'a>]) -> Vec<Entity<'a>> {
     let mut found: Vec<Entity> = Vec::new();
-    // Vertices and attributes belong to the entity before them, up to SEQEND.
-    let mut inside = false;
-    for group in groups {
-        if group.code == 0 {
-            let kind = document.at(group.place.clone()).to_owned();
-            let entity = Entity {
-                kind,
-                place: group.place.clone(),
-                groups: Vec::new(),
-                vertices: Vec::new(),
-            };
-            let of_last = matches!(entity.kind.as_str(), "VERTEX" | "ATTRIB" | "SEQEND");
-            inside = of_last && !found.is_empty();
-            if inside {
-                let last = found.last_mut().expect("there is one");
-                last.vertices.push(entity);
-            } else {
-                found.push(entity);
-            }
+    for entity in groups.chunk_by(|_, next| next.code != 0) {
+        let [first @ Group { code: 0, .. }, groups @ ..] = entity else {
             continue;
-        }
-        let last = found.last_mut();
-        let last = last.and_then(|last| match inside {
-            true => last.vertices.last_mut(),
-            false => Some(last),
-        });
-        if let Some(entity) = last {
-            entity.groups.push(group.clone());
+        };
+        let entity = Entity {
+            kind: first.text,
+            place: first.place.clone(),
+            groups,
+            vertices: Vec::new(),
+        };
+        match found.last_mut() {
+            Some(last) if ["VERTEX", "ATTRIB", "SEQEND"].contains(&entity.kind) => {
+                last.vertices.push(entity);
+            }
+            _ => found.push(entity),
         }
     }
     found
+}
+
+/// What finds something in a drawing: its handle, where it has one, and its layer.
+pub(super) fn handle_and_layer(handle: &str, layer: &str) -> String {
+    match handle {
+        "" => format!("layer `{layer}`"),
+        handle => format!("handle {handle}, layer `{layer}`"),
+    }
 }

@@ -8,11 +8,20 @@ use std::ops::Range;
 use crate::case::complaint::{Complaint, Document};
 
 /// A group: a code that says what the value is.
-#[derive(Clone, Debug)]
-pub(super) struct Group {
+#[derive(Debug)]
+pub(super) struct Group<'a> {
     pub code: i32,
-    /// Where the value stands.
+    /// The value.
+    pub text: &'a str,
+    /// Where it stands.
     pub place: Range<usize>,
+}
+
+impl Group<'_> {
+    /// Whether something of this kind begins here.
+    pub fn begins(&self, kind: &str) -> bool {
+        self.code == 0 && self.text == kind
+    }
 }
 
 /// The text of a drawing. DXF before 2007 is in a code page of its time: what is not UTF-8 is read as
@@ -49,7 +58,7 @@ pub(super) fn document(path: &str, bytes: &[u8]) -> Result<Document, Complaint> 
 ///
 /// # Errors
 /// A line where a code is expected and none stands.
-pub(super) fn groups(document: &Document) -> Result<Vec<Group>, Complaint> {
+pub(super) fn groups(document: &Document) -> Result<Vec<Group<'_>>, Complaint> {
     let mut start = 0;
     let mut lines = document.text.split('\n').map(|line| {
         let at = start;
@@ -68,34 +77,29 @@ pub(super) fn groups(document: &Document) -> Result<Vec<Group>, Complaint> {
             if text.is_empty() && lines.all(|line| document.at(line).is_empty()) {
                 break;
             }
-            return Err(not_a_code(document, code));
+            let label = "a group code is expected here, a whole number";
+            return Err(Complaint::at(code, "not a DXF", label)
+                .help("name a DXF in text form (ASCII); save the drawing again if it is one"));
         };
         let Some(place) = lines.next() else {
-            return Err(document
-                .complain(code, "a DXF that ends within a group", "no value below")
-                .help("save the drawing again: the file is cut off"));
+            let complaint = Complaint::at(code, "a DXF that ends within a group", "no value below");
+            return Err(complaint.help(CUT_OFF));
         };
-        let end = number == 0 && document.at(place.clone()) == "EOF";
-        groups.push(Group {
+        let group = Group {
             code: number,
+            text: document.at(place.clone()),
             place,
-        });
-        if end {
+        };
+        let ends = group.begins("EOF");
+        groups.push(group);
+        if ends {
             return Ok(groups);
         }
     }
-    let end = document.text.len();
-    Err(document
-        .complain(end..end, "a DXF without an end", "no `EOF`")
-        .help("save the drawing again: the file is cut off"))
+    Err(Complaint::at(AT_THE_END, "a DXF without an end", "no `EOF`").help(CUT_OFF))
 }
 
-fn not_a_code(document: &Document, place: Range<usize>) -> Complaint {
-    document
-        .complain(
-            place,
-            "not a DXF",
-            "a group code is expected here, a whole number",
-        )
-        .help("name a DXF in text form (ASCII); save the drawing again if it is one")
-}
+/// The end of a drawing.
+pub(super) const AT_THE_END: Range<usize> = usize::MAX..usize::MAX;
+
+const CUT_OFF: &str = "save the drawing again: the file is cut off";

@@ -42,8 +42,11 @@ struct Edge {
 }
 
 impl Edge {
-    fn along(&self) -> Vector {
-        (self.to - self.from).normalize()
+    fn line(&self) -> Line {
+        Line {
+            point: self.from,
+            along: (self.to - self.from).normalize(),
+        }
     }
 }
 
@@ -81,7 +84,7 @@ pub(super) fn heal(shapes: &[Polygon], tolerance: f64) -> (Vec<Vec<Point>>, Vec<
             let (before, after) = (first[body] + (k + count - 1) % count, first[body] + k);
             let new = corner(
                 old,
-                [before, after].map(|edge| own_line(edges[edge])),
+                [before, after].map(|edge| edges[edge].line()),
                 [lines[before], lines[after]],
             );
             (old, new)
@@ -160,7 +163,8 @@ fn each_facing(
 
 /// Where two edges face each other within `near`, and how far apart they are there at most.
 fn facing(one: &Edge, other: &Edge, near: f64) -> Option<(Point, f64)> {
-    let (along, back) = (one.along(), other.along());
+    let (along, line) = (one.line().along, other.line());
+    let back = line.along;
     if along.dot(&back) > 0.0 || along.perp(&back).abs() > SAME_DIRECTION {
         return None;
     }
@@ -170,7 +174,6 @@ fn facing(one: &Edge, other: &Edge, near: f64) -> Option<(Point, f64)> {
     if high - low <= 2.0 * near {
         return None;
     }
-    let line = own_line(*other);
     let far = [low, high].map(|at| line.distance(one.from + along * at).abs());
     let width = far[0].max(far[1]);
     (width <= near).then(|| (one.from + along * ((low + high) / 2.0), width))
@@ -192,13 +195,6 @@ impl Groups {
     fn join(&mut self, a: usize, b: usize) {
         let (a, b) = (self.of(a), self.of(b));
         self.0[a.max(b)] = a.min(b);
-    }
-}
-
-fn own_line(edge: Edge) -> Line {
-    Line {
-        point: edge.from,
-        along: edge.along(),
     }
 }
 
@@ -228,7 +224,7 @@ fn lines(edges: &[Edge], shapes: &[Polygon], groups: &mut Groups) -> Vec<Option<
 /// The line through edges, longer ones counting more.
 fn fitted(edges: impl Iterator<Item = Edge> + Clone) -> Line {
     let mut all = edges.clone();
-    let ahead = all.next().expect("a group has edges").along();
+    let ahead = all.next().expect("a group has edges").line().along;
     let mut direction = Vector::zeros();
     let (mut middle, mut total) = (Vector::zeros(), 0.0);
     for edge in edges {

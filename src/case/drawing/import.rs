@@ -9,6 +9,7 @@ use super::supports::supports;
 use crate::case::complaint::{Complaint, Document};
 use crate::case::geometry::Geometry;
 use crate::case::model::Case;
+use crate::case::name::plain;
 use crate::case::printable::printable;
 use crate::scene::{Assembly, Forces, NamedBlock, Polygon, Support, TOUCHING, extent};
 
@@ -33,30 +34,20 @@ impl Case {
     ) -> Result<Imported, Complaint> {
         let name = plain_name(path);
         let document = document(path, bytes)?;
-        let mut remarks = Vec::new();
-        let mut drawn = drawn(&document, options, &mut remarks)?;
-        let fixed = supports(&document, &drawn, options, &mut remarks)?;
-        if options.tolerance > 0.0 {
-            healed(&document, &mut drawn, options, &mut remarks)?;
-        }
-        let assembly = assembly(&drawn, &fixed, options);
-        sound(&document, &drawn, &fixed, &assembly, options)?;
-        remarks.insert(
-            0,
-            format!(
-                "{} blocks and {} supports from closed outlines",
-                assembly.blocks.len(),
-                assembly.supports.len()
-            ),
+        let mut remarks = vec![String::new()];
+        let assembly = assembly(&document, options, &mut remarks)
+            .map_err(|complaint| complaint.in_document(&document))?;
+        remarks[0] = format!(
+            "{} blocks and {} supports from closed outlines",
+            assembly.blocks.len(),
+            assembly.supports.len()
         );
+        let file = path.rsplit('/').next().unwrap_or(path);
         Ok(Imported {
             case: Case {
                 title: name.clone(),
                 name,
-                source: format!(
-                    "the drawing {}",
-                    printable(path.rsplit('/').next().unwrap_or(path))
-                ),
+                source: format!("the drawing {}", printable(file)),
                 geometry: Geometry::Blocks(assembly),
                 pushes: options.pushes.clone(),
                 head_joints: options.head_joints.clone(),
@@ -71,21 +62,30 @@ impl Case {
 /// The file's name as a case's: drawings are called with spaces and all.
 fn plain_name(path: &str) -> String {
     let stem = std::path::Path::new(path).file_stem().unwrap_or_default();
-    let plain = |c: char| match c {
-        c if c.is_alphanumeric() || "-_.".contains(c) => c,
-        _ => '-',
-    };
-    let name: String = stem.to_string_lossy().chars().map(plain).collect();
-    if name.is_empty() {
-        "drawing".to_owned()
-    } else {
-        name
+    match plain(&stem.to_string_lossy()) {
+        name if name.is_empty() => "drawing".to_owned(),
+        name => name,
     }
+}
+
+/// The blocks and supports of a drawing, healed and sound.
+fn assembly(
+    document: &Document,
+    options: &DrawingOptions,
+    remarks: &mut Vec<String>,
+) -> Result<Assembly, Complaint> {
+    let mut drawn = drawn(document, options, remarks)?;
+    let fixed = supports(&drawn, options, remarks)?;
+    if options.tolerance > 0.0 {
+        healed(&mut drawn, options, remarks)?;
+    }
+    let assembly = assembled(&drawn, &fixed, options);
+    sound(&drawn, &fixed, &assembly, options)?;
+    Ok(assembly)
 }
 
 /// Lays edges that nearly touch on common lines, and says what was moved.
 fn healed(
-    document: &Document,
     drawn: &mut [Drawn],
     options: &DrawingOptions,
     remarks: &mut Vec<String>,
@@ -102,14 +102,14 @@ fn healed(
                 m.from.y,
                 100.0 * part
             );
-            return Err(complain(document, path, &title).help(beyond(options)));
+            return Err(complain(path, &title).help(beyond(options)));
         }
     }
     for (body, corners) in corners.into_iter().enumerate() {
         if shapes[body].corners() != corners {
             let mut path = drawn[body].path.clone();
             path.points = corners;
-            drawn[body].shape = shape(document, &path)?;
+            drawn[body].shape = shape(&path)?;
         }
     }
     if !moved.is_empty() {
@@ -132,7 +132,7 @@ fn healed(
     Ok(())
 }
 
-fn assembly(drawn: &[Drawn], fixed: &[bool], options: &DrawingOptions) -> Assembly {
+fn assembled(drawn: &[Drawn], fixed: &[bool], options: &DrawingOptions) -> Assembly {
     let (mut blocks, mut supports) = (Vec::new(), Vec::new());
     for (body, fixed) in drawn.iter().zip(fixed) {
         let (name, shape) = (body.name.clone(), body.shape.clone());

@@ -1,7 +1,8 @@
 //! From paths to closed outlines: lines and arcs joined end to end.
 
+use super::entities::handle_and_layer;
 use super::paths::Path;
-use crate::case::complaint::{Complaint, Document};
+use crate::case::complaint::Complaint;
 use crate::scene::Point;
 
 /// Most lines and arcs that are joined.
@@ -12,17 +13,15 @@ const MOST_OPEN: usize = 50_000;
 ///
 /// # Errors
 /// A path whose end leads nowhere.
-pub(super) fn outlines(
-    document: &Document,
-    paths: Vec<Path>,
-    tolerance: f64,
-) -> Result<Vec<Path>, Complaint> {
+pub(super) fn outlines(paths: Vec<Path>, tolerance: f64) -> Result<Vec<Path>, Complaint> {
     let (mut closed, mut open) = (Vec::new(), Vec::new());
     for mut path in paths {
         path.points.dedup();
         let ends_meet = path.points.len() > 3 && {
             let first = path.points[0];
-            (path.points[path.points.len() - 1] - first).norm() <= tolerance * shortest_edge(&path)
+            let shortest = edges(&path).filter(|length| *length > 0.0);
+            let shortest = shortest.fold(f64::INFINITY, f64::min);
+            (path.points[path.points.len() - 1] - first).norm() <= tolerance * shortest
         };
         if ends_meet {
             path.points.pop();
@@ -35,14 +34,13 @@ pub(super) fn outlines(
     }
     if let Some(path) = open.get(MOST_OPEN) {
         let title = format!("more than {MOST_OPEN} lines and arcs");
-        return Err(document
-            .complain(path.place.clone(), title, "the first too many")
-            .help("draw each block as one closed polyline"));
+        let complaint = Complaint::at(path.place.clone(), title, "the first too many");
+        return Err(complaint.help("draw each block as one closed polyline"));
     }
     let mut used = vec![false; open.len()];
     for first in 0..open.len() {
         if !used[first] {
-            closed.push(chain(document, &open, &mut used, first, tolerance)?);
+            closed.push(chain(&open, &mut used, first, tolerance)?);
         }
     }
     // In the order of the drawing.
@@ -50,27 +48,15 @@ pub(super) fn outlines(
     Ok(closed)
 }
 
-fn shortest_edge(path: &Path) -> f64 {
-    let edges = path
-        .points
-        .windows(2)
-        .map(|pair| (pair[1] - pair[0]).norm());
-    edges
-        .filter(|length| *length > 0.0)
-        .fold(f64::INFINITY, f64::min)
-}
-
-fn length(path: &Path) -> f64 {
-    path.points
-        .windows(2)
-        .map(|pair| (pair[1] - pair[0]).norm())
-        .sum()
+/// The lengths of a path's edges.
+fn edges(path: &Path) -> impl Iterator<Item = f64> {
+    let pairs = path.points.windows(2);
+    pairs.map(|pair| (pair[1] - pair[0]).norm())
 }
 
 /// The outline that begins with an open path: each time the one that goes on from its end, until it is
 /// back at its beginning.
 fn chain(
-    document: &Document,
     open: &[Path],
     used: &mut [bool],
     first: usize,
@@ -82,6 +68,7 @@ fn chain(
     loop {
         let start = outline.points[0];
         let end = outline.points[outline.points.len() - 1];
+        let length = |path: &Path| edges(path).sum::<f64>();
         let reach = |path: &Path| tolerance * length(path).min(length(&open[last]));
         if count > 1 && (end - start).norm() <= reach(&open[first]) {
             outline.points.pop();
@@ -104,7 +91,7 @@ fn chain(
             !used[other] && path.layer == outline.layer && ends.into_iter().any(near)
         });
         let Some(next) = next else {
-            return Err(leads_nowhere(document, &open[last], end));
+            return Err(leads_nowhere(&open[last], end));
         };
         used[next] = true;
         let mut points = open[next].points.clone();
@@ -116,17 +103,11 @@ fn chain(
     }
 }
 
-fn leads_nowhere(document: &Document, path: &Path, end: Point) -> Complaint {
+fn leads_nowhere(path: &Path, end: Point) -> Complaint {
     let title = format!("a {} that closes no outline", path.kind);
-    let handle = match path.handle.as_str() {
-        "" => String::new(),
-        handle => format!("handle {handle}, "),
-    };
-    let label = format!(
-        "{handle}layer `{}`: nothing goes on from ({}, {})",
-        path.layer, end.x, end.y
-    );
-    document.complain(path.place.clone(), title, label).help(
+    let whose = handle_and_layer(&path.handle, &path.layer);
+    let label = format!("{whose}: nothing goes on from ({}, {})", end.x, end.y);
+    Complaint::at(path.place.clone(), title, label).help(
         "draw each block as one closed polyline, or as lines and arcs that meet; leave other lines out \
          with `--without LAYER`",
     )

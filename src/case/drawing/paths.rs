@@ -6,7 +6,7 @@ use std::ops::Range;
 use super::curves::Chords;
 use super::entities::{Entity, File, number};
 use super::placing::Placing;
-use crate::case::complaint::{Complaint, Document};
+use crate::case::complaint::Complaint;
 use crate::scene::{Point, Vector};
 
 /// A path of straight edges.
@@ -57,14 +57,13 @@ const MOST_COPIES: i64 = 100_000;
 
 /// All paths of a drawing, and the kinds of entities that were left aside.
 pub(super) struct Paths<'a> {
-    pub document: &'a Document,
-    pub file: &'a File,
+    pub file: &'a File<'a>,
     pub chords: Chords,
     /// Layers that are not read.
     pub without: &'a [String],
     pub found: Vec<Path>,
     /// Kinds that were left aside, each once.
-    pub left_aside: Vec<String>,
+    pub left_aside: Vec<&'a str>,
 }
 
 /// Where an INSERT stands.
@@ -75,15 +74,14 @@ struct Inside<'a> {
     depth: usize,
 }
 
-impl Paths<'_> {
+impl<'a> Paths<'a> {
     /// Reads the drawing's entities.
     ///
     /// # Errors
     /// An entity that is no outline of a block, with its name, handle and layer.
     pub fn read(&mut self) -> Result<(), Complaint> {
-        let file = self.file;
         self.entities(
-            &file.entities,
+            &self.file.entities,
             &Inside {
                 placing: Placing::AS_DRAWN,
                 handle: "",
@@ -93,13 +91,13 @@ impl Paths<'_> {
         )
     }
 
-    fn entities(&mut self, entities: &[Entity], inside: &Inside) -> Result<(), Complaint> {
+    fn entities(&mut self, entities: &'a [Entity<'a>], inside: &Inside) -> Result<(), Complaint> {
         for entity in entities {
             // Entities of paper space are about sheets.
-            if entity.flags(self.document, 67) == 1 {
+            if entity.flags(67) == 1 {
                 continue;
             }
-            let layer = match (entity.layer(self.document), inside.layer) {
+            let layer = match (entity.layer(), inside.layer) {
                 ("0", Some(layer)) => layer,
                 (layer, _) => layer,
             };
@@ -109,29 +107,35 @@ impl Paths<'_> {
             }
             self.entity(entity, layer, inside)?;
             if self.found.len() > MOST_PATHS {
-                return Err(self
-                    .complain(
-                        entity,
-                        layer,
-                        &format!("more than {MOST_PATHS} outlines and lines"),
-                    )
-                    .help("leave out layers with `--without LAYER`"));
+                let what = format!("more than {MOST_PATHS} outlines and lines");
+                let complaint = entity.complain(layer, &what);
+                return Err(complaint.help("leave out layers with `--without LAYER`"));
             }
         }
         Ok(())
     }
 
-    fn entity(&mut self, entity: &Entity, layer: &str, inside: &Inside) -> Result<(), Complaint> {
-        let (points, closed) = match entity.kind.as_str() {
-            "LINE" => (self.line(entity)?, false),
-            "ARC" => (self.arc(entity)?, false),
-            "CIRCLE" => (self.circle(entity)?, true),
-            "LWPOLYLINE" => self.light_polyline(entity)?,
-            "POLYLINE" => self.polyline(entity, layer)?,
+    fn entity(
+        &mut self,
+        entity: &'a Entity<'a>,
+        layer: &str,
+        inside: &Inside,
+    ) -> Result<(), Complaint> {
+        let chords = self.chords;
+        let (points, closed) = match entity.kind {
+            "LINE" => (vec![entity.pair(10)?, entity.pair(11)?], false),
+            "ARC" => (arc(entity, chords)?, false),
+            "CIRCLE" => {
+                let mut points = round(entity, chords, 0.0, TAU)?;
+                points.pop();
+                (points, true)
+            }
+            "LWPOLYLINE" => light_polyline(entity, chords)?,
+            "POLYLINE" => polyline(entity, layer, chords)?,
             "INSERT" => return self.insert(entity, layer, inside),
             kind if LEFT_ASIDE.contains(&kind) => {
-                if !self.left_aside.iter().any(|known| known == kind) {
-                    self.left_aside.push(kind.to_owned());
+                if !self.left_aside.contains(&kind) {
+                    self.left_aside.push(kind);
                 }
                 return Ok(());
             }
@@ -146,17 +150,17 @@ impl Paths<'_> {
                     }
                 };
                 let what = format!("{kind} is no outline of a block");
-                return Err(self.complain(entity, layer, &what).help(help));
+                return Err(entity.complain(layer, &what).help(help));
             }
         };
-        let mirrored = self.mirrored(entity, layer)?;
+        let mirrored = mirrored(entity, layer)?;
         let to = |p: Vector| {
             let p = if mirrored { Vector::new(-p.x, p.y) } else { p };
             Point::from(inside.placing.point(p))
         };
         self.found.push(Path {
-            handle: chained(inside.handle, entity.text(self.document, 5)),
-            kind: entity.kind.clone(),
+            handle: chained(inside.handle, entity.text(5)),
+            kind: entity.kind.to_owned(),
             layer: layer.to_owned(),
             place: entity.place.clone(),
             points: points.into_iter().map(to).collect(),
@@ -165,140 +169,41 @@ impl Paths<'_> {
         Ok(())
     }
 
-    /// Whether an entity is drawn from behind: its direction of extrusion points away. Lines are not:
-    /// their ends are given in the plane itself.
-    fn mirrored(&self, entity: &Entity, layer: &str) -> Result<bool, Complaint> {
-        let along = [210, 220].map(|code| entity.number(self.document, code, 0.0));
-        let [x, y] = along;
-        let z = entity.number(self.document, 230, 1.0)?;
-        if x?.abs().max(y?.abs()) > 1e-6 {
-            return Err(self
-                .complain(
-                    entity,
-                    layer,
-                    "an outline that does not lie in the plane of x and y",
-                )
-                .help("draw the elevation in the plane of x and y"));
-        }
-        Ok(z < 0.0 && entity.kind != "LINE")
-    }
-
-    fn pair(&self, entity: &Entity, code: i32) -> Result<Vector, Complaint> {
-        Ok(Vector::new(
-            entity.number(self.document, code, 0.0)?,
-            entity.number(self.document, code + 10, 0.0)?,
-        ))
-    }
-
-    fn line(&self, entity: &Entity) -> Result<Vec<Vector>, Complaint> {
-        Ok(vec![self.pair(entity, 10)?, self.pair(entity, 11)?])
-    }
-
-    fn arc(&self, entity: &Entity) -> Result<Vec<Vector>, Complaint> {
-        let from = entity.number(self.document, 50, 0.0)?.to_radians();
-        let to = entity.number(self.document, 51, 360.0)?.to_radians();
-        // Counter-clockwise, at most once round.
-        let angle = (to - from).rem_euclid(TAU);
-        self.round(entity, from, if angle == 0.0 { TAU } else { angle })
-    }
-
-    fn circle(&self, entity: &Entity) -> Result<Vec<Vector>, Complaint> {
-        let mut points = self.round(entity, 0.0, TAU)?;
-        points.pop();
-        Ok(points)
-    }
-
-    /// Points about the centre of an entity, from an angle on.
-    fn round(&self, entity: &Entity, from: f64, angle: f64) -> Result<Vec<Vector>, Complaint> {
-        let centre = self.pair(entity, 10)?;
-        let radius = entity.number(self.document, 40, 0.0)?;
-        Ok(self.chords.arc(centre, radius, from, angle))
-    }
-
-    fn light_polyline(&self, entity: &Entity) -> Result<(Vec<Vector>, bool), Complaint> {
-        let mut corners: Vec<(Vector, f64)> = Vec::new();
-        for group in entity.groups() {
-            match group.code {
-                10 => corners.push((Vector::new(number(self.document, group)?, 0.0), 0.0)),
-                20 => {
-                    if let Some((corner, _)) = corners.last_mut() {
-                        corner.y = number(self.document, group)?;
-                    }
-                }
-                42 => {
-                    if let Some((_, bulge)) = corners.last_mut() {
-                        *bulge = number(self.document, group)?;
-                    }
-                }
-                _ => {}
-            }
-        }
-        let closed = entity.flags(self.document, 70) & 1 == 1;
-        Ok((self.chords.polyline(&corners, closed), closed))
-    }
-
-    fn polyline(&self, entity: &Entity, layer: &str) -> Result<(Vec<Vector>, bool), Complaint> {
-        let flags = entity.flags(self.document, 70);
-        if flags & (2 | 4 | 16 | 64) != 0 {
-            return Err(self
-                .complain(entity, layer, "a POLYLINE that is a fitted curve or a mesh")
-                .help("draw the outline as a polyline with arcs"));
-        }
-        let mut corners = Vec::new();
-        for vertex in entity.vertices.iter().filter(|v| v.kind == "VERTEX") {
-            let bulge = vertex.number(self.document, 42, 0.0)?;
-            corners.push((self.pair(vertex, 10)?, bulge));
-        }
-        let closed = flags & 1 == 1;
-        Ok((self.chords.polyline(&corners, closed), closed))
-    }
-
-    fn insert(&mut self, entity: &Entity, layer: &str, inside: &Inside) -> Result<(), Complaint> {
-        let name = entity.text(self.document, 2);
-        let file = self.file;
-        let Some(block) = file.blocks.get(&name.to_lowercase()) else {
+    fn insert(
+        &mut self,
+        entity: &'a Entity<'a>,
+        layer: &str,
+        inside: &Inside,
+    ) -> Result<(), Complaint> {
+        let name = entity.text(2);
+        let Some(block) = self.file.blocks.get(&name.to_lowercase()) else {
             let what = format!("an INSERT of `{name}`, which is not in the drawing");
-            let complaint = self.complain(entity, layer, &what);
+            let complaint = entity.complain(layer, &what);
             return Err(complaint.help("bind references to other drawings before saving"));
         };
         if inside.depth >= DEEPEST {
             let what = format!("INSERTs in one another, more than {DEEPEST} deep");
-            return Err(self.complain(entity, layer, &what).help("explode them"));
+            return Err(entity.complain(layer, &what).help("explode them"));
         }
-        let mirrored = if self.mirrored(entity, layer)? {
-            -1.0
-        } else {
-            1.0
-        };
-        let scale = |code| entity.number(self.document, code, 1.0);
-        let (x, y) = (scale(41)?, scale(42)?);
-        let (sin, cos) = entity
-            .number(self.document, 50, 0.0)?
-            .to_radians()
-            .sin_cos();
-        let (columns, rows) = (
-            entity.flags(self.document, 70),
-            entity.flags(self.document, 71),
-        );
-        let (columns, rows) = (columns.max(1), rows.max(1));
+        let mirrored = if mirrored(entity, layer)? { -1.0 } else { 1.0 };
+        let (x, y) = (entity.number(41, 1.0)?, entity.number(42, 1.0)?);
+        let (sin, cos) = entity.number(50, 0.0)?.to_radians().sin_cos();
+        let [columns, rows] = [70, 71].map(|code| entity.flags(code).max(1));
         if columns.saturating_mul(rows) > MOST_COPIES {
             let what = format!("an INSERT of {columns} by {rows} copies");
-            return Err(self
-                .complain(entity, layer, &what)
-                .help("insert fewer copies"));
+            return Err(entity.complain(layer, &what).help("insert fewer copies"));
         }
-        let [wide, high] = [44, 45].map(|code| entity.number(self.document, code, 0.0));
-        let (wide, high) = (wide?, high?);
+        let (wide, high) = (entity.number(44, 0.0)?, entity.number(45, 0.0)?);
         let turned =
             |v: Vector| Vector::new(mirrored * (cos * v.x - sin * v.y), sin * v.x + cos * v.y);
-        let mut at = self.pair(entity, 10)?;
+        let mut at = entity.pair(10)?;
         at.x *= mirrored;
-        let own = chained(inside.handle, entity.text(self.document, 5));
+        let own = chained(inside.handle, entity.text(5));
         for (row, column) in (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column)))
         {
             let linear = [turned(Vector::new(x, 0.0)), turned(Vector::new(0.0, y))];
             let step = turned(Vector::new(wide * column as f64, high * row as f64));
-            let base = linear[0] * block.base[0] + linear[1] * block.base[1];
+            let base = linear[0] * block.base.x + linear[1] * block.base.y;
             let placing = Placing {
                 columns: linear,
                 shift: at + step - base,
@@ -319,16 +224,69 @@ impl Paths<'_> {
         }
         Ok(())
     }
+}
 
-    fn complain(&self, entity: &Entity, layer: &str, what: &str) -> Complaint {
-        let handle = entity.text(self.document, 5);
-        let handle = match handle {
-            "" => String::new(),
-            handle => format!("handle {handle}, "),
-        };
-        let label = format!("{handle}layer `{layer}`");
-        self.document.complain(entity.place.clone(), what, label)
+/// Whether an entity is drawn from behind: its direction of extrusion points away. Lines are not:
+/// their ends are given in the plane itself.
+fn mirrored(entity: &Entity, layer: &str) -> Result<bool, Complaint> {
+    let (x, y) = (entity.number(210, 0.0), entity.number(220, 0.0));
+    let z = entity.number(230, 1.0)?;
+    if x?.abs().max(y?.abs()) > 1e-6 {
+        let what = "an outline that does not lie in the plane of x and y";
+        let complaint = entity.complain(layer, what);
+        return Err(complaint.help("draw the elevation in the plane of x and y"));
     }
+    Ok(z < 0.0 && entity.kind != "LINE")
+}
+
+fn arc(entity: &Entity, chords: Chords) -> Result<Vec<Vector>, Complaint> {
+    let from = entity.number(50, 0.0)?.to_radians();
+    let to = entity.number(51, 360.0)?.to_radians();
+    // Counter-clockwise, at most once round.
+    let angle = (to - from).rem_euclid(TAU);
+    round(entity, chords, from, if angle == 0.0 { TAU } else { angle })
+}
+
+/// Points about the centre of an entity, from an angle on.
+fn round(entity: &Entity, chords: Chords, from: f64, angle: f64) -> Result<Vec<Vector>, Complaint> {
+    let centre = entity.pair(10)?;
+    let radius = entity.number(40, 0.0)?;
+    Ok(chords.arc(centre, radius, from, angle))
+}
+
+fn light_polyline(entity: &Entity, chords: Chords) -> Result<(Vec<Vector>, bool), Complaint> {
+    let mut corners: Vec<(Vector, f64)> = Vec::new();
+    for group in entity.groups {
+        match (group.code, corners.last_mut()) {
+            (10, _) => corners.push((Vector::new(number(group)?, 0.0), 0.0)),
+            (20, Some((corner, _))) => corner.y = number(group)?,
+            (42, Some((_, bulge))) => *bulge = number(group)?,
+            _ => {}
+        }
+    }
+    let closed = entity.flags(70) & 1 == 1;
+    Ok((chords.polyline(&corners, closed), closed))
+}
+
+fn polyline(
+    entity: &Entity,
+    layer: &str,
+    chords: Chords,
+) -> Result<(Vec<Vector>, bool), Complaint> {
+    let flags = entity.flags(70);
+    if flags & (2 | 4 | 16 | 64) != 0 {
+        let what = "a POLYLINE that is a fitted curve or a mesh";
+        let complaint = entity.complain(layer, what);
+        return Err(complaint.help("draw the outline as a polyline with arcs"));
+    }
+    let vertices = entity.vertices.iter().filter(|v| v.kind == "VERTEX");
+    let corner = |vertex: &Entity| {
+        let bulge = vertex.number(42, 0.0)?;
+        Ok((vertex.pair(10)?, bulge))
+    };
+    let corners: Vec<(Vector, f64)> = vertices.map(corner).collect::<Result<_, _>>()?;
+    let closed = flags & 1 == 1;
+    Ok((chords.polyline(&corners, closed), closed))
 }
 
 /// Whether two layers are one: their names do not tell capitals.

@@ -3,7 +3,7 @@
 use super::drawn::{Drawn, complain};
 use super::heal::{Gap, gaps};
 use super::options::DrawingOptions;
-use crate::case::complaint::{Complaint, Document};
+use crate::case::complaint::Complaint;
 use crate::scene::{Assembly, Polygon, Side, TOUCHING, Unsound};
 
 /// Gaps wider than this part of a block's extent are meant.
@@ -11,7 +11,6 @@ const WIDEST_GAP: f64 = 0.015;
 
 /// Refuses what overlaps, gapes or floats, with layers, handles and coordinates.
 pub(super) fn sound(
-    document: &Document,
     drawn: &[Drawn],
     fixed: &[bool],
     assembly: &Assembly,
@@ -23,10 +22,8 @@ pub(super) fn sound(
             Side::Support(place) => (true, place),
             Side::Block(place) => (false, place),
         };
-        let mut same = drawn
-            .iter()
-            .zip(fixed)
-            .filter(|(_, fixed)| **fixed == wanted);
+        let bodies = drawn.iter().zip(fixed);
+        let mut same = bodies.filter(|(_, fixed)| **fixed == wanted);
         same.nth(place).expect("every body was drawn").0
     };
     let near = |d: &Drawn| {
@@ -39,12 +36,9 @@ pub(super) fn sound(
     let unsound = assembly.check().err();
     if let Some(Unsound::Overlap { one, other, depth }) = unsound {
         let (one, other) = (of(one), of(Side::Block(other)));
-        let title = format!(
-            "{} and {} overlap, {depth:.3e} deep",
-            near(one),
-            near(other)
-        );
-        return Err(complain(document, &other.path, &title).help(beyond(options)));
+        let names = format!("{} and {}", near(one), near(other));
+        let title = format!("{names} overlap, {depth:.3e} deep");
+        return Err(complain(&other.path, &title).help(beyond(options)));
     }
     let mut wide = gaps(&shapes, TOUCHING, WIDEST_GAP).into_iter();
     let between = |gap: &Gap| gap.bodies.iter().any(|&body| !fixed[body]);
@@ -59,22 +53,18 @@ pub(super) fn sound(
             near(one),
             near(other)
         );
-        return Err(complain(document, &other.path, &title).help(beyond(options)));
+        return Err(complain(&other.path, &title).help(beyond(options)));
     }
-    match unsound {
-        Some(Unsound::Floating { block, .. }) => {
-            let block = of(Side::Block(block));
-            let title = format!(
-                "{} floats: no joints lead from it to a support",
-                near(block)
-            );
-            Err(complain(document, &block.path, &title).help(
-                "let an edge of it lie on an edge of a block that is held, or leave its layer out with \
-                 `--without LAYER`",
-            ))
-        }
-        _ => Ok(()),
-    }
+    let Some(Unsound::Floating { block, .. }) = unsound else {
+        return Ok(());
+    };
+    let block = of(Side::Block(block));
+    let name = near(block);
+    let title = format!("{name} floats: no joints lead from it to a support");
+    Err(complain(&block.path, &title).help(
+        "let an edge of it lie on an edge of a block that is held, or leave its layer out with \
+         `--without LAYER`",
+    ))
 }
 
 /// What to do about outlines that are further apart than is healed.

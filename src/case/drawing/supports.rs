@@ -1,41 +1,36 @@
 //! Which outlines of a drawing never move.
 
 use super::drawn::{Drawn, complain};
+use super::groups::AT_THE_END;
 use super::options::DrawingOptions;
 use super::paths::same;
-use crate::case::complaint::{Complaint, Document};
-use crate::scene::extent;
+use crate::case::complaint::Complaint;
+use crate::case::suggestion::listed;
+use crate::scene::{Point, bounds, extent};
 
 /// Layers whose outlines never move, where nobody names one.
 const SUPPORT_LAYERS: [&str; 4] = ["support", "supports", "ground", "fixed"];
 
 /// Which outlines never move: those of a layer, or else the lowest wide one.
 pub(super) fn supports(
-    document: &Document,
     drawn: &[Drawn],
     options: &DrawingOptions,
     remarks: &mut Vec<String>,
 ) -> Result<Vec<bool>, Complaint> {
-    let none = || {
-        let end = document.text.len();
-        document.complain(end..end, "no outline of a block", "nothing closed is drawn")
-    };
     let Some(first) = drawn.first() else {
-        return Err(none().help("draw each block as a closed polyline in model space"));
+        let (title, label) = ("no outline of a block", "nothing closed is drawn");
+        let complaint = Complaint::at(AT_THE_END, title, label);
+        return Err(complaint.help("draw each block as a closed polyline in model space"));
     };
-    let on =
-        |layer: &str| -> Vec<bool> { drawn.iter().map(|d| same(&d.path.layer, layer)).collect() };
-    let is_some = |fixed: &[bool]| fixed.contains(&true);
     let layer = options.support.as_deref();
-    let known = layer
-        .into_iter()
-        .chain(SUPPORT_LAYERS.into_iter().filter(|_| layer.is_none()));
+    let known = layer.map_or(SUPPORT_LAYERS.to_vec(), |layer| vec![layer]);
     for layer in known {
-        let fixed = on(layer);
-        if is_some(&fixed) {
-            if fixed.iter().all(|fixed| *fixed) {
+        let on = |d: &Drawn| same(&d.path.layer, layer);
+        let fixed: Vec<bool> = drawn.iter().map(on).collect();
+        if fixed.contains(&true) {
+            if !fixed.contains(&false) {
                 let title = format!("all outlines are on the layer `{layer}` of supports");
-                return Err(complain(document, &first.path, &title)
+                return Err(complain(&first.path, &title)
                     .help("name the layer of what never moves with `--support LAYER`"));
             }
             remarks.push(format!("supports: what is on the layer `{layer}`"));
@@ -48,41 +43,27 @@ pub(super) fn supports(
         layers.sort_unstable();
         layers.dedup();
         layers.truncate(20);
-        return Err(complain(document, &first.path, &title).help(format!(
-            "the layers with closed outlines are {}",
-            crate::case::suggestion::listed(layers)
-        )));
+        let help = format!("the layers with closed outlines are {}", listed(layers));
+        return Err(complain(&first.path, &title).help(help));
     }
-    let bounds = |d: &Drawn| d.shape.bounds();
-    let low = drawn
-        .iter()
-        .map(|d| bounds(d).0.y)
-        .fold(f64::INFINITY, f64::min);
-    let (left, right) = drawn
-        .iter()
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, r), d| {
-            (l.min(bounds(d).0.x), r.max(bounds(d).1.x))
-        });
-    let wide = |d: &Drawn| bounds(d).1.x - bounds(d).0.x >= 0.5 * (right - left);
-    let lowest = drawn
-        .iter()
-        .position(|d| wide(d) && bounds(d).0.y <= low + 1e-6 * extent(&d.shape) && drawn.len() > 1);
-    match lowest {
-        Some(lowest) => {
-            let name = &drawn[lowest].name;
-            remarks.push(format!(
-                "support: the lowest wide outline, `{name}`; `--support LAYER` names another"
-            ));
-            Ok((0..drawn.len()).map(|i| i == lowest).collect())
-        }
-        None => Err(complain(
-            document,
-            &first.path,
-            "no support: which outlines never move?",
-        )
-        .help(
+    let boxes = drawn.iter().map(|d| d.shape.bounds());
+    let corners: Vec<Point> = boxes.flat_map(|(low, high)| [low, high]).collect();
+    let (low, high) = bounds(&corners);
+    let is_lowest = |d: &Drawn| {
+        let (from, to) = d.shape.bounds();
+        let wide = to.x - from.x >= 0.5 * (high.x - low.x);
+        wide && from.y <= low.y + 1e-6 * extent(&d.shape) && drawn.len() > 1
+    };
+    let Some(lowest) = drawn.iter().position(is_lowest) else {
+        let complaint = complain(&first.path, "no support: which outlines never move?");
+        return Err(complaint.help(
             "draw the ground as a closed outline on a layer `support`, or name its layer with \
              `--support LAYER`",
-        )),
-    }
+        ));
+    };
+    let name = &drawn[lowest].name;
+    remarks.push(format!(
+        "support: the lowest wide outline, `{name}`; `--support LAYER` names another"
+    ));
+    Ok((0..drawn.len()).map(|i| i == lowest).collect())
 }

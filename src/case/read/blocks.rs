@@ -3,16 +3,13 @@
 use toml::Spanned;
 
 use super::bodies::{ReadFile, bodies};
-use super::checks::{positive, within};
+use super::checks::{positive_or_one, within};
 use super::file::CaseFile;
 use super::forces::{Loadable, forces};
 use super::friction::friction;
 use super::outline::Outline;
-use super::values::Number;
 use crate::case::complaint::{Complaint, Document};
-use crate::scene::{
-    Assembly, Forces, NamedBlock, Point, Polygon, Side, Support, TOUCHING, Unsound,
-};
+use crate::scene::{Assembly, Forces, NamedBlock, Point, Side, Support, TOUCHING, Unsound, extent};
 
 /// Tolerances of the joint search, fractions of the smaller block's extent.
 const TOLERANCES: std::ops::RangeInclusive<f64> = 1e-9..=1e-2;
@@ -29,26 +26,18 @@ pub(super) fn assembly(
     warnings: &mut Vec<Complaint>,
 ) -> Result<Assembly, Complaint> {
     let table = file.blocks.as_ref().map(Spanned::get_ref);
-    let (bodies, found) = bodies(document, file, read_file)?;
-    warnings.extend(found);
-    let value = |key, default: f64, value: Option<&Spanned<Number>>| match value {
-        None => Ok(default),
-        Some(value) => positive(document, key, value),
-    };
-    let specific = value(
-        "specific_weight",
-        1.0,
-        table.and_then(|t| t.specific_weight.as_ref()),
-    )?;
-    let thickness = value("thickness", 1.0, table.and_then(|t| t.thickness.as_ref()))?;
-    let tolerance = match table.and_then(|table| table.tolerance.as_ref()) {
-        None => TOUCHING,
-        Some(value) => within(document, "tolerance", value, TOLERANCES)?,
-    };
+    let bodies = bodies(document, file, read_file, warnings)?;
+    let specific = table.and_then(|table| table.specific_weight.as_ref());
+    let specific = positive_or_one("specific_weight", specific)?;
+    let thickness = table.and_then(|table| table.thickness.as_ref());
+    let thickness = positive_or_one("thickness", thickness)?;
+    let tolerance = table.and_then(|table| table.tolerance.as_ref());
+    let tolerance =
+        tolerance.map_or(Ok(TOUCHING), |value| within("tolerance", value, TOLERANCES))?;
     let mut assembly = Assembly {
         blocks: Vec::new(),
         supports: Vec::new(),
-        friction: friction(document, file)?,
+        friction: friction(file)?,
         forces: Forces::default(),
         tolerance,
         radial: table.and_then(|table| table.radial).unwrap_or(false),
@@ -73,7 +62,7 @@ pub(super) fn assembly(
     }
     in_range(&assembly, &of_block, &of_support)?;
     sound(&assembly, &of_block, &of_support)?;
-    assembly.forces = forces(document, file, &Loadable::of(&assembly))?;
+    assembly.forces = forces(file, &Loadable::of(&assembly))?;
     Ok(assembly)
 }
 
@@ -83,26 +72,18 @@ fn in_range(
     of_block: &[&Outline],
     of_support: &[&Outline],
 ) -> Result<(), Complaint> {
-    let extent = |shape: &Polygon| {
-        let (low, high) = shape.bounds();
-        (high - low).norm()
-    };
     let blocks = assembly.blocks.iter().map(|block| extent(&block.shape));
     let smallest = blocks.fold(f64::INFINITY, f64::min);
     for outline in of_block.iter().chain(of_support) {
         let far = |p: &Point| p.x.abs().max(p.y.abs()) > FARTHEST * smallest;
         if let Some(corner) = outline.corners.iter().position(far) {
-            return Err(outline.places[corner]
-                .complain(
-                    format!(
-                        "a corner of `{}` is too far away for the smallest block",
-                        outline.name
-                    ),
-                    format!("that block is {smallest:.3e} in extent"),
-                )
-                .help(format!(
-                    "keep coordinates below {FARTHEST:e} times the extent of the smallest block"
-                )));
+            let name = &outline.name;
+            let title = format!("a corner of `{name}` is too far away for the smallest block");
+            let label = format!("that block is {smallest:.3e} in extent");
+            let complaint = outline.places[corner].complain(title, label);
+            return Err(complaint.help(format!(
+                "keep coordinates below {FARTHEST:e} times the extent of the smallest block"
+            )));
         }
     }
     Ok(())
@@ -118,39 +99,28 @@ fn sound(
         Side::Support(support) => of_support[support],
         Side::Block(block) => of_block[block],
     };
+    let both = |one, other: usize, what: String| {
+        let (one, other) = (outline(one), of_block[other]);
+        let title = format!("`{}` and `{}` {what}", one.name, other.name);
+        let label = format!("the other is at {}", one.rows());
+        other.place.complain(title, label)
+    };
     let Err(unsound) = assembly.check() else {
         return Ok(());
     };
     Err(match unsound {
         Unsound::Overlap { one, other, depth } => {
-            let (one, other) = (outline(one), outline(Side::Block(other)));
-            let title = format!(
-                "`{}` and `{}` overlap, {depth:.3e} deep",
-                one.name, other.name
-            );
-            other
-                .place
-                .complain(title, format!("the other is at {}", one.rows()))
+            both(one, other, format!("overlap, {depth:.3e} deep"))
                 .help("move or cut one of the two; where they only touch, correct the last digits")
         }
         Unsound::NearMiss { one, other, needed } => {
-            let (one, other) = (outline(one), outline(Side::Block(other)));
-            let title = format!(
-                "`{}` and `{}` nearly touch and have no joint",
-                one.name, other.name
-            );
-            other
-                .place
-                .complain(title, format!("the other is at {}", one.rows()))
-                .help(format!(
-                    "write more digits, or `tolerance = {needed:.0e}` in `[blocks]` (a fraction of \
+            both(one, other, "nearly touch and have no joint".to_owned()).help(format!(
+                "write more digits, or `tolerance = {needed:.0e}` in `[blocks]` (a fraction of \
                      the smaller block's extent; now {:e})",
-                    assembly.tolerance
-                ))
+                assembly.tolerance
+            ))
         }
-        Unsound::Floating { block, touches } => {
-            floating(outline(Side::Block(block)), touches.map(outline))
-        }
+        Unsound::Floating { block, touches } => floating(of_block[block], touches.map(outline)),
     })
 }
 

@@ -4,10 +4,10 @@ use std::collections::HashMap;
 
 use toml::Spanned;
 
-use super::checks::{MOST_BLOCKS, coordinates, positive, unknown_block};
+use super::checks::{MOST_BLOCKS, Written, coordinates, positive, unknown_block};
 use super::csv::{CsvBlock, outlines};
-use super::explain::missing_key;
 use super::file::{BlocksTable, BodyTable, CaseFile};
+use super::missing::missing_key;
 use super::outline::Outline;
 use super::values::Pair;
 use crate::case::complaint::{Complaint, Document, Place};
@@ -52,19 +52,19 @@ impl Bodies {
     }
 }
 
-/// All bodies, those of the CSV first, and warnings about it; at least one moves and one does not.
+/// All bodies, those of the CSV first; at least one moves and one does not.
 pub(super) fn bodies(
     document: &Document,
     file: &CaseFile,
     read_file: ReadFile,
-) -> Result<(Vec<Body>, Vec<Complaint>), Complaint> {
+    warnings: &mut Vec<Complaint>,
+) -> Result<Vec<Body>, Complaint> {
     let table = file.blocks.as_ref();
     let mut bodies = Bodies::default();
-    let mut warnings = Vec::new();
     let csv = table.and_then(|table| table.get_ref().csv.as_ref());
     if let Some(csv) = csv {
         let (blocks, found) = outlines(&csv_beside(document, csv, read_file)?)?;
-        warnings = found;
+        warnings.extend(found);
         for CsvBlock { outline, weight } in blocks {
             bodies.push(Body {
                 outline,
@@ -81,20 +81,30 @@ pub(super) fn bodies(
         add(document, &mut bodies, body, moves, csv.is_some())?;
     }
     if let Some(table) = table {
-        hold(document, &mut bodies, table.get_ref())?;
+        hold(&mut bodies, table.get_ref())?;
     }
     let bodies = bodies.list;
     not_too_many(&bodies)?;
     no_weight_of_a_support(&bodies)?;
     let place = |moves: bool| bodies.iter().find(|body| body.moves == moves);
     match (place(true), place(false)) {
-        (Some(_), Some(_)) => Ok((bodies, warnings)),
-        (Some(body), None) => Err(no_support(&body.outline.place)),
-        (None, Some(body)) => Err(nothing_moves(&body.outline.place)),
+        (Some(_), Some(_)) => Ok(bodies),
+        (Some(body), None) => {
+            let label = "this block, as all others, may move";
+            Err(body.outline.place.complain("no support", label).help(
+                "add a `[[support]]` with corners, or name blocks that never move: \
+                 `supports = [\"ground\"]` in `[blocks]`",
+            ))
+        }
+        (None, Some(body)) => {
+            let label = "this body, as all others, is a support";
+            let complaint = body.outline.place.complain("no block may move", label);
+            Err(complaint.help("add a `[[block]]`, or take one out of `supports`"))
+        }
         (None, None) => {
             let place = table.map_or(0..0, Spanned::span);
-            Err(document
-                .complain(place, "no blocks", "neither a CSV nor `[[block]]`")
+            let complaint = Complaint::at(place, "no blocks", "neither a CSV nor `[[block]]`");
+            Err(complaint
                 .help("add `csv = \"blocks.csv\"` to `[blocks]`, or a `[[block]]` with corners"))
         }
     }
@@ -122,22 +132,6 @@ fn no_weight_of_a_support(bodies: &[Body]) -> Result<(), Complaint> {
     Ok(())
 }
 
-fn no_support(block: &Place) -> Complaint {
-    block
-        .complain("no support", "this block, as all others, may move")
-        .help(
-            "add a `[[support]]` with corners, or name blocks that never move: \
-             `supports = [\"ground\"]` in `[blocks]`",
-        )
-}
-
-fn nothing_moves(support: &Place) -> Complaint {
-    let label = "this body, as all others, is a support";
-    support
-        .complain("no block may move", label)
-        .help("add a `[[block]]`, or take one out of `supports`")
-}
-
 /// The CSV beside the case.
 fn csv_beside(
     document: &Document,
@@ -145,10 +139,7 @@ fn csv_beside(
     read_file: ReadFile,
 ) -> Result<Document, Complaint> {
     let name = csv.get_ref().as_str();
-    let complain = |title: String, help: &str| {
-        let complaint = document.complain(csv.span(), title, "here");
-        Err(complaint.help(help))
-    };
+    let complain = |title: String, help: &str| Err(csv.wrong(title, "here").help(help));
     if name.is_empty() || name.contains(['/', '\\']) || name.starts_with('.') {
         let title = format!("`{name}` is no file beside the case");
         return complain(
@@ -179,25 +170,23 @@ fn add(
 ) -> Result<(), Complaint> {
     let body = table.get_ref();
     let Some(written) = &body.name else {
-        return Err(missing_key(document, table.span(), "name"));
+        return Err(missing_key(table.span(), "name"));
     };
-    let name = short_name(document, written)?;
-    no_course(document, body)?;
+    let name = short_name(written)?;
+    no_course(body)?;
     let centre = body.centre.as_ref();
-    let centre = centre.map(|pair| coordinates(document, pair, "a centre"));
+    let centre = centre.map(|pair| coordinates(pair, "a centre"));
     let centre = centre.transpose()?;
-    let weight = match &body.weight {
-        None => None,
-        Some(value) => {
-            let weight = positive(document, "weight", value)?;
-            Some((weight, Place::new(document, value.span())))
-        }
-    };
+    let weight = body.weight.as_ref().map(|value| {
+        let weight = positive("weight", value)?;
+        Ok((weight, Place::new(document, value.span())))
+    });
+    let weight = weight.transpose()?;
     let gives = weight.is_some() || centre.is_some();
     let twice = |known: &Body| {
         (weight.is_some() && known.weight.is_some()) || (centre.is_some() && known.centre.is_some())
     };
-    let again = |title: String| document.complain(written.span(), title, "here again");
+    let again = |title: String| written.wrong(title, "here again");
     match (&body.corners, bodies.named(name)) {
         (Some(corners), None) => bodies.push(Body {
             outline: inline_outline(document, written, corners.get_ref())?,
@@ -221,40 +210,34 @@ fn add(
                  it, once",
             ));
         }
-        (None, None) if !csv => return Err(missing_key(document, written.span(), "corners")),
-        (None, None) => {
-            return Err(unknown_block(document, written, bodies.names()));
-        }
+        (None, None) if !csv => return Err(missing_key(written.span(), "corners")),
+        (None, None) => return Err(unknown_block(written, bodies.names())),
     }
     Ok(())
 }
 
 /// Refuses what places a block in a course.
-fn no_course(document: &Document, body: &BodyTable) -> Result<(), Complaint> {
+fn no_course(body: &BodyTable) -> Result<(), Complaint> {
     let keys = [("course", &body.course), ("piece", &body.piece)];
     for (key, value) in keys {
         if let Some(value) = value {
             let title = format!("`{key}` of an explicit block");
-            return Err(document
-                .complain(value.span(), title, "goes with a coursed wall")
-                .help(format!("remove `{key}`")));
+            let complaint = value.wrong(title, "goes with a coursed wall");
+            return Err(complaint.help(format!("remove `{key}`")));
         }
     }
     Ok(())
 }
 
 /// The name without spaces around it.
-pub(super) fn short_name<'a>(
-    document: &Document,
-    name: &'a Spanned<String>,
-) -> Result<&'a str, Complaint> {
+pub(super) fn short_name(name: &Spanned<String>) -> Result<&str, Complaint> {
     let trimmed = name.get_ref().trim();
     let count = trimmed.chars().count();
     if (1..=60).contains(&count) && !trimmed.chars().any(char::is_control) {
         return Ok(trimmed);
     }
-    Err(document
-        .complain(name.span(), "a name that names nothing", "here")
+    Err(name
+        .wrong("a name that names nothing", "here")
         .help("write a short name, such as `\"A\"`"))
 }
 
@@ -264,7 +247,7 @@ fn inline_outline(
     name: &Spanned<String>,
     corners: &[Spanned<Pair>],
 ) -> Result<Outline, Complaint> {
-    let corner = |pair| coordinates(document, pair, "a corner");
+    let corner = |pair| coordinates(pair, "a corner");
     let place = |pair: &Spanned<Pair>| Place::new(document, pair.span());
     Ok(Outline {
         name: name.get_ref().trim().to_owned(),
@@ -275,16 +258,15 @@ fn inline_outline(
 }
 
 /// Turns the blocks of `supports` into supports.
-fn hold(document: &Document, bodies: &mut Bodies, table: &BlocksTable) -> Result<(), Complaint> {
+fn hold(bodies: &mut Bodies, table: &BlocksTable) -> Result<(), Complaint> {
     for word in &table.supports {
         let Some(body) = bodies.named(word.get_ref()) else {
-            return Err(unknown_block(document, word, bodies.names()));
+            return Err(unknown_block(word, bodies.names()));
         };
         if !std::mem::replace(&mut body.moves, false) {
             let title = format!("`{}` is a support already", word.get_ref());
-            return Err(document
-                .complain(word.span(), title, "here again")
-                .help("name each support once"));
+            let complaint = word.wrong(title, "here again");
+            return Err(complaint.help("name each support once"));
         }
     }
     Ok(())

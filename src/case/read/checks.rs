@@ -1,13 +1,13 @@
 //! Checks of single values: words, names of blocks, numbers and points.
 
-use std::ops::{Range, RangeInclusive};
+use std::ops::RangeInclusive;
 
 use toml::Spanned;
 
 use super::values::{Number, Pair, WholeNumber};
-use crate::case::complaint::{Complaint, Document, shorten};
+use crate::case::complaint::{Complaint, shorten};
 use crate::case::suggestion::{listed, nearest};
-use crate::scene::{Course, HeadJoints, Point};
+use crate::scene::{HeadJoints, Point};
 
 /// Smallest and largest size of any number: far outside of masonry in any unit, and squares of it
 /// are still far from the ends of `f64`.
@@ -20,9 +20,20 @@ pub(super) const MOST_BLOCKS: usize = 100_000;
 /// What head joints can carry, in the order of a case's results.
 pub(super) const HEAD_JOINTS: [HeadJoints; 2] = [HeadJoints::Contact, HeadJoints::Open];
 
+/// A value of the file, which knows where it stands.
+pub(super) trait Written {
+    /// A complaint about it, with a label below it.
+    fn wrong(&self, title: impl Into<String>, label: impl Into<String>) -> Complaint;
+}
+
+impl<T> Written for Spanned<T> {
+    fn wrong(&self, title: impl Into<String>, label: impl Into<String>) -> Complaint {
+        Complaint::at(self.span(), title, label)
+    }
+}
+
 /// The choice that a word stands for.
 pub(super) fn choose<'a, T>(
-    document: &Document,
     key: &str,
     choices: impl IntoIterator<Item = (&'a str, T)>,
     word: &Spanned<String>,
@@ -40,14 +51,12 @@ pub(super) fn choose<'a, T>(
         Some(near) => format!("did you mean `{key} = \"{near}\"`?"),
         None => format!("the words for `{key}` are {}", listed(words)),
     };
-    Err(document
-        .complain(word.span(), title, "not one of the known words")
-        .help(help))
+    let complaint = word.wrong(title, "not one of the known words");
+    Err(complaint.help(help))
 }
 
 /// A name that no block has.
 pub(super) fn unknown_block<'a>(
-    document: &Document,
     word: &Spanned<String>,
     known: impl Iterator<Item = &'a str> + Clone,
 ) -> Complaint {
@@ -58,35 +67,29 @@ pub(super) fn unknown_block<'a>(
         Some(near) => format!("did you mean `{near}`?"),
         None => format!("the blocks are {}", listed(known.take(20))),
     };
-    document
-        .complain(
-            word.span(),
-            format!("unknown block `{name}`"),
-            "no such block",
-        )
+    word.wrong(format!("unknown block `{name}`"), "no such block")
         .help(help)
 }
 
-pub(super) fn positive(
-    document: &Document,
-    key: &str,
-    value: &Spanned<Number>,
-) -> Result<f64, Complaint> {
-    within(document, key, value, SMALLEST..=LARGEST)
+pub(super) fn positive(key: &str, value: &Spanned<Number>) -> Result<f64, Complaint> {
+    within(key, value, SMALLEST..=LARGEST)
 }
 
-pub(super) fn not_negative(
-    document: &Document,
+/// A positive number, or 1 where none is written.
+pub(super) fn positive_or_one(
     key: &str,
-    value: &Spanned<Number>,
+    value: Option<&Spanned<Number>>,
 ) -> Result<f64, Complaint> {
+    value.map_or(Ok(1.0), |value| positive(key, value))
+}
+
+pub(super) fn not_negative(key: &str, value: &Spanned<Number>) -> Result<f64, Complaint> {
     // The sum turns -0.0 into 0.0.
-    within(document, key, value, 0.0..=LARGEST).map(|number| number + 0.0)
+    within(key, value, 0.0..=LARGEST).map(|number| number + 0.0)
 }
 
 /// A finite number in `range`; TOML knows `nan` and `inf`, we do not.
 pub(super) fn within(
-    document: &Document,
     key: &str,
     value: &Spanned<Number>,
     range: RangeInclusive<f64>,
@@ -96,35 +99,29 @@ pub(super) fn within(
         return Ok(number);
     }
     let (least, most) = (*range.start(), *range.end());
-    let title = if !number.is_finite() {
-        format!("`{key}` is not a finite number")
+    let why = if !number.is_finite() {
+        "not a finite number"
     } else if number < 0.0 && least >= 0.0 {
-        format!("`{key}` is negative")
+        "negative"
     } else if number == 0.0 {
-        format!("`{key}` is zero")
+        "zero"
     } else if most < LARGEST {
-        format!("`{key}` is out of range")
+        "out of range"
     } else if number < least {
-        format!("`{key}` is absurdly small")
+        "absurdly small"
     } else {
-        format!("`{key}` is absurdly large")
+        "absurdly large"
     };
-    let written = |end: f64| match end.abs() {
+    let [least, most] = [least, most].map(|end| match end.abs() {
         0.0 | 0.001..1e6 => end.to_string(),
         _ => format!("{end:e}"),
-    };
-    Err(document
-        .complain(value.span(), title, "out of range")
-        .help(format!(
-            "write a number from {} to {}",
-            written(least),
-            written(most)
-        )))
+    });
+    let complaint = value.wrong(format!("`{key}` is {why}"), "out of range");
+    Err(complaint.help(format!("write a number from {least} to {most}")))
 }
 
 /// A whole number from 1 to `most`.
 pub(super) fn whole(
-    document: &Document,
     key: &str,
     value: &Spanned<WholeNumber>,
     most: usize,
@@ -133,42 +130,19 @@ pub(super) fn whole(
     if (1..=most).contains(&number) {
         return Ok(number);
     }
-    let title = format!("`{key}` is out of range");
-    Err(document
-        .complain(value.span(), title, "out of range")
-        .help(format!("write a whole number from 1 to {most}")))
+    let complaint = value.wrong(format!("`{key}` is out of range"), "out of range");
+    Err(complaint.help(format!("write a whole number from 1 to {most}")))
 }
 
 /// `[x, y]` as a point.
-pub(super) fn coordinates(
-    document: &Document,
-    pair: &Spanned<Pair>,
-    what: &str,
-) -> Result<Point, Complaint> {
+pub(super) fn coordinates(pair: &Spanned<Pair>, what: &str) -> Result<Point, Complaint> {
     let [x, y] = pair.get_ref().0.as_slice() else {
-        return Err(document
-            .complain(pair.span(), format!("{what} is two numbers"), "here")
+        return Err(pair
+            .wrong(format!("{what} is two numbers"), "here")
             .help("write `[x, y]`, such as `[1.5, 0.0]`"));
     };
     let number = |key: &str, value: &Spanned<Number>| {
-        within(document, key, value, -LARGEST..=LARGEST).map(|number| number + 0.0)
+        within(key, value, -LARGEST..=LARGEST).map(|number| number + 0.0)
     };
     Ok(Point::new(number("x", x)?, number("y", y)?))
-}
-
-/// A complaint about more courses than a wall can have.
-pub(super) fn too_many_courses(document: &Document, span: Range<usize>) -> Complaint {
-    document
-        .complain(
-            span,
-            format!("a wall of more than {MOST_BLOCKS} blocks"),
-            "too many courses",
-        )
-        .help("write fewer or shorter courses")
-}
-
-/// Blocks of these courses.
-pub(super) fn blocks_of(courses: &[Course]) -> usize {
-    let pieces = courses.iter().flatten();
-    pieces.filter(|piece| !piece.is_gap()).count()
 }

@@ -2,21 +2,17 @@
 
 use std::ops::Range;
 
+use super::checks::MOST_BLOCKS;
 use super::pieces::{Legend, Meaning};
+use crate::case::complaint::Complaint;
+use crate::scene::Course;
 
 /// Most pieces in one course.
 pub(super) const MOST_PIECES: usize = 10_000;
 
-/// What is wrong with a course string, and where in it (bytes).
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct CourseError {
-    /// The offending part of the string; all of it where that is empty.
-    pub place: Range<usize>,
-    /// What is wrong.
-    pub title: String,
-    /// What to write instead.
-    pub help: String,
-}
+/// What is wrong with a course string: the offending part of it (bytes; all of it where that is
+/// empty), the title, and what to write instead.
+type CourseError = (Range<usize>, String, String);
 
 /// The pieces, for help lines.
 fn pieces(legend: &Legend) -> String {
@@ -48,20 +44,15 @@ pub(super) fn read_course(text: &str, legend: &Legend) -> Result<Vec<Meaning>, C
             (count, at) = read_count(text, at)?;
         }
         if course.len() + count > MOST_PIECES {
-            return Err(CourseError {
-                place: start..at,
-                title: format!("a course of more than {MOST_PIECES} pieces"),
-                help: format!("keep a course to {MOST_PIECES} pieces"),
-            });
+            let title = format!("a course of more than {MOST_PIECES} pieces");
+            let help = format!("keep a course to {MOST_PIECES} pieces");
+            return Err((start..at, title, help));
         }
         course.extend((0..count).map(|_| piece));
     }
     if course.is_empty() {
-        return Err(CourseError {
-            place: 0..text.len(),
-            title: "a course without pieces".into(),
-            help: pieces(legend),
-        });
+        let title = "a course without pieces".to_owned();
+        return Err((0..text.len(), title, pieces(legend)));
     }
     Ok(course)
 }
@@ -77,45 +68,44 @@ fn unknown(letter: char, start: usize, legend: &Legend) -> CourseError {
         'H' | 'Q' | 'G' => format!("write a small letter: `{}`", letter.to_ascii_lowercase()),
         _ => pieces(legend),
     };
-    CourseError {
-        place: start..start + letter.len_utf8(),
-        title: format!("unknown piece `{}` in a course", letter.escape_debug()),
-        help,
-    }
+    let title = format!("unknown piece `{}` in a course", letter.escape_debug());
+    (start..start + letter.len_utf8(), title, help)
 }
 
 /// Reads `*24` at byte `star`: the count, and where the text goes on.
 fn read_count(text: &str, star: usize) -> Result<(usize, usize), CourseError> {
-    let digits = &text[star + 1..];
-    let digits = &digits[..digits.len()
-        - digits
-            .trim_start_matches(|c: char| c.is_ascii_digit())
-            .len()];
-    let end = star + 1 + digits.len();
-    let complain = |title: &str, help: String| CourseError {
-        place: if digits.is_empty() {
-            star..end
-        } else {
-            star + 1..end
-        },
-        title: title.into(),
-        help,
-    };
-    if digits.is_empty() {
-        let help = "write a whole number right behind the `*`, as in `1*24`".into();
-        return Err(complain("a `*` without a count", help));
-    }
-    match digits.parse() {
-        Ok(0) => Err(complain(
+    let from = star + 1;
+    let after = text[from..].trim_start_matches(|c: char| c.is_ascii_digit());
+    let end = text.len() - after.len();
+    let complain = |title: &str, help: String| Err((from..end, title.to_owned(), help));
+    match text[from..end].parse() {
+        Ok(0) => complain(
             "a count of zero",
             "write a count of 1 or more, or leave the piece out".into(),
-        )),
+        ),
         Ok(count) if count <= MOST_PIECES => Ok((count, end)),
-        _ => Err(complain(
+        _ if from == end => Err((
+            star..end,
+            "a `*` without a count".into(),
+            "write a whole number right behind the `*`, as in `1*24`".into(),
+        )),
+        _ => complain(
             "an absurd count",
             format!("write a count up to {MOST_PIECES}"),
-        )),
+        ),
     }
+}
+
+/// A complaint about more courses than a wall can have.
+pub(super) fn too_many_courses(span: Range<usize>) -> Complaint {
+    let title = format!("a wall of more than {MOST_BLOCKS} blocks");
+    Complaint::at(span, title, "too many courses").help("write fewer or shorter courses")
+}
+
+/// Blocks of these courses.
+pub(super) fn blocks_of(courses: &[Course]) -> usize {
+    let pieces = courses.iter().flatten();
+    pieces.filter(|piece| !piece.is_gap()).count()
 }
 
 #[cfg(test)]
@@ -132,7 +122,7 @@ mod tests {
 
     #[test]
     fn mistakes_are_placed_in_the_string() {
-        let place = |text: &str| read_course(text, &Legend::default()).unwrap_err().place;
+        let place = |text: &str| read_course(text, &Legend::default()).unwrap_err().0;
         assert_eq!(place("h1x1h"), 2..3);
         assert_eq!(place("h1*0h"), 3..4);
         assert_eq!(place("1*"), 1..2);

@@ -5,9 +5,8 @@ use std::collections::HashMap;
 
 use super::checks::{LARGEST, SMALLEST};
 use super::outline::Outline;
-use super::table::{Cell, Decimals, Row, Separator, Table, table};
-use crate::case::complaint::{Complaint, Document, Place, shorten};
-use crate::case::suggestion::listed;
+use super::spreadsheet::{Cell, Decimals, Row, Separator, Table, first_texts, table};
+use crate::case::complaint::{Complaint, Document, Place};
 use crate::scene::Point;
 
 const COLUMNS: [&str; 4] = ["block", "x", "y", "weight"];
@@ -101,14 +100,7 @@ fn left_aside(document: &Document, table: &Table) -> Vec<Complaint> {
     let Some(first) = table.others.first() else {
         return Vec::new();
     };
-    let names: Vec<String> = table
-        .others
-        .iter()
-        .take(8)
-        .map(|cell| shorten(&cell.text, 20))
-        .collect();
-    let names = listed(names.iter().map(String::as_str));
-    let title = format!("columns that are not read: {names}");
+    let title = format!("columns that are not read: {}", first_texts(&table.others));
     let warning = document.complain(first.place.clone(), title, "left aside");
     let help = "the columns that count are `block`, `x`, `y` and `weight`";
     vec![warning.help(help).into_warning()]

@@ -2,9 +2,10 @@
 
 use toml::Spanned;
 
+use super::checks::Written;
 use super::file::CaseFile;
-use super::values::{FrictionValue, Number};
-use crate::case::complaint::{Complaint, Document};
+use super::values::FrictionValue;
+use crate::case::complaint::Complaint;
 
 /// Coefficients of friction between these are no stone's and may be angles in degrees. Of those
 /// below, some are used where blocks must not slide.
@@ -14,19 +15,16 @@ const ANGLES: std::ops::Range<f64> = 10.5..90.0;
 const RADIANS: f64 = 1.5 * std::f64::consts::PI;
 
 /// Warnings about a file that can be read.
-pub(super) fn doubts(document: &Document, file: &CaseFile) -> Vec<Complaint> {
+pub(super) fn doubts(file: &CaseFile) -> Vec<Complaint> {
     let mut found = Vec::new();
-    let one = match file.friction.get_ref() {
-        FrictionValue::One(number) => Some(Spanned::new(file.friction.span(), Number(*number))),
-        FrictionValue::Classes(_) => None,
-    };
-    let classes = match file.friction.get_ref() {
-        FrictionValue::One(_) => [None, None, None],
+    let coefficients = match file.friction.get_ref() {
+        FrictionValue::One(number) => vec![Spanned::new(file.friction.span(), *number)],
         FrictionValue::Classes(table) => {
-            [Some(&table.bed), table.head.as_ref(), table.base.as_ref()]
+            let others = [&table.head, &table.base].into_iter().flatten();
+            [&table.bed].into_iter().chain(others).cloned().collect()
         }
     };
-    for value in one.iter().chain(classes.into_iter().flatten()) {
+    for value in coefficients {
         let number = value.get_ref().0;
         if ANGLES.contains(&number) {
             let title = format!("a coefficient of friction of {number}: is this an angle?");
@@ -34,8 +32,7 @@ pub(super) fn doubts(document: &Document, file: &CaseFile) -> Vec<Complaint> {
                 "the coefficient is the tangent of the angle: write `{:.3}` for {number} degrees",
                 number.to_radians().tan()
             );
-            let warning = document.complain(value.span(), title, "taken as tan φ");
-            found.push(warning.help(help).into_warning());
+            found.push(value.wrong(title, "taken as tan φ").help(help));
         }
     }
     if let Some(arch) = &file.arch {
@@ -44,9 +41,8 @@ pub(super) fn doubts(document: &Document, file: &CaseFile) -> Vec<Complaint> {
         if number <= RADIANS {
             let title = format!("an embrace of {number} degrees: is this in radians?");
             let help = format!("write degrees: `{:.3}`", number.to_degrees());
-            let warning = document.complain(embrace.span(), title, "taken as degrees");
-            found.push(warning.help(help).into_warning());
+            found.push(embrace.wrong(title, "taken as degrees").help(help));
         }
     }
-    found
+    found.into_iter().map(Complaint::into_warning).collect()
 }

@@ -5,7 +5,8 @@
 
 use std::ops::Range;
 
-use super::keys::CASE_KEYS;
+use super::file::CASE_KEYS;
+use super::missing::{example, missing_key};
 use super::not_modelled::not_modelled;
 use crate::case::complaint::{Complaint, Document};
 use crate::case::suggestion::{listed, nearest};
@@ -15,7 +16,7 @@ pub(crate) fn explain(document: &Document, error: &toml::de::Error) -> Complaint
     let message = error.message();
     let span = error.span().unwrap_or(0..0);
     if let Some(key) = message.strip_prefix("missing field ") {
-        missing_key(document, span, unquote(key))
+        missing_key(span, key.trim_matches('`')).in_document(document)
     } else if message.starts_with("unknown field ") {
         unknown_key(document, span, message)
     } else if message == "duplicate key" {
@@ -28,52 +29,6 @@ pub(crate) fn explain(document: &Document, error: &toml::de::Error) -> Complaint
     } else {
         syntax(document, span, message)
     }
-}
-
-fn unquote(word: &str) -> &str {
-    word.trim_matches('`')
-}
-
-/// The span of line 1, for a complaint about the whole file.
-fn first_line(document: &Document) -> Range<usize> {
-    0..document.text.lines().next().map_or(0, str::len)
-}
-
-/// A key that must be there; an empty span stands for the whole file.
-pub(super) fn missing_key(document: &Document, span: Range<usize>, key: &str) -> Complaint {
-    let span = if span.is_empty() {
-        first_line(document)
-    } else {
-        span
-    };
-    let example = match key {
-        "unit" => "unit = { length = 4.0, height = 1.75, weight = 1.0 }",
-        "courses" => "courses = [\"h1111h\", \"11111\"]",
-        "friction" => "friction = 0.65",
-        "length" => "length = 4.0",
-        "height" => "height = 1.75",
-        "weight" => "weight = 1.0",
-        "method" => "method = \"associative\"",
-        "quantity" => "quantity = \"lambda\"",
-        "value" => "value = 0.6429",
-        "tolerance" => "tolerance = 0.00005",
-        "source" => "source = \"Table 1\"",
-        "kind" => "kind = \"published\"",
-        "mean_radius" => "mean_radius = 10.0",
-        "thickness" => "thickness = 1.5",
-        "embrace" => "embrace = 180.0",
-        "voussoirs" => "voussoirs = 27",
-        "name" => "name = \"A\"",
-        "block" => "block = \"A\"",
-        "corners" => "corners = [[0, 0], [4, 0], [4, 1.75], [0, 1.75]]",
-        "course" => "course = 1",
-        "piece" => "piece = 1",
-        "bed" => "bed = 0.65",
-        _ => key,
-    };
-    document
-        .complain(span, format!("missing key `{key}`"), "not in here")
-        .help(format!("add `{example}`"))
 }
 
 /// What people look for who have a wall with a door or a window.
@@ -143,7 +98,10 @@ fn type_help(written: &str, expected: &str) -> String {
     match expected {
         "a number" | "a whole number" => number_help(written, bare, expected == "a whole number"),
         "courses" => {
-            "write `courses = [\"h1111h\", \"11111\"]`, or `courses = 6` with `bond`".into()
+            format!(
+                "write `{}`, or `courses = 6` with `bond`",
+                example("courses")
+            )
         }
         "a coefficient of friction" if !written.starts_with('[') => {
             number_help(written, bare, false)
@@ -156,22 +114,21 @@ fn type_help(written: &str, expected: &str) -> String {
         "a `[[block]]` or `[[support]]` table" | "a `[[load]]` table" => {
             "write the key in two brackets in a line of its own, `[[block]]`, its keys below".into()
         }
-        "a table of pieces" | "a table of a piece" => {
-            "write `pieces = { L = { units = 2.5 }, s = { length = 0.6 } }`".into()
-        }
-        "a table of the unit's size" => {
-            "write `unit = { length = 4.0, height = 1.75, weight = 1.0 }`".into()
-        }
+        "a table of pieces" | "a table of a piece" => format!("write `{}`", example("pieces")),
+        "a table of the unit's size" => format!("write `{}`", example("unit")),
         _ => format!("write {expected}"),
     }
 }
 
+/// The line that byte `at` is in, and where it begins.
+fn line_of(text: &str, at: usize) -> Option<(usize, &str)> {
+    let start = text.get(..at)?.rfind('\n').map_or(0, |newline| newline + 1);
+    Some((start, text[start..].lines().next()?))
+}
+
 /// The key of the line that byte `at` is in.
 fn key_of_line(document: &Document, at: usize) -> &str {
-    let before = document.at(0..at);
-    let start = before.rfind('\n').map_or(0, |newline| newline + 1);
-    let line = document.at(start..document.text.len());
-    let line = line.lines().next().unwrap_or_default();
+    let (_, line) = line_of(&document.text, at).unwrap_or_default();
     let key = line.split('=').next().unwrap_or_default();
     key.trim_matches(|c: char| "[] \t\r".contains(c))
 }
@@ -205,9 +162,7 @@ fn text_help(document: &Document, span: Range<usize>) -> String {
 fn list_help(document: &Document, at: usize) -> String {
     let key = key_of_line(document, at);
     match key {
-        "corners" => "write `corners = [[0, 0], [4, 0], [4, 1.75], [0, 1.75]]`".into(),
-        "along" => "write `along = [[0.0, 1.0], [2.0, 1.0]]`".into(),
-        "supports" => "write `supports = [\"ground\"]`".into(),
+        "corners" | "along" | "supports" => format!("write `{}`", example(key)),
         "at" | "dead" | "live" => format!("write `{key} = [1.0, 0.0]`"),
         "block" | "support" | "load" => {
             format!("write `[[{key}]]`, with two brackets, above each {key}")
@@ -264,20 +219,16 @@ fn syntax(document: &Document, span: Range<usize>, message: &str) -> Complaint {
         .help(help)
 }
 
+const BOTH_SIDES: &str = "write digits on both sides of the decimal point, as in `0.5`";
+
 /// What to write, by a part of the reader's message.
 const SYNTAX: [(&str, &str); 6] = [
     (
         "must be quoted",
         "write one value a line, and words in quotes",
     ),
-    (
-        "mantissa",
-        "write digits on both sides of the decimal point, as in `0.5`",
-    ),
-    (
-        "fraction",
-        "write digits on both sides of the decimal point, as in `0.5`",
-    ),
+    ("mantissa", BOTH_SIDES),
+    ("fraction", BOTH_SIDES),
     ("overflow", "write a number up to 1e12"),
     (
         "escape",
@@ -294,9 +245,7 @@ const ANY_SYNTAX: &str =
 
 /// A number with a decimal comma, `= 0,65`, in the line of byte `at` and not behind it.
 fn decimal_comma(text: &str, at: usize) -> Option<Range<usize>> {
-    let before = text.get(..at)?;
-    let start = before.rfind('\n').map_or(0, |newline| newline + 1);
-    let line = text[start..].lines().next()?;
+    let (start, line) = line_of(text, at)?;
     let digit = |byte: Option<&u8>| byte.is_some_and(u8::is_ascii_digit);
     let bytes = line.as_bytes();
     let commas = line.match_indices(',').map(|(comma, _)| comma);
@@ -312,4 +261,55 @@ fn decimal_comma(text: &str, at: usize) -> Option<Range<usize>> {
                 .then(|| start + head.len()..start + line.len() - tail.len())
         })
         .next_back()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::file::CaseFile;
+    use super::*;
+
+    fn shown(text: &str) -> String {
+        let document = Document {
+            path: "a.toml".into(),
+            text: text.into(),
+        };
+        let error = toml::from_str::<CaseFile>(text).unwrap_err();
+        explain(&document, &error).to_string()
+    }
+
+    #[test]
+    fn decimal_commas_are_found_in_tables_too() {
+        let text = "unit = { length = 4,0, height = 1.75 }";
+        assert!(shown(text).contains("write a decimal point: `4.0`"));
+        assert!(shown("friction = \"0,65\"").contains("no quotes: `0.65`"));
+        assert!(!shown("courses = [1,2\nunit = {}").contains("decimal"));
+    }
+
+    #[test]
+    fn common_slips_get_help() {
+        for (text, help) in [
+            ("friction =", "write a value behind the `=`"),
+            ("friction = .5", "both sides of the decimal point"),
+            ("friction = 1e999", "up to 1e12"),
+            ("repeat = 3.0", "such as `3`"),
+            ("[references]\nmethod = 'a'", "write `[[references]]`"),
+            ("unit = 4", "write `unit = {"),
+            ("[[references]]\npush = 'left'", "move `push` up"),
+            ("[unit]\nlenght = 1", "did you mean `length`?"),
+            ("[unit]\nlength = 1", "add `height = 1.75`"),
+            ("[arch]\nthickness = 1", "add `mean_radius = "),
+            ("[[block]]\nname = 'A'\ncorners = 3", "write `corners = [["),
+            ("[block]\nname = 'A'", "write `[[block]]`"),
+            ("[blocks]\nsupports = 'A'", "write `supports = ["),
+            ("friction = ['a']", "write `friction = 0.65`, or"),
+            ("friction = { bad = 1 }", "did you mean `bed`?"),
+            ("friction = { head = 1 }", "add `bed = 0.65`"),
+            ("arch = 3", "write `[arch]`"),
+            ("block = [3]", "write the key in two brackets"),
+            ("[[load]]\nblock = 'A'\nat = 3", "write `at = [1.0, 0.0]`"),
+        ] {
+            let shown = shown(text);
+            assert!(shown.contains(help), "{text:?} gives\n{shown}");
+        }
+    }
 }

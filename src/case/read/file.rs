@@ -1,40 +1,122 @@
 //! The case file as TOML has it. Every value keeps its span, so that a complaint can point at it.
 
+use std::ops::Range;
+
 use toml::Spanned;
 
-use super::explain::explain;
-use super::values::{CoursesValue, Entries, FrictionValue, Number, Pair, WholeNumber};
-use crate::case::complaint::{Complaint, Document};
+use super::values::{CoursesValue, FrictionValue, Number, Pair, Pieces, WholeNumber};
 
-/// A whole file. Which of the keys go together is judged later, where it can be said well.
-#[derive(Debug, serde::Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct CaseFile {
-    pub title: Option<String>,
-    pub source: Option<String>,
-    pub unit: Option<Spanned<UnitTable>>,
-    pub courses: Option<Spanned<CoursesValue>>,
-    pub repeat: Option<Spanned<WholeNumber>>,
-    pub pieces: Option<Spanned<Entries<PieceTable>>>,
-    pub bond: Option<Spanned<String>>,
-    pub units: Option<Spanned<WholeNumber>>,
-    pub first: Option<Spanned<String>>,
-    pub overlap: Option<Spanned<Number>>,
-    pub overburden: Option<Spanned<Number>>,
-    pub arch: Option<Spanned<ArchTable>>,
-    pub blocks: Option<Spanned<BlocksTable>>,
-    #[serde(default)]
-    pub block: Vec<Spanned<BodyTable>>,
-    #[serde(default)]
-    pub support: Vec<Spanned<BodyTable>>,
-    pub live: Option<Spanned<String>>,
-    #[serde(default)]
-    pub load: Vec<Spanned<LoadTable>>,
-    pub friction: Spanned<FrictionValue>,
-    pub head_joints: Option<Spanned<String>>,
-    pub push: Option<Spanned<String>>,
-    #[serde(default)]
-    pub references: Vec<ReferenceTable>,
+/// The forms of a case.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Form {
+    Wall,
+    Blocks,
+    Arch,
+}
+
+impl Form {
+    pub fn name(self) -> &'static str {
+        match self {
+            Form::Wall => "a coursed wall",
+            Form::Blocks => "explicit blocks",
+            Form::Arch => "an arch",
+        }
+    }
+}
+
+/// A key that is written and goes with some forms only, the first of them its own.
+pub(super) struct FormKey {
+    pub name: &'static str,
+    pub forms: &'static [Form],
+    /// Whether it goes with a bond and not with course strings.
+    pub of_bond: bool,
+    pub span: Range<usize>,
+}
+
+/// What a key goes with: forms, and whether with a bond alone. No forms: with all of them.
+type Goes = (&'static [Form], bool);
+
+const WITH_ALL: Goes = (&[], false);
+const WALL: Goes = (&[Form::Wall], false);
+const BOND: Goes = (&[Form::Wall], true);
+const BLOCKS: Goes = (&[Form::Blocks], false);
+const ARCH: Goes = (&[Form::Arch], false);
+const OF_BLOCKS: Goes = (&[Form::Blocks, Form::Wall], false);
+const FORCES: Goes = (&[Form::Blocks, Form::Arch, Form::Wall], false);
+
+/// Declares the keys at the top of a case file, each with its type and what it goes with.
+macro_rules! case_keys {
+    ($($(#[$attribute:meta])* $key:ident: $value:ty => $goes:ident,)*) => {
+        /// A whole file. Which of the keys go together is judged later, where it can be said well.
+        #[derive(Debug, serde::Deserialize)]
+        #[serde(deny_unknown_fields)]
+        pub(super) struct CaseFile {
+            $($(#[$attribute])* pub $key: $value,)*
+        }
+
+        /// The keys at the top of a case file, to tell a key in the wrong table from one that does
+        /// not exist.
+        pub(in crate::case) const CASE_KEYS: &[&str] = &[$(stringify!($key)),*];
+
+        impl CaseFile {
+            /// The keys that are written and go with some forms only.
+            pub fn form_keys(&self) -> Vec<FormKey> {
+                let keys = [$((stringify!($key), $goes, self.$key.place())),*];
+                let keys = keys.into_iter().filter_map(|(name, (forms, of_bond), span)| {
+                    let span = span.filter(|_| !forms.is_empty())?;
+                    Some(FormKey { name, forms, of_bond, span })
+                });
+                keys.collect()
+            }
+        }
+    };
+}
+
+case_keys! {
+    title: Option<String> => WITH_ALL,
+    source: Option<String> => WITH_ALL,
+    unit: Option<Spanned<UnitTable>> => WALL,
+    courses: Option<Spanned<CoursesValue>> => WALL,
+    repeat: Option<Spanned<WholeNumber>> => WALL,
+    pieces: Option<Spanned<Pieces>> => WALL,
+    bond: Option<Spanned<String>> => BOND,
+    units: Option<Spanned<WholeNumber>> => BOND,
+    first: Option<Spanned<String>> => BOND,
+    overlap: Option<Spanned<Number>> => BOND,
+    overburden: Option<Spanned<Number>> => WALL,
+    arch: Option<Spanned<ArchTable>> => ARCH,
+    blocks: Option<Spanned<BlocksTable>> => BLOCKS,
+    #[serde(default)] block: Vec<Spanned<BodyTable>> => OF_BLOCKS,
+    #[serde(default)] support: Vec<Spanned<BodyTable>> => BLOCKS,
+    live: Option<Spanned<String>> => FORCES,
+    #[serde(default)] load: Vec<Spanned<LoadTable>> => FORCES,
+    friction: Spanned<FrictionValue> => WITH_ALL,
+    head_joints: Option<Spanned<String>> => WITH_ALL,
+    push: Option<Spanned<String>> => WITH_ALL,
+    #[serde(default)] references: Vec<ReferenceTable> => WITH_ALL,
+}
+
+/// Where a key is written first, if it is and goes with some forms only.
+pub(super) trait Place {
+    fn place(&self) -> Option<Range<usize>> {
+        None
+    }
+}
+
+impl Place for Option<String> {}
+impl Place for Spanned<FrictionValue> {}
+impl Place for Vec<ReferenceTable> {}
+
+impl<T> Place for Option<Spanned<T>> {
+    fn place(&self) -> Option<Range<usize>> {
+        self.as_ref().map(Spanned::span)
+    }
+}
+
+impl<T> Place for Vec<Spanned<T>> {
+    fn place(&self) -> Option<Range<usize>> {
+        self.first().map(Spanned::span)
+    }
 }
 
 /// A generated arch.
@@ -59,16 +141,6 @@ pub(super) struct BlocksTable {
     pub thickness: Option<Spanned<Number>>,
     pub tolerance: Option<Spanned<Number>>,
     pub radial: Option<bool>,
-}
-
-/// A piece of a coursed wall that has a letter of its own.
-#[derive(Debug, serde::Deserialize)]
-#[serde(deny_unknown_fields, expecting = "a table of a piece")]
-pub(super) struct PieceTable {
-    pub units: Option<Spanned<Number>>,
-    pub length: Option<Spanned<Number>>,
-    pub gap: Option<bool>,
-    pub weight: Option<Spanned<Number>>,
 }
 
 /// A block or a support; in a coursed wall, what a block of a course has of its own.
@@ -120,72 +192,4 @@ pub(super) struct ReferenceTable {
     pub kind: Spanned<String>,
     pub note: Option<String>,
     pub deviation: Option<String>,
-}
-
-/// Reads the text; no value in it has been judged yet.
-pub(super) fn parse(document: &Document) -> Result<CaseFile, Complaint> {
-    toml::from_str(&document.text).map_err(|error| explain(document, &error))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::keys::CASE_KEYS;
-    use super::*;
-
-    #[test]
-    fn the_list_of_keys_is_the_one_that_serde_knows() {
-        let error = toml::from_str::<CaseFile>("nonsense = 1").unwrap_err();
-        let known: Vec<&str> = error.message().split('`').skip(3).step_by(2).collect();
-        assert_eq!(known, CASE_KEYS);
-    }
-
-    fn shown(text: &str) -> String {
-        let document = Document {
-            path: "a.toml".into(),
-            text: text.into(),
-        };
-        parse(&document).unwrap_err().to_string()
-    }
-
-    #[test]
-    fn decimal_commas_are_found_in_tables_too() {
-        let text = "unit = { length = 4,0, height = 1.75 }";
-        assert!(shown(text).contains("write a decimal point: `4.0`"));
-        let text = "unit = { length = 4.0, height = 1,75 }";
-        assert!(shown(text).contains("write a decimal point: `1.75`"));
-        assert!(shown("friction = 0,65").contains("`0.65`"));
-        assert!(shown("friction = \"0,65\"").contains("no quotes: `0.65`"));
-        assert!(!shown("courses = [1,2\nunit = {}").contains("decimal"));
-    }
-
-    #[test]
-    fn common_slips_get_help() {
-        for (text, help) in [
-            ("push = right", "put words in quotes: `\"right\"`"),
-            ("friction =", "write a value behind the `=`"),
-            ("friction = .5", "both sides of the decimal point"),
-            ("friction = 1e999", "up to 1e12"),
-            ("repeat = 3.0", "such as `3`"),
-            ("[references]\nmethod = 'a'", "write `[[references]]`"),
-            ("unit = 4", "write `unit = {"),
-            ("title = 4", "put it in quotes: `\"4\"`"),
-            ("[[references]]\npush = 'left'", "move `push` up"),
-            ("[unit]\nlenght = 1", "did you mean `length`?"),
-            ("[unit]\nlength = 1", "add `height = 1.75`"),
-            ("[arch]\nthickness = 1", "add `mean_radius = "),
-            ("[[block]]\nname = 'A'\ncorners = 3", "write `corners = [["),
-            ("[block]\nname = 'A'", "write `[[block]]`"),
-            ("[blocks]\nsupports = 'A'", "write `supports = ["),
-            ("friction = ['a']", "write `friction = 0.65`, or"),
-            ("friction = { bad = 1 }", "did you mean `bed`?"),
-            ("friction = { head = 1 }", "add `bed = 0.65`"),
-            ("arch = 3", "write `[arch]`"),
-            ("block = [3]", "write the key in two brackets"),
-            ("[[load]]\nblock = 'A'\nat = 3", "write `at = [1.0, 0.0]`"),
-            ("", "add `friction = 0.65`"),
-        ] {
-            let shown = shown(text);
-            assert!(shown.contains(help), "{text:?} gives\n{shown}");
-        }
-    }
 }

@@ -15,15 +15,17 @@ mod file;
 mod forces;
 mod form;
 mod friction;
-mod keys;
+mod missing;
 mod not_modelled;
 mod outline;
 mod own_blocks;
 mod pieces;
 mod references;
-mod table;
+mod spreadsheet;
 mod values;
 mod wall;
 
 pub use bodies::ReadFile;
 pub(crate) use explain::explain;
+#[cfg(test)]
+pub(super) use file::CASE_KEYS;

@@ -1,7 +1,7 @@
 //! The outline of a block or support as written, and its shape.
 
 use crate::case::complaint::{Complaint, Place};
-use crate::scene::{Point, Polygon, PolygonError};
+use crate::scene::{Point, Polygon, PolygonError, signed_area};
 
 /// The name of a block or support and its corners, with the places they were read from.
 #[derive(Clone, Debug)]
@@ -21,10 +21,8 @@ const MOST_SLENDER: f64 = 1000.0;
 impl Outline {
     /// Line of the first row and of the last: `a.csv:3 to 6`, or `a.toml:3`.
     pub fn rows(&self) -> String {
-        let (first, last) = (
-            self.place.path_and_line(),
-            self.places.last().unwrap_or(&self.place).path_and_line(),
-        );
+        let first = self.place.path_and_line();
+        let last = self.places.last().unwrap_or(&self.place).path_and_line();
         match last.rsplit_once(':') {
             Some((_, line)) if last != first => format!("{first} to {line}"),
             _ => first,
@@ -33,9 +31,7 @@ impl Outline {
 
     /// The shape; `moves` says that it is a block, which must not be a sliver.
     pub fn shape(&self, moves: bool) -> Result<Polygon, Complaint> {
-        if let Some(complaint) = self.repeated_corner() {
-            return Err(complaint);
-        }
+        self.no_repeated_corner()?;
         if let Some(place) = self.places.get(MOST_CORNERS) {
             let title = format!("`{}` has more than {MOST_CORNERS} corners", self.name);
             return Err(place
@@ -51,82 +47,72 @@ impl Outline {
         Ok(shape)
     }
 
-    /// A corner that is the same point as the next one, all the way round.
-    fn repeated_corner(&self) -> Option<Complaint> {
+    /// Refuses a corner that is the same point as the next one, all the way round.
+    fn no_repeated_corner(&self) -> Result<(), Complaint> {
         let count = self.corners.len();
-        if count < 3 {
-            return None;
-        }
         let next = |i: usize| (i + 1) % count;
-        let same = (0..count).find(|&i| self.corners[i] == self.corners[next(i)])?;
-        let name = &self.name;
-        let complaint = match next(same) {
-            0 => self.places[same]
-                .complain(
-                    format!("the last corner of `{name}` repeats the first"),
-                    "here",
-                )
-                .help("leave it out: the outline closes by itself"),
-            again => self.places[again]
-                .complain(
-                    format!("a corner of `{name}` repeats the one before"),
-                    "here",
-                )
-                .help("write each corner once"),
+        let same = (0..count).find(|&i| count > 2 && self.corners[i] == self.corners[next(i)]);
+        let Some(same) = same else {
+            return Ok(());
         };
-        Some(complaint)
+        let (place, title, help) = match next(same) {
+            0 => (
+                same,
+                format!("the last corner of `{}` repeats the first", self.name),
+                "leave it out: the outline closes by itself",
+            ),
+            again => (
+                again,
+                format!("a corner of `{}` repeats the one before", self.name),
+                "write each corner once",
+            ),
+        };
+        Err(self.places[place].complain(title, "here").help(help))
     }
 
     fn unusable(&self, error: &PolygonError) -> Complaint {
         let name = &self.name;
-        match *error {
+        let (title, help) = match *error {
+            PolygonError::NotSimple(corner) => {
+                let title = format!("the outline of `{name}` crosses or touches itself");
+                return self.places[self.as_written(corner)]
+                    .complain(title, "in the edge at this corner")
+                    .help("write the corners in order round the outline, each once");
+            }
             PolygonError::TooFewCorners(count) => {
                 let corners = if count == 1 { "corner" } else { "corners" };
-                self.place
-                    .complain(format!("`{name}` has {count} {corners}"), "here")
-                    .help("write at least three corners, in order round the outline")
-            }
-            PolygonError::NotFinite(_) => self
-                .place
-                .complain(format!("`{name}` has no finite corners"), "here")
-                .help("write finite numbers"),
-            PolygonError::NotSimple(corner) => self.places[self.as_written(corner)]
-                .complain(
-                    format!("the outline of `{name}` crosses or touches itself"),
-                    "in the edge at this corner",
+                (
+                    format!("`{name}` has {count} {corners}"),
+                    "write at least three corners, in order round the outline",
                 )
-                .help("write the corners in order round the outline, each once"),
-            PolygonError::Sliver { area, .. } if area <= 0.0 => self
-                .place
-                .complain(format!("`{name}` has no area"), "here")
-                .help("write its corners in order round the outline"),
-            PolygonError::Sliver { .. } => self.sliver(),
-        }
+            }
+            PolygonError::NotFinite(_) => (
+                format!("`{name}` has no finite corners"),
+                "write finite numbers",
+            ),
+            PolygonError::Sliver { area, .. } if area <= 0.0 => (
+                format!("`{name}` has no area"),
+                "write its corners in order round the outline",
+            ),
+            PolygonError::Sliver { .. } => return self.sliver(),
+        };
+        self.place.complain(title, "here").help(help)
     }
 
     fn sliver(&self) -> Complaint {
-        self.place
-            .complain(
-                format!(
-                    "`{}` is a sliver, more than {MOST_SLENDER} times longer than thick",
-                    self.name
-                ),
-                "here",
-            )
-            .help("check its coordinates, or join it to the block beside it")
+        let name = &self.name;
+        let title =
+            format!("`{name}` is a sliver, more than {MOST_SLENDER} times longer than thick");
+        let complaint = self.place.complain(title, "here");
+        complaint.help("check its coordinates, or join it to the block beside it")
     }
 
     /// The place of a polygon's corner in the list as written: the polygon turns it round where it
     /// runs clockwise.
     fn as_written(&self, corner: usize) -> usize {
-        let origin = self.corners[0];
-        let double: f64 = (self.corners.windows(2))
-            .map(|pair| (pair[0] - origin).perp(&(pair[1] - origin)))
-            .sum();
-        if double < 0.0 {
-            self.corners.len() - 1 - corner
-        } else {
-            corner
+        match signed_area(&self.corners) < 0.0 {
+            true => self.corners.len() - 1 - corner,
+            false => corner,
         }
     }
 }

@@ -4,9 +4,10 @@ use std::collections::BTreeMap;
 
 use toml::Spanned;
 
-use super::checks::{positive, within};
-use super::file::{CaseFile, PieceTable};
-use crate::case::complaint::{Complaint, Document, shorten};
+use super::checks::{Written, positive, within};
+use super::file::CaseFile;
+use super::values::PieceTable;
+use crate::case::complaint::{Complaint, shorten};
 use crate::scene::Piece;
 
 /// Lengths of pieces over the unit's length.
@@ -57,27 +58,20 @@ impl Legend {
 }
 
 /// The legend of a file, whose units are so long.
-pub(super) fn legend(
-    document: &Document,
-    file: &CaseFile,
-    unit_length: f64,
-) -> Result<Legend, Complaint> {
+pub(super) fn legend(file: &CaseFile, unit_length: f64) -> Result<Legend, Complaint> {
     let mut legend = Legend::default();
     let pieces = file.pieces.as_ref().map(Spanned::get_ref);
     for (word, table) in pieces.iter().flat_map(|pieces| &pieces.0) {
-        let letter = letter(document, word)?;
-        let meaning = meaning(document, word, table, unit_length)?;
+        let letter = letter(word)?;
+        let meaning = meaning(word, table.get_ref(), unit_length)?;
         legend.0.insert(letter, meaning);
     }
     Ok(legend)
 }
 
 /// The one letter of a key, which no other piece has.
-fn letter(document: &Document, word: &Spanned<String>) -> Result<char, Complaint> {
-    let complain = |title: String, help: &str| {
-        let complaint = document.complain(word.span(), title, "here");
-        Err(complaint.help(help))
-    };
+fn letter(word: &Spanned<String>) -> Result<char, Complaint> {
+    let complain = |title: String, help: &str| Err(word.wrong(title, "here").help(help));
     let shown = shorten(word.get_ref(), 60);
     let mut letters = word.get_ref().chars();
     match (letters.next(), letters.next()) {
@@ -94,37 +88,30 @@ fn letter(document: &Document, word: &Spanned<String>) -> Result<char, Complaint
 }
 
 fn meaning(
-    document: &Document,
     word: &Spanned<String>,
-    table: &Spanned<PieceTable>,
+    written: &PieceTable,
     unit_length: f64,
 ) -> Result<Meaning, Complaint> {
-    let written = table.get_ref();
     let part = match (&written.units, &written.length) {
-        (Some(units), None) => within(document, "units", units, LENGTHS)?,
+        (Some(units), None) => within("units", units, LENGTHS)?,
         (None, Some(length)) => {
-            let part = positive(document, "length", length)? / unit_length;
+            let part = positive("length", length)? / unit_length;
             if !LENGTHS.contains(&part) {
-                let title = format!("a piece of {part:e} units");
-                return Err(document
-                    .complain(length.span(), title, "out of range")
+                return Err(length
+                    .wrong(format!("a piece of {part:e} units"), "out of range")
                     .help("write a length from a thousandth to a thousand units"));
             }
             part
         }
         (Some(_), Some(length)) => {
-            return Err(document
-                .complain(
-                    length.span(),
-                    "`length` beside `units`",
-                    "which of the two?",
-                )
+            return Err(length
+                .wrong("`length` beside `units`", "which of the two?")
                 .help("remove one of them"));
         }
         (None, None) => {
             let title = format!("the piece `{}` has no length", word.get_ref());
-            return Err(document
-                .complain(word.span(), title, "neither `units` nor `length`")
+            return Err(word
+                .wrong(title, "neither `units` nor `length`")
                 .help("write `{ units = 2.5 }`, in units of the wall, or `{ length = 0.6 }`"));
         }
     };
@@ -132,15 +119,11 @@ fn meaning(
     let weight = match &written.weight {
         None => None,
         Some(weight) if is_gap => {
-            return Err(document
-                .complain(
-                    weight.span(),
-                    "the weight of a gap",
-                    "there is nothing in it",
-                )
+            return Err(weight
+                .wrong("the weight of a gap", "there is nothing in it")
                 .help("remove the weight, or `gap`"));
         }
-        Some(weight) => Some(positive(document, "weight", weight)?),
+        Some(weight) => Some(positive("weight", weight)?),
     };
     let piece = if is_gap {
         Piece::Opening(part)

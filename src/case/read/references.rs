@@ -2,18 +2,17 @@
 
 use toml::Spanned;
 
-use super::checks::{HEAD_JOINTS, choose, not_negative, positive};
+use super::checks::{HEAD_JOINTS, Written, choose, not_negative, positive};
 use super::file::ReferenceTable;
-use crate::case::complaint::{Complaint, Document, shorten};
+use crate::case::complaint::{Complaint, shorten};
+use crate::case::outside_name::outside_name;
 use crate::case::printable::printable;
-use crate::case::program::program_name;
 use crate::case::reference::{Quantity, Reference, SourceKind, known_method_names};
 use crate::case::suggestion::{listed, nearest};
 use crate::scene::HeadJoints;
 
 /// Judges a reference of a case that runs with these `head_joints`.
 pub(super) fn reference(
-    document: &Document,
     table: &ReferenceTable,
     of_case: &[HeadJoints],
 ) -> Result<Reference, Complaint> {
@@ -21,15 +20,15 @@ pub(super) fn reference(
         None => None,
         Some(word) => {
             let words = HEAD_JOINTS.map(|head_joints| (head_joints.name(), head_joints));
-            let head_joints = choose(document, "head_joints", words, word)?;
+            let head_joints = choose("head_joints", words, word)?;
             // It would never be compared with anything, and nobody would notice.
             if !of_case.contains(&head_joints) {
                 let title = format!(
                     "the case does not run with {} head joints",
                     head_joints.name()
                 );
-                return Err(document
-                    .complain(word.span(), title, "never compared with a result")
+                return Err(word
+                    .wrong(title, "never compared with a result")
                     .help("write `head_joints = \"both\"` at the top, or drop this reference"));
             }
             Some(head_joints)
@@ -38,13 +37,13 @@ pub(super) fn reference(
     let kinds = SourceKind::ALL.map(|kind| (kind.name(), kind));
     let quantities = Quantity::ALL.map(|quantity| (quantity.name(), quantity));
     Ok(Reference {
-        method: method(document, &table.method)?,
+        method: method(&table.method)?,
         head_joints,
-        quantity: choose(document, "quantity", quantities, &table.quantity)?,
-        value: not_negative(document, "value", &table.value)?,
-        tolerance: positive(document, "tolerance", &table.tolerance)?,
+        quantity: choose("quantity", quantities, &table.quantity)?,
+        value: not_negative("value", &table.value)?,
+        tolerance: positive("tolerance", &table.tolerance)?,
         source: printable(&table.source),
-        kind: choose(document, "kind", kinds, &table.kind)?,
+        kind: choose("kind", kinds, &table.kind)?,
         note: printable(table.note.as_deref().unwrap_or_default()),
         deviation: table.deviation.as_deref().map(printable),
     })
@@ -52,19 +51,19 @@ pub(super) fn reference(
 
 /// A method of our own, or the name of an outside program, which a run may or may not be given. A
 /// word that is nearly a method's is taken for a slip of the keyboard.
-fn method(document: &Document, word: &Spanned<String>) -> Result<String, Complaint> {
+fn method(word: &Spanned<String>) -> Result<String, Complaint> {
     let name = word.get_ref();
     if known_method_names().any(|known| known == name) {
         return Ok(name.clone());
     }
     let title = format!("unknown method `{}`", shorten(name, 60));
-    let complaint = document.complain(word.span(), title, "no method, and no name of a program");
+    let complaint = word.wrong(title, "no method, and no name of a program");
     if let Some(near) = nearest(name, known_method_names()) {
         return Err(complaint.help(format!(
             "did you mean `method = \"{near}\"`? A program of yours needs a name that is less like it"
         )));
     }
-    if let Err(help) = program_name(name) {
+    if let Err(help) = outside_name(name) {
         let known = listed(known_method_names());
         return Err(complaint.help(format!("the methods are {known}; for a program, {help}")));
     }

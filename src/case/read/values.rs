@@ -1,9 +1,8 @@
 //! Values of a case file that come in more forms than one, or whose message should be ours.
 
 use std::fmt;
-use std::marker::PhantomData;
 
-use serde::de::value::MapAccessDeserializer;
+use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::de::{Deserialize, Deserializer, MapAccess, SeqAccess, Visitor};
 use toml::Spanned;
 
@@ -20,7 +19,7 @@ pub(super) struct FrictionTable {
 #[derive(Debug)]
 pub(super) enum FrictionValue {
     /// One coefficient for all joints.
-    One(f64),
+    One(Number),
     /// A table of classes.
     Classes(FrictionTable),
 }
@@ -29,9 +28,19 @@ pub(super) enum FrictionValue {
 #[derive(Clone, Debug)]
 pub(super) struct Pair(pub Vec<Spanned<Number>>);
 
-/// A table whose keys are free, in their order.
+/// The pieces of a wall by their letters, in their order.
 #[derive(Debug)]
-pub(super) struct Entries<T>(pub Vec<(Spanned<String>, Spanned<T>)>);
+pub(super) struct Pieces(pub Vec<(Spanned<String>, Spanned<PieceTable>)>);
+
+/// A piece of a coursed wall that has a letter of its own.
+#[derive(Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a table of a piece")]
+pub(super) struct PieceTable {
+    pub units: Option<Spanned<Number>>,
+    pub length: Option<Spanned<Number>>,
+    pub gap: Option<bool>,
+    pub weight: Option<Spanned<Number>>,
+}
 
 /// `courses` in its three forms.
 #[derive(Debug)]
@@ -52,209 +61,106 @@ pub(super) struct Number(pub f64);
 #[derive(Clone, Copy, Debug)]
 pub(super) struct WholeNumber(pub i64);
 
-impl<'de> Deserialize<'de> for FrictionValue {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(FrictionVisitor)
-    }
+/// Lets a visitor take whole numbers of any size.
+macro_rules! visit_whole_numbers {
+    ($of:ident, $value:expr) => {
+        fn visit_i64<E>(self, number: i64) -> Result<$of, E> {
+            Ok($value(i128::from(number)))
+        }
+
+        fn visit_u64<E>(self, number: u64) -> Result<$of, E> {
+            Ok($value(i128::from(number)))
+        }
+
+        fn visit_i128<E>(self, number: i128) -> Result<$of, E> {
+            Ok($value(number))
+        }
+
+        fn visit_u128<E>(self, number: u128) -> Result<$of, E> {
+            Ok($value(i128::try_from(number).unwrap_or(i128::MAX)))
+        }
+    };
 }
 
-struct FrictionVisitor;
+/// Reads a value by a visitor, which says in our words what it expects.
+macro_rules! read_by_visitor {
+    ($of:ident, $expecting:literal, { $($visit:tt)* }) => {
+        impl<'de> Deserialize<'de> for $of {
+            fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+                struct Forms;
 
-impl<'de> Visitor<'de> for FrictionVisitor {
-    type Value = FrictionValue;
+                impl<'de> Visitor<'de> for Forms {
+                    type Value = $of;
 
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a coefficient of friction")
+                    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                        f.write_str($expecting)
+                    }
+
+                    $($visit)*
+                }
+
+                deserializer.deserialize_any(Forms)
+            }
+        }
+    };
+}
+
+read_by_visitor!(Number, "a number", {
+    fn visit_f64<E>(self, number: f64) -> Result<Number, E> {
+        Ok(Number(number))
     }
 
-    fn visit_f64<E>(self, value: f64) -> Result<FrictionValue, E> {
-        Ok(FrictionValue::One(value))
+    visit_whole_numbers!(Number, |number| Number(number as f64));
+});
+
+read_by_visitor!(WholeNumber, "a whole number", {
+    visit_whole_numbers!(WholeNumber, |number| WholeNumber(nearest(number)));
+});
+
+read_by_visitor!(FrictionValue, "a coefficient of friction", {
+    fn visit_f64<E>(self, number: f64) -> Result<FrictionValue, E> {
+        Ok(FrictionValue::One(Number(number)))
     }
 
-    fn visit_i64<E>(self, value: i64) -> Result<FrictionValue, E> {
-        Ok(FrictionValue::One(value as f64))
-    }
-
-    fn visit_u64<E>(self, value: u64) -> Result<FrictionValue, E> {
-        Ok(FrictionValue::One(value as f64))
-    }
-
-    fn visit_i128<E>(self, value: i128) -> Result<FrictionValue, E> {
-        Ok(FrictionValue::One(value as f64))
-    }
-
-    fn visit_u128<E>(self, value: u128) -> Result<FrictionValue, E> {
-        Ok(FrictionValue::One(value as f64))
-    }
+    visit_whole_numbers!(FrictionValue, |number| FrictionValue::One(Number(
+        number as f64
+    )));
 
     fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<FrictionValue, A::Error> {
         FrictionTable::deserialize(MapAccessDeserializer::new(map)).map(FrictionValue::Classes)
     }
-}
+});
 
-impl<'de> Deserialize<'de> for Pair {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_seq(PairVisitor)
+read_by_visitor!(Pair, "two numbers", {
+    fn visit_seq<A: SeqAccess<'de>>(self, items: A) -> Result<Pair, A::Error> {
+        Vec::deserialize(SeqAccessDeserializer::new(items)).map(Pair)
     }
-}
+});
 
-struct PairVisitor;
-
-impl<'de> Visitor<'de> for PairVisitor {
-    type Value = Pair;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("two numbers")
-    }
-
-    fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<Pair, A::Error> {
-        let mut numbers = Vec::new();
-        while let Some(item) = items.next_element()? {
-            numbers.push(item);
-        }
-        Ok(Pair(numbers))
-    }
-}
-
-impl<'de, T: Deserialize<'de>> Deserialize<'de> for Entries<T> {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_map(EntriesVisitor(PhantomData))
-    }
-}
-
-struct EntriesVisitor<T>(PhantomData<T>);
-
-impl<'de, T: Deserialize<'de>> Visitor<'de> for EntriesVisitor<T> {
-    type Value = Entries<T>;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a table of pieces")
-    }
-
-    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Entries<T>, A::Error> {
-        let mut entries = Vec::new();
-        while let Some(entry) = map.next_entry()? {
-            entries.push(entry);
-        }
-        Ok(Entries(entries))
-    }
-}
-
-impl<'de> Deserialize<'de> for CoursesValue {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(CoursesVisitor)
-    }
-}
-
-struct CoursesVisitor;
-
-impl<'de> Visitor<'de> for CoursesVisitor {
-    type Value = CoursesValue;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("courses")
-    }
-
+read_by_visitor!(CoursesValue, "courses", {
     fn visit_str<E>(self, text: &str) -> Result<CoursesValue, E> {
         Ok(CoursesValue::One(text.to_owned()))
     }
 
-    fn visit_i64<E>(self, count: i64) -> Result<CoursesValue, E> {
-        Ok(CoursesValue::Count(count))
-    }
+    visit_whole_numbers!(CoursesValue, |number| CoursesValue::Count(nearest(number)));
 
-    fn visit_u64<E>(self, _: u64) -> Result<CoursesValue, E> {
-        Ok(CoursesValue::Count(i64::MAX))
+    fn visit_seq<A: SeqAccess<'de>>(self, items: A) -> Result<CoursesValue, A::Error> {
+        Vec::deserialize(SeqAccessDeserializer::new(items)).map(CoursesValue::List)
     }
+});
 
-    fn visit_i128<E>(self, count: i128) -> Result<CoursesValue, E> {
-        Ok(CoursesValue::Count(nearest(count)))
-    }
-
-    fn visit_u128<E>(self, _: u128) -> Result<CoursesValue, E> {
-        Ok(CoursesValue::Count(i64::MAX))
-    }
-
-    fn visit_seq<A: SeqAccess<'de>>(self, mut items: A) -> Result<CoursesValue, A::Error> {
-        let mut list = Vec::new();
-        while let Some(item) = items.next_element()? {
-            list.push(item);
+read_by_visitor!(Pieces, "a table of pieces", {
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<Pieces, A::Error> {
+        let mut pieces = Vec::new();
+        while let Some(piece) = map.next_entry()? {
+            pieces.push(piece);
         }
-        Ok(CoursesValue::List(list))
+        Ok(Pieces(pieces))
     }
-}
-
-impl<'de> Deserialize<'de> for Number {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(NumberVisitor)
-    }
-}
-
-/// Our own, so that the message says "a number" and not "f64".
-struct NumberVisitor;
-
-impl Visitor<'_> for NumberVisitor {
-    type Value = Number;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a number")
-    }
-
-    fn visit_f64<E>(self, value: f64) -> Result<Number, E> {
-        Ok(Number(value))
-    }
-
-    fn visit_i64<E>(self, value: i64) -> Result<Number, E> {
-        Ok(Number(value as f64))
-    }
-
-    fn visit_u64<E>(self, value: u64) -> Result<Number, E> {
-        Ok(Number(value as f64))
-    }
-
-    fn visit_i128<E>(self, value: i128) -> Result<Number, E> {
-        Ok(Number(value as f64))
-    }
-
-    fn visit_u128<E>(self, value: u128) -> Result<Number, E> {
-        Ok(Number(value as f64))
-    }
-}
-
-impl<'de> Deserialize<'de> for WholeNumber {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(WholeVisitor)
-    }
-}
-
-struct WholeVisitor;
-
-impl Visitor<'_> for WholeVisitor {
-    type Value = WholeNumber;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("a whole number")
-    }
-
-    fn visit_i64<E>(self, value: i64) -> Result<WholeNumber, E> {
-        Ok(WholeNumber(value))
-    }
-
-    fn visit_u64<E>(self, _: u64) -> Result<WholeNumber, E> {
-        Ok(WholeNumber(i64::MAX))
-    }
-
-    fn visit_i128<E>(self, value: i128) -> Result<WholeNumber, E> {
-        Ok(WholeNumber(nearest(value)))
-    }
-
-    fn visit_u128<E>(self, _: u128) -> Result<WholeNumber, E> {
-        Ok(WholeNumber(i64::MAX))
-    }
-}
+});
 
 /// The number, or the end of the range that it lies beyond: the checks of a count refuse either, and
 /// say how large it may be.
-fn nearest(value: i128) -> i64 {
-    i64::try_from(value).unwrap_or(if value < 0 { i64::MIN } else { i64::MAX })
+fn nearest(number: i128) -> i64 {
+    number.clamp(i64::MIN.into(), i64::MAX.into()) as i64
 }

@@ -1,16 +1,15 @@
 //! A coursed wall from a file, laid once with head joints in contact and once with open ones.
 
-use std::ops::Range;
-
 use toml::Spanned;
 
-use super::checks::{HEAD_JOINTS, not_negative, positive};
+use super::checks::{HEAD_JOINTS, Written, not_negative, positive, positive_or_one};
 use super::courses::{PlacedCourses, courses};
-use super::explain::missing_key;
 use super::file::{CaseFile, UnitTable};
 use super::friction::friction;
+use super::missing::missing_key;
 use super::own_blocks::own_blocks;
 use super::pieces::legend;
+use super::values::CoursesValue;
 use crate::case::complaint::{Complaint, Document};
 use crate::number::short;
 use crate::scene::{Course, OfBlocks, Push, Wall, WallError};
@@ -25,42 +24,30 @@ pub(super) fn wall(
     file: &CaseFile,
     warnings: &mut Vec<Complaint>,
 ) -> Result<Wall, Complaint> {
-    let Some(unit) = &file.unit else {
-        return Err(missing_key(document, 0..0, "unit"));
-    };
-    let Some(list) = &file.courses else {
-        return Err(missing_key(document, 0..0, "courses"));
-    };
-    let unit_length = positive(document, "length", &unit.get_ref().length)?;
-    let legend = legend(document, file, unit_length)?;
+    let unit = file
+        .unit
+        .as_ref()
+        .ok_or_else(|| missing_key(0..0, "unit"))?;
+    let list = file.courses.as_ref();
+    let list = list.ok_or_else(|| missing_key(0..0, "courses"))?;
+    let unit_length = positive("length", &unit.get_ref().length)?;
+    let legend = legend(file, unit_length)?;
     let laid = courses(document, file, list, &legend)?;
-    let mut wall = sized(document, file, unit.get_ref(), laid.courses.clone())?;
-    not_too_slender(document, unit, &wall)?;
+    let mut wall = sized(file, unit.get_ref(), laid.courses.clone())?;
+    not_too_slender(unit.get_ref(), &wall)?;
     for head_joints in HEAD_JOINTS {
-        wall.scene(head_joints).map_err(|error| {
-            let (place, label, help) = not_laid(&laid, &error);
-            let place = match error {
-                WallError::Shape(_) => unit.span(),
-                _ => place.unwrap_or(list.span()),
-            };
-            document
-                .complain(place, error.to_string(), label)
-                .help(help)
-        })?;
+        wall.scene(head_joints)
+            .map_err(|error| not_laid(unit, list, &laid, &error))?;
     }
-    warnings.extend(one_of_another_length(document, &laid, &wall));
-    own_blocks(document, file, &mut wall, laid.weights)?;
+    warnings.extend(one_of_another_length(&laid, &wall));
+    own_blocks(file, &mut wall, laid.weights)?;
     Ok(wall)
 }
 
 /// A warning where one course string is longer or shorter than all others, which are alike: a piece
 /// that was forgotten. Walls that step back or out have more than one such course.
-fn one_of_another_length(
-    document: &Document,
-    laid: &PlacedCourses,
-    wall: &Wall,
-) -> Option<Complaint> {
-    let strings = laid.strings().len();
+fn one_of_another_length(laid: &PlacedCourses, wall: &Wall) -> Option<Complaint> {
+    let strings = laid.strings.len();
     let lengths = wall.courses[..strings].iter();
     let lengths: Vec<f64> = lengths.map(|course| wall.course_width(course)).collect();
     let alike = |a: f64, b: f64| (a - b).abs() < 1e-6 * wall.unit_length;
@@ -70,82 +57,61 @@ fn one_of_another_length(
         strings > 2 && others.count() == strings - 1
     })?;
     let odd = lengths.iter().position(|&length| !alike(length, common))?;
-    let units = |length: f64| short(length / wall.unit_length, 3);
-    let title = format!(
-        "course {} is {} units long, and all others are {}",
-        odd + 1,
-        units(lengths[odd]),
-        units(common)
-    );
-    let place = laid.course_place(odd + 1)?;
-    let warning = document.complain(place, title, "a piece too many or too few?");
+    let [odd_units, units] = [lengths[odd], common].map(|l| short(l / wall.unit_length, 3));
+    let course = odd + 1;
+    let title = format!("course {course} is {odd_units} units long, and all others are {units}");
+    let place = laid.course_place(course)?;
+    let warning = Complaint::at(place, title, "a piece too many or too few?");
     let help = "count the pieces; a gap at the end, `g`, says that nothing is there on purpose";
     Some(warning.help(help).into_warning())
 }
 
-fn sized(
-    document: &Document,
-    file: &CaseFile,
-    unit: &UnitTable,
-    courses: Vec<Course>,
-) -> Result<Wall, Complaint> {
+fn sized(file: &CaseFile, unit: &UnitTable, courses: Vec<Course>) -> Result<Wall, Complaint> {
+    let overburden = file.overburden.as_ref();
     Ok(Wall {
-        unit_length: positive(document, "length", &unit.length)?,
-        unit_height: positive(document, "height", &unit.height)?,
-        thickness: match &unit.thickness {
-            None => 1.0,
-            Some(value) => positive(document, "thickness", value)?,
-        },
-        unit_weight: positive(document, "weight", &unit.weight)?,
+        unit_length: positive("length", &unit.length)?,
+        unit_height: positive("height", &unit.height)?,
+        thickness: positive_or_one("thickness", unit.thickness.as_ref())?,
+        unit_weight: positive("weight", &unit.weight)?,
         courses,
-        friction: friction(document, file)?,
-        overburden: match &file.overburden {
-            None => 0.0,
-            Some(value) => not_negative(document, "overburden", value)?,
-        },
+        friction: friction(file)?,
+        overburden: overburden.map_or(Ok(0.0), |value| not_negative("overburden", value))?,
         push: Push::Right,
         of_blocks: OfBlocks::default(),
     })
 }
 
-fn not_too_slender(
-    document: &Document,
-    unit: &Spanned<UnitTable>,
-    wall: &Wall,
-) -> Result<(), Complaint> {
+fn not_too_slender(unit: &UnitTable, wall: &Wall) -> Result<(), Complaint> {
     let ratio = wall.unit_length / wall.unit_height;
-    if (1.0 / MOST_SLENDER..=MOST_SLENDER).contains(&ratio) {
-        return Ok(());
-    }
-    let span = if ratio > 1.0 {
-        unit.get_ref().length.span()
-    } else {
-        unit.get_ref().height.span()
+    let longer = match ratio {
+        ratio if ratio > MOST_SLENDER => &unit.length,
+        ratio if ratio < 1.0 / MOST_SLENDER => &unit.height,
+        _ => return Ok(()),
     };
     let title =
         format!("a unit more than {MOST_SLENDER} times longer or higher than the other way");
-    Err(document
-        .complain(span, title, format!("length / height is {ratio:e}"))
+    Err(longer
+        .wrong(title, format!("length / height is {ratio:e}"))
         .help("check that length and height are in one and the same unit of length"))
 }
 
-/// The course, or the piece of it, that cannot be laid, with its label and the help.
+/// What is wrong with a wall that cannot be laid, at its course, its unit or its list of courses.
 fn not_laid(
+    unit: &Spanned<UnitTable>,
+    list: &Spanned<CoursesValue>,
     laid: &PlacedCourses,
     error: &WallError,
-) -> (Option<Range<usize>>, String, &'static str) {
-    let (place, help) = match error {
-        WallError::NoCourses => (None, "write at least one course"),
+) -> Complaint {
+    let here = "here".to_owned();
+    let (span, label, help) = match error {
+        WallError::NoCourses => (list.span(), here, "write at least one course"),
         WallError::EmptyCourse { course } => (
-            laid.course_place(*course),
+            laid.course_place(*course).unwrap_or(list.span()),
+            laid.label(*course),
             "put a unit `1` or half a unit `h` into the course; `g` is a gap",
         ),
-        WallError::Shape(_) => (None, "check length and height of the unit"),
-        WallError::Scene(_) => (None, "check weight, friction and overburden"),
+        WallError::Shape(_) => (unit.span(), here, "check length and height of the unit"),
+        WallError::Scene(_) => (list.span(), here, "check weight, friction and overburden"),
     };
-    let label = match error {
-        WallError::EmptyCourse { course } => laid.label(*course),
-        WallError::NoCourses | WallError::Shape(_) | WallError::Scene(_) => "here".into(),
-    };
-    (place, label, help)
+    Complaint::at(span, error.to_string(), label).help(help)
 }

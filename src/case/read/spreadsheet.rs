@@ -148,18 +148,19 @@ fn not_understood(
     let label = match row.cells.len() {
         1 => "one column: no comma, semicolon or tab parts it".to_owned(),
         count => {
-            let texts: Vec<String> = row
-                .cells
-                .iter()
-                .take(8)
-                .map(|cell| shorten(&cell.text, 20))
-                .collect();
-            let texts = listed(texts.iter().map(String::as_str));
+            let texts = first_texts(&row.cells);
             format!("{count} columns parted by {}: {texts}", separator.name())
         }
     };
     let title = format!("the header of the CSV is not `{names}`");
     document.complain(row.line.clone(), title, label).help(help)
+}
+
+/// What stands in the first of some cells.
+pub(super) fn first_texts(cells: &[Cell]) -> String {
+    let first = cells.iter().take(8);
+    let texts: Vec<String> = first.map(|cell| shorten(&cell.text, 20)).collect();
+    listed(texts.iter().map(String::as_str))
 }
 
 /// Lines with their places that are neither blank nor remarks.

@@ -7,7 +7,7 @@ const NAME_LENGTH: usize = 12;
 ///
 /// # Errors
 /// What to write instead.
-pub(crate) fn program_name(name: &str) -> Result<(), String> {
+pub(crate) fn outside_name(name: &str) -> Result<(), String> {
     let plain = |c: char| c.is_ascii_alphanumeric() || "-_.".contains(c);
     if (1..=NAME_LENGTH).contains(&name.len()) && name.chars().all(plain) {
         Ok(())
