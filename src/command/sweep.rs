@@ -29,8 +29,6 @@ pub(super) const FORMAT: &str = r#"A sweep file names a case and says what varie
                            # or a table [case]
   head_joints = "both"     # instead of what the case says: contact, open, both
   methods = ["associative", "interval"]      # where this is left out, all
-  neighbours = "overburden"       # the interval also starts from the answers
-                                  # for the values before and after
 
   [settings]               # those of `trilith run --help`
   starts = 4

@@ -16,7 +16,6 @@ mod file;
 mod known;
 mod library;
 mod name;
-mod neighbours;
 mod picture;
 mod plan;
 mod points;
