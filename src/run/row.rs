@@ -1,6 +1,8 @@
 //! The one row: a method's judged answer on a scene, with everything that tables, files, plots and
 //! studies tell of it.
 
+use serde::{Deserialize, Serialize};
+
 use crate::answer::{Bracket, Outcome, Status};
 use crate::case::{Case, Quantity, Reference};
 use crate::judge::{Check, Verdict, computed};
@@ -9,8 +11,10 @@ use crate::method::{Kind, kind};
 use crate::number::short;
 use crate::scene::{HeadJoints, Push};
 
-/// The judged answer of one task. Files keep its flat part, see [`Row::kept`].
-#[derive(Clone, Debug)]
+/// The judged answer of one task. Files keep what its task and method say of it; what its case says is
+/// found again, see [`Row::compare`].
+#[derive(Clone, Debug, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Row {
     /// Id of the task.
     pub id: String,
@@ -43,13 +47,15 @@ pub struct Row {
     /// every run.
     pub seconds: f64,
     /// The case's values about this row: known deviations last, published ones before others.
+    #[serde(skip)]
     pub references: Vec<Reference>,
     /// The worst verdict about this row; `None` where there is nothing to compare it with.
+    #[serde(skip)]
     pub verdict: Option<Verdict>,
 }
 
 /// Of a wall that is pushed both ways, the side that does not count.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct StrongerSide {
     /// Direction of its push.
     pub push: Push,

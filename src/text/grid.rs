@@ -14,7 +14,7 @@ pub struct GridColumn {
     pub spare: usize,
     /// Whether its cells end where it ends, as numbers do.
     pub right: bool,
-    /// What a cell layouts like.
+    /// What a cell looks like.
     pub style: fn(&str) -> Style,
 }
 

@@ -1,4 +1,4 @@
-//! How text layouts on a screen: its width, its colours, wrapped words.
+//! How text is laid out on a screen: its width, its colours, wrapped words.
 
 use std::fmt::Display;
 
@@ -47,7 +47,7 @@ impl Layout {
     }
 }
 
-/// What a heading layouts like.
+/// What a heading looks like.
 pub fn bold() -> Style {
     Style::new().bold()
 }

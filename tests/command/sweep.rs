@@ -155,8 +155,8 @@ fn four_shards_of_two_processes_at_a_time_merge_to_the_same_bytes() {
     // Rows that disagree, of another sweep, or damaged.
     let first = folder.join("dealt/shard-1-of-4.rows");
     let rows = fs::read_to_string(&first).expect("the shard has written it");
-    let verified = "\"status\":\"verified\"";
-    let stands = "\"status\":\"stands\"";
+    let verified = "\"status\":\"Verified\"";
+    let stands = "\"status\":\"Stands\"";
     let id = "{\"id\":\"";
     let at = rows.lines().position(|line| line.contains(verified));
     let damaged = format!("line {} is not as it was written", at.unwrap() + 1);
