@@ -8,7 +8,7 @@ use std::fmt::Write;
 use anstyle::Style;
 use indexmap::IndexMap;
 
-use super::styles::{of_status_word, of_verdict, of_verdict_word};
+use super::styles::{grid_column, of_status_word, of_verdict};
 use crate::answer::{Bracket, Status, magnitude};
 use crate::judge::{Verdict, comparisons};
 use crate::number::{number, short};
@@ -20,17 +20,19 @@ use crate::text::{GridColumn, Layout, bold, ended, grid, numbers, sentence, word
 const LIMITS: [f64; 3] = [1e-3, 1e-2, 5e-2];
 
 /// Columns of a reference beside what was computed.
-const COLUMNS: [GridColumn; 9] = [
-    words("method"),
-    words("joints"),
-    words("status").spare(1).styled(of_status_word),
-    words("computed"),
-    words("quantity"),
-    words("reference"),
-    words("kind").spare(2),
-    numbers("error %"),
-    words("verdict").styled(of_verdict_word),
-];
+fn grid_columns() -> [GridColumn; 9] {
+    [
+        grid_column("method"),
+        grid_column("head_joints"),
+        grid_column("status").spare(1),
+        words("computed"),
+        words("quantity"),
+        words("reference"),
+        words("kind").spare(2),
+        grid_column("error_percent"),
+        grid_column("verdict"),
+    ]
+}
 
 /// Widths of these columns where lines may be of any length, the case before them.
 const WIDTHS: [usize; 10] = [24, 12, 8, 15, 18, 9, 9, 12, 8, 0];
@@ -40,7 +42,7 @@ pub fn library_heading(layout: Layout) -> String {
     if layout.columns().is_some() {
         return String::new();
     }
-    let headings = COLUMNS.iter().map(|column| column.heading);
+    let headings = grid_columns().map(|column| column.heading);
     format!(
         "references\n{}",
         line(std::iter::once("case").chain(headings))
@@ -58,7 +60,7 @@ pub fn library_case(result: &CaseResult, layout: Layout) -> String {
     let is_narrow = layout.columns().is_some();
     let mut text = if is_narrow {
         let title = layout.paragraph(name, bold(), &format!(": {}", result.case.title));
-        title + &grid(layout, 0, &COLUMNS, &lines)
+        title + &grid(layout, 0, &grid_columns(), &lines)
     } else {
         let lines = lines.iter().map(|cells| {
             let cells = cells.iter().map(String::as_str);
