@@ -184,10 +184,10 @@ fn hand_out(
     let rows = &rows;
     let path = folder.join("sweep.csv");
     let times = sweep::times_csv(rows).map_err(not_written)?;
-    let csv = sweep::sweep_csv(rows).map_err(not_written)?;
+    let table = SweepTable::of(&sweep.name, rows, partial);
+    let csv = table.csv().map_err(not_written)?;
     let said = partial.map_or(String::new(), |partial| format!("{partial}\n"));
-    let table = SweepTable::parse(&sweep.name, marked(csv.clone(), partial).as_bytes());
-    let picture = sweep_picture(&table.map_err(not_written)?);
+    let picture = sweep_picture(&table);
     let drawn = match &picture {
         Ok(_) => String::new(),
         Err(why) => format!("{why}\n"),

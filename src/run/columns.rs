@@ -44,6 +44,25 @@ impl Value {
         }
     }
 
+    /// The number, also where it stands in words, as in a file.
+    pub fn number(&self) -> Option<f64> {
+        let number = match self {
+            Value::Nothing => None,
+            Value::Text(text) => text.parse().ok(),
+            Value::Number(number) => Some(*number),
+            Value::Count(count) => Some(*count as f64),
+        };
+        number.filter(|number: &f64| number.is_finite())
+    }
+
+    /// The words; empty for nothing and for numbers.
+    pub fn words(&self) -> &str {
+        match self {
+            Value::Text(text) => text,
+            Value::Nothing | Value::Number(_) | Value::Count(_) => "",
+        }
+    }
+
     /// As tables for people have it: a dash for nothing.
     pub fn shown(&self) -> String {
         match self {
