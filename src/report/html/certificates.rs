@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use super::table::{TableCell, plain, sortable};
+use super::sortable::{TableCell, plain, sortable};
 use crate::answer::{Claim, Outcome};
 use crate::mechanics::{
     CollapseResidual, JointForce, Mechanism, StaticResidual, VERIFIED_RESIDUAL,
@@ -12,7 +12,7 @@ use crate::number::number;
 use crate::run::{CaseResult, Row};
 use crate::scene::Scene;
 
-/// NamedResiduals of one thing that was put forward: name and value, scaled to total weight, height and
+/// Residuals of one thing that was put forward: name and value, scaled to total weight, height and
 /// live power 1.
 type NamedResiduals = Vec<(&'static str, f64)>;
 

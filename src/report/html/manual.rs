@@ -8,7 +8,7 @@ use super::document::{Document, document};
 use super::panel::foremost;
 use super::prose;
 use super::ranges::range_figure;
-use super::table::{TableCell, cells, plain, titles};
+use super::sortable::{TableCell, cells, plain, titles};
 use crate::case::Case;
 use crate::judge::Verdict;
 use crate::method::Settings;

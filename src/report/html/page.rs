@@ -3,7 +3,7 @@
 use maud::{Markup, html};
 
 use super::document::{Document, document};
-use super::{panel, prose, ranges, summary, sweep, table};
+use super::{panel, prose, ranges, sortable, summary, sweep};
 use crate::method::Settings;
 use crate::run::{CaseResult, Partial};
 use crate::study::sweep::SweepTable;
@@ -58,7 +58,7 @@ fn sections(report: &Report) -> Vec<(String, String, Markup)> {
         (
             "multipliers".into(),
             "Multipliers".into(),
-            table::multipliers(results),
+            sortable::multipliers(results),
         ),
     ];
     let mut add = |id: &str, title: &str, body: Option<Markup>| {

@@ -2,7 +2,7 @@
 
 use maud::{Markup, PreEscaped, html};
 
-use super::table::{TableCell, sortable};
+use super::sortable::{TableCell, sortable};
 use crate::number::short;
 use crate::study::sweep::{SweepTable, VariableKind, sweep_pictures};
 
