@@ -25,7 +25,7 @@ pub(super) struct ChartArguments {
     /// Also run programs of your own: a .toml file that names them, or NAME=COMMAND.
     #[arg(long, value_name = "FILE.toml|NAME=COMMAND")]
     external: Vec<String>,
-    /// Folder for chart.csv, chart.svg, price.svg and summary.csv, and for the journal with which the same
+    /// Folder for chart.csv, chart.svg and summary.csv, and for the journal with which the same
     /// command goes on where it was stopped.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
@@ -69,9 +69,6 @@ pub(super) fn chart(arguments: &ChartArguments) -> Result<u8, Stop> {
     Ok(0)
 }
 
-/// The setting of a method as it is.
-const DEFAULT: &str = "default";
-
 /// Prints the summary and writes the table, the summary and the picture.
 fn hand_out(chart: &Chart, rows: &[Row], why: Option<&str>, folder: &Path) -> Result<(), Stop> {
     let entries = chart.measurements(rows);
@@ -96,10 +93,6 @@ fn hand_out(chart: &Chart, rows: &[Row], why: Option<&str>, folder: &Path) -> Re
         let picture = chart::picture(&entries, partial);
         files.push(("chart.svg".to_owned(), picture));
     }
-    let defaults = entries.iter().filter(|entry| entry.setting() == DEFAULT);
-    let prices = chart::prices(defaults.map(|entry| &entry.row));
-    let price = chart::price_picture(&prices);
-    files.extend(price.map(|picture| ("price.svg".to_owned(), picture)));
     let said = partial.map_or(String::new(), |partial| format!("{partial}\n"));
     let printed = print(&format!(
         "{said}{}",

@@ -80,9 +80,8 @@ impl Progress for Bar {
     fn begun(&self, task: &Task) {
         let mut known = self.known();
         let now = known.now();
-        known
-            .remaining
-            .begin(task.id(), task.expected_seconds(), now);
+        let expected = [task.expected_seconds(), task.seconds_alone()];
+        known.remaining.begin(task.id(), expected, now);
     }
 
     fn done(&self, task: &Task, row: &Row) {

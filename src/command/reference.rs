@@ -43,9 +43,7 @@ neither a wide bracket nor one number for a wide truth looks exact. A bar
 reaches to the distance of the better end. A filled mark has its lower end not
 above the lowest state, an open one has it above. The front holds answers that
 vouch for themselves, `verified` or `bracketed`; settings that are meant to be
-quick are hollow and never on it. price.svg shows what each assumption costs
-beside the lowest verified state: associative friction, the closed form, open
-head joints.";
+quick are hollow and never on it.";
 
 /// Behind the options of `atlas`.
 pub(super) const ATLAS: &str = "\

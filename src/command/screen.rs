@@ -72,7 +72,7 @@ fn columns(stream: &impl IsTerminal) -> Option<usize> {
     })
 }
 
-/// What standard output looks like.
+/// How standard output is laid out.
 pub(super) fn layout() -> Layout {
     SCREEN.get().copied().unwrap_or_default().out
 }

@@ -29,8 +29,6 @@ pub(super) const FORMAT: &str = r#"A sweep file names a case and says what varie
                            # or a table [case]
   head_joints = "both"     # instead of what the case says: contact, open, both
   methods = ["associative", "interval"]      # where this is left out, all
-  neighbours = "overburden"       # the interval also starts from the answers
-                                  # for the values before and after
 
   [settings]               # those of `trilith run --help`
   starts = 4
@@ -186,10 +184,10 @@ fn hand_out(
     let rows = &rows;
     let path = folder.join("sweep.csv");
     let times = sweep::times_csv(rows).map_err(not_written)?;
-    let csv = sweep::sweep_csv(rows).map_err(not_written)?;
+    let table = SweepTable::of(&sweep.name, rows, partial);
+    let csv = table.csv().map_err(not_written)?;
     let said = partial.map_or(String::new(), |partial| format!("{partial}\n"));
-    let table = SweepTable::parse(&sweep.name, marked(csv.clone(), partial).as_bytes());
-    let picture = sweep_picture(&table.map_err(not_written)?);
+    let picture = sweep_picture(&table);
     let drawn = match &picture {
         Ok(_) => String::new(),
         Err(why) => format!("{why}\n"),

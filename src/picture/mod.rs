@@ -43,7 +43,7 @@ pub(crate) use cells::{Cells, Field, PictureCell, cells};
 pub(crate) use figure::common_size;
 pub(crate) use legend::LegendEntry;
 pub(crate) use marks::Filling;
-pub(crate) use plot::{Band, Between, Line, Marks, Note, Plot, PlotAxis, PlotPoint, Ticks};
+pub(crate) use plot::{Band, Between, Line, Marks, Plot, PlotAxis, PlotPoint, Ticks};
 pub(crate) use plotted::{dashed_line, plots, solid_line};
 pub(crate) use ranges::{KNOWN, RangeMark, Ranges, ranges};
 pub(crate) use replay::{Replay, replay};

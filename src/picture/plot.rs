@@ -22,8 +22,6 @@ pub struct Plot {
     pub lines: Vec<Line>,
     /// Points of one look each.
     pub marks: Vec<Marks>,
-    /// Words over everything.
-    pub notes: Vec<Note>,
 }
 
 /// An axis.
@@ -96,14 +94,6 @@ pub struct PlotPoint {
     pub name: Option<String>,
     /// What a pointer over it shows; may be empty.
     pub tooltip: String,
-}
-
-/// Words in a plot.
-pub struct Note {
-    /// Where they begin, but within the plot, and the middle of their line.
-    pub at: [f64; 2],
-    /// The words.
-    pub words: String,
 }
 
 impl Plot {

@@ -108,12 +108,6 @@ fn panel(svg: &mut Svg, plot: &Plot, [x, y]: Pixel) -> f64 {
     for marks in &plot.marks {
         points(svg, marks, &area);
     }
-    for note in &plot.notes {
-        let [x, y] = area.at(note.at);
-        let x = x.max(area.corner[0] + 4.0);
-        let style = style().font_size(NAME).halo();
-        svg.text([x, y + 4.0], Anchor::Start, style, &note.words);
-    }
     for (name, _, [x, y]) in &named {
         let halo = style().class("name").font_size(names::SIZE).halo();
         svg.text([*x, *y + 4.0], Anchor::Middle, halo, name);
@@ -216,13 +210,9 @@ fn named<'a>(plot: &'a Plot, area: &Area) -> Vec<(&'a str, Pixel, Pixel)> {
     let [left, top] = area.corner;
     let inside = |[x, y]: Pixel| [x - left, y - top];
     let points = || plot.marks.iter().flat_map(|marks| &marks.points);
-    let notes = plot.notes.iter().map(|note| {
-        let [x, y] = inside(area.at(note.at));
-        [x, y - 7.0, x + text_width(&note.words, NAME), y + 7.0]
-    });
     let covered = points().map(|point| covered(point, area));
     let covered = covered.map(|[a, b, c, d]| [a - left, b - top, c - left, d - top]);
-    let covered: Vec<Rectangle> = covered.chain(notes).collect();
+    let covered: Vec<Rectangle> = covered.collect();
     let mut named: Vec<(&str, Pixel)> = points()
         .filter_map(|point| Some((point.name.as_deref()?, area.at(point.at))))
         .collect();

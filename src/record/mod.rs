@@ -3,12 +3,12 @@
 //! It holds no time and no iteration counts, and no digit that is not vouched for, so that it reads
 //! the same on every machine.
 
+mod lines;
 mod snapshot;
-mod table;
 
+pub(crate) use lines::{LEGEND, fixed_width};
+pub use lines::{Note, heading, lines, notes};
 pub use snapshot::{RecordChange, compare, records_beside};
-pub(crate) use table::{LEGEND, fixed_width};
-pub use table::{Note, heading, lines, notes};
 
 use crate::judge::{Check, Conclusion, Verdict};
 use crate::number::short;

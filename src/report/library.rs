@@ -8,7 +8,7 @@ use std::fmt::Write;
 use anstyle::Style;
 use indexmap::IndexMap;
 
-use super::styles::{of_status_word, of_verdict, of_verdict_word};
+use super::styles::{grid_column, of_status_word, of_verdict};
 use crate::answer::{Bracket, Status, magnitude};
 use crate::judge::{Verdict, comparisons};
 use crate::number::{number, short};
@@ -16,21 +16,20 @@ use crate::record::fixed_width;
 use crate::run::{CaseResult, Row};
 use crate::text::{GridColumn, Layout, bold, ended, grid, numbers, sentence, words};
 
-/// Limits of error that answers are counted within, relative to the reference.
-const LIMITS: [f64; 3] = [1e-3, 1e-2, 5e-2];
-
 /// Columns of a reference beside what was computed.
-const COLUMNS: [GridColumn; 9] = [
-    words("method"),
-    words("joints"),
-    words("status").spare(1).styled(of_status_word),
-    words("computed"),
-    words("quantity"),
-    words("reference"),
-    words("kind").spare(2),
-    numbers("error %"),
-    words("verdict").styled(of_verdict_word),
-];
+fn grid_columns() -> [GridColumn; 9] {
+    [
+        grid_column("method"),
+        grid_column("head_joints"),
+        grid_column("status").spare(1),
+        words("computed"),
+        words("quantity"),
+        words("reference"),
+        words("kind").spare(2),
+        grid_column("error_percent"),
+        grid_column("verdict"),
+    ]
+}
 
 /// Widths of these columns where lines may be of any length, the case before them.
 const WIDTHS: [usize; 10] = [24, 12, 8, 15, 18, 9, 9, 12, 8, 0];
@@ -40,7 +39,7 @@ pub fn library_heading(layout: Layout) -> String {
     if layout.columns().is_some() {
         return String::new();
     }
-    let headings = COLUMNS.iter().map(|column| column.heading);
+    let headings = grid_columns().map(|column| column.heading);
     format!(
         "references\n{}",
         line(std::iter::once("case").chain(headings))
@@ -58,7 +57,7 @@ pub fn library_case(result: &CaseResult, layout: Layout) -> String {
     let is_narrow = layout.columns().is_some();
     let mut text = if is_narrow {
         let title = layout.paragraph(name, bold(), &format!(": {}", result.case.title));
-        title + &grid(layout, 0, &COLUMNS, &lines)
+        title + &grid(layout, 0, &grid_columns(), &lines)
     } else {
         let lines = lines.iter().map(|cells| {
             let cells = cells.iter().map(String::as_str);
@@ -167,94 +166,48 @@ fn percent(error: f64) -> String {
     number(100.0 * error, 2)
 }
 
-/// What one method did over all cases.
-#[derive(Default)]
-struct Tally {
-    scenes: usize,
-    numbers: usize,
-    verified: usize,
-    endings: usize,
-    declined: usize,
-    undecided: usize,
-    failed: usize,
-    compared: usize,
-    within: [usize; LIMITS.len()],
-}
+/// What is counted of a method over all cases.
+const COUNTS: [(&str, fn(&Row) -> bool); 11] = [
+    ("scenes", |_| true),
+    ("numbers", |row| row.bracket().is_some()),
+    ("verified", |row| row.status() == Status::Verified),
+    ("endings", |row| {
+        matches!(row.status(), Status::Stands | Status::Falls)
+    }),
+    ("declined", |row| row.status() == Status::NotApplicable),
+    ("undecided", |row| row.status() == Status::Undecided),
+    ("failed", |row| row.status() == Status::Failed),
+    ("compared", |row| row.error().is_some()),
+    ("0.1 %", |row| is_within(row, 1e-3)),
+    ("1 %", |row| is_within(row, 1e-2)),
+    ("5 %", |row| is_within(row, 5e-2)),
+];
 
-impl Tally {
-    fn count(&mut self, row: &Row) {
-        self.scenes += 1;
-        self.numbers += usize::from(row.bracket().is_some());
-        match row.status() {
-            Status::Verified => self.verified += 1,
-            Status::Stands | Status::Falls => self.endings += 1,
-            Status::NotApplicable => self.declined += 1,
-            Status::Undecided => self.undecided += 1,
-            Status::Failed => self.failed += 1,
-            Status::Bracketed | Status::Estimate => {}
-        }
-        let Some(error) = row.error() else {
-            return;
-        };
-        self.compared += 1;
-        for (count, limit) in self.within.iter_mut().zip(LIMITS) {
-            // A reference printed to the limit's own digit must not fall beside it.
-            *count += usize::from(error <= limit * (1.0 + 1e-9));
-        }
-    }
-
-    fn cells(&self) -> Vec<String> {
-        let counts = [
-            self.scenes,
-            self.numbers,
-            self.verified,
-            self.endings,
-            self.declined,
-            self.undecided,
-            self.failed,
-            self.compared,
-        ];
-        counts
-            .iter()
-            .chain(&self.within)
-            .map(usize::to_string)
-            .collect()
-    }
+/// Whether the error is so small, relative to the reference. One that is printed to the limit's own digit
+/// must not fall beside it.
+fn is_within(row: &Row, limit: f64) -> bool {
+    row.error().is_some_and(|e| e <= limit * (1.0 + 1e-9))
 }
 
 /// How each method ended, and how far off its answers are: one line a method.
 fn methods(results: &[CaseResult], layout: Layout) -> String {
-    let mut tallies: IndexMap<&str, Tally> = IndexMap::new();
+    let mut of_methods: IndexMap<&str, Vec<&Row>> = IndexMap::new();
     for (_, row) in rows(results) {
-        tallies.entry(&row.method).or_default().count(row);
+        of_methods.entry(&row.method).or_default().push(row);
     }
-    let headings = [
-        "scenes",
-        "numbers",
-        "verified",
-        "endings",
-        "declined",
-        "undecided",
-        "failed",
-        "compared",
-        "0.1 %",
-        "1 %",
-        "5 %",
-    ];
-    let part = |shown: std::ops::Range<usize>| {
-        let headings = headings[shown.clone()]
-            .iter()
-            .map(|heading| numbers(heading));
+    let part = |shown: &[(&'static str, fn(&Row) -> bool)]| {
+        let headings = shown.iter().map(|(heading, _)| numbers(heading));
         let headings: Vec<_> = std::iter::once(words("method")).chain(headings).collect();
-        let lines = tallies.iter().map(|(name, tally)| {
-            let cells = tally.cells().drain(shown.clone()).collect::<Vec<_>>();
-            [vec![(*name).to_owned()], cells].concat()
+        let lines = of_methods.iter().map(|(name, own)| {
+            let count = |holds: fn(&Row) -> bool| own.iter().filter(|row| holds(row)).count();
+            let counts = shown.iter().map(|(_, holds)| count(*holds).to_string());
+            std::iter::once((*name).to_owned()).chain(counts).collect()
         });
         grid(layout, 0, &headings, &lines.collect::<Vec<_>>())
     };
     let tables = match layout.columns() {
-        Some(_) => format!("{}\n{}", part(0..7), part(7..headings.len())),
-        None => part(0..headings.len()),
+        Some(_) => format!("{}\n{}", part(&COUNTS[..7]), part(&COUNTS[7..])),
+        None => part(&COUNTS),
     };
     let heading = layout.painted("methods", bold());
     let legend = "endings: answers that a scene stands or falls; declined: the method is not \

@@ -6,11 +6,10 @@ use super::terms::terms;
 use crate::external::{SceneFile, answers};
 use crate::judge::Conclusion;
 use crate::mechanics::{Mechanism, Thrust, thrust};
-use crate::run::{self, Audience, COLUMNS, CaseResult, Column, Partial, Row, Value};
+use crate::run::{self, COLUMNS, CaseResult, Column, Partial, Row, Value};
 
 fn for_programs() -> impl Iterator<Item = &'static Column> {
-    let columns = COLUMNS.iter();
-    columns.filter(|column| column.audience == Audience::Programs)
+    COLUMNS.iter().filter(|column| column.is_for_programs())
 }
 
 fn rows(results: &[CaseResult]) -> impl Iterator<Item = &Row> {

@@ -3,12 +3,12 @@
 
 use anstyle::Style;
 
-use super::styles::{of_status_word, of_verdict, of_verdict_word};
+use super::styles::{grid_column, of_verdict};
 use super::terms::terms;
 use crate::judge::Verdict;
 use crate::record::{self, LEGEND, Note};
 use crate::run::{CaseResult, values};
-use crate::text::{GridColumn, Layout, bold, ended, grid, numbers, sentence, words};
+use crate::text::{Layout, bold, ended, grid, sentence};
 
 /// The tables of all cases, and what explains them.
 pub fn table(results: &[CaseResult], layout: Layout) -> String {
@@ -16,19 +16,20 @@ pub fn table(results: &[CaseResult], layout: Layout) -> String {
     cases.collect::<String>() + &legend(layout)
 }
 
-/// Columns of a screen: those of the record, as many as there is room for.
-const COLUMNS: [(&str, GridColumn); 11] = [
-    ("method", words("method")),
-    ("head_joints", words("joints")),
-    ("lambda", words("λ")),
-    ("lambda_reference", words("reference").spare(1)),
-    ("status", words("status").styled(of_status_word)),
-    ("error_percent", numbers("error %")),
-    ("verdict", words("verdict").styled(of_verdict_word)),
-    ("slope", words("tan β").spare(2)),
-    ("slope_reference", words("reference").spare(5)),
-    ("width_c", numbers("c").spare(3)),
-    ("width_e", numbers("e").spare(4)),
+/// Columns of a screen: those of the record, as many as there is room for, and how soon each is left
+/// out.
+const COLUMNS: [(&str, usize); 11] = [
+    ("method", 0),
+    ("head_joints", 0),
+    ("lambda", 0),
+    ("lambda_reference", 1),
+    ("status", 0),
+    ("error_percent", 0),
+    ("verdict", 0),
+    ("slope", 2),
+    ("slope_reference", 5),
+    ("width_c", 3),
+    ("width_e", 4),
 ];
 
 /// What is said of one case: its title, a table, notes, checks that do not hold, and the best answer
@@ -78,7 +79,8 @@ fn answers(result: &CaseResult, layout: Layout) -> String {
         cells.iter().map(|cell| cell.shown()).collect()
     };
     let rows: Vec<Vec<String>> = result.rows.iter().map(shown).collect();
-    grid(layout, 0, &COLUMNS.map(|(_, column)| column), &rows)
+    let columns = COLUMNS.map(|(name, spare)| grid_column(name).spare(spare));
+    grid(layout, 0, &columns, &rows)
 }
 
 /// A note as a paragraph.

@@ -1,9 +1,11 @@
-//! The colours of verdicts and statuses.
+//! The colours of verdicts and statuses, and what columns look like on a screen.
 
 use anstyle::{AnsiColor, Style};
 
 use crate::answer::Status;
 use crate::judge::Verdict;
+use crate::run::column;
+use crate::text::{GridColumn, numbers, words};
 
 /// What a verdict looks like: green where it holds, yellow where it is to be looked at, red where it is
 /// violated.
@@ -16,7 +18,7 @@ pub fn of_verdict(verdict: Verdict) -> Style {
 }
 
 /// What the word of a verdict looks like; other words are plain.
-pub(super) fn of_verdict_word(word: &str) -> Style {
+fn of_verdict_word(word: &str) -> Style {
     let named = Verdict::ALL
         .into_iter()
         .find(|verdict| verdict.name() == word);
@@ -28,6 +30,17 @@ pub(super) fn of_status_word(word: &str) -> Style {
     match word == Status::Failed.name() {
         true => coloured(AnsiColor::Red).bold(),
         false => Style::new(),
+    }
+}
+
+/// A column of rows on a screen, which is always there.
+pub(super) fn grid_column(name: &str) -> GridColumn {
+    let heading = column(name).heading;
+    match name {
+        "error_percent" | "width_c" | "width_e" => numbers(heading),
+        "status" => words(heading).styled(of_status_word),
+        "verdict" => words(heading).styled(of_verdict_word),
+        _ => words(heading),
     }
 }
 

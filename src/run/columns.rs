@@ -44,6 +44,25 @@ impl Value {
         }
     }
 
+    /// The number, also where it stands in words, as in a file.
+    pub fn number(&self) -> Option<f64> {
+        let number = match self {
+            Value::Nothing => None,
+            Value::Text(text) => text.parse().ok(),
+            Value::Number(number) => Some(*number),
+            Value::Count(count) => Some(*count as f64),
+        };
+        number.filter(|number: &f64| number.is_finite())
+    }
+
+    /// The words; empty for nothing and for numbers.
+    pub fn words(&self) -> &str {
+        match self {
+            Value::Text(text) => text,
+            Value::Nothing | Value::Number(_) | Value::Count(_) => "",
+        }
+    }
+
     /// As tables for people have it: a dash for nothing.
     pub fn shown(&self) -> String {
         match self {
@@ -71,65 +90,91 @@ impl From<&str> for Value {
     }
 }
 
-/// Whom a column is for.
+/// What a column has, and so whom it is for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Audience {
-    /// Programs: CSV and JSON have it.
-    Programs,
-    /// People: tables and the report have it, with the digits that the status vouches for.
-    People,
+pub enum ColumnKind {
+    /// What came out: CSV and JSON have it.
+    Data,
+    /// Time and counts: as data, but that sweeps have them in a file of their own.
+    Effort,
+    /// For people: tables and the report have it, with the digits that the status vouches for.
+    Words,
 }
 
 /// A column.
 pub struct Column {
     /// Its name in CSV and JSON, and in lists of columns.
     pub name: &'static str,
-    /// Whom it is for.
-    pub audience: Audience,
+    /// What it has.
+    pub kind: ColumnKind,
+    /// What stands above it in tables of text.
+    pub heading: &'static str,
+    /// What stands above it on pages.
+    pub title: &'static str,
     /// What a row says in it.
     pub value: fn(&Row) -> Value,
 }
 
-const fn data(name: &'static str, value: fn(&Row) -> Value) -> Column {
-    let audience = Audience::Programs;
-    Column {
-        name,
-        audience,
-        value,
+impl Column {
+    const fn new(name: &'static str, kind: ColumnKind, value: fn(&Row) -> Value) -> Self {
+        Self {
+            name,
+            kind,
+            heading: name,
+            title: name,
+            value,
+        }
+    }
+
+    /// The same with these words above it.
+    const fn headed(self, heading: &'static str, title: &'static str) -> Self {
+        Self {
+            heading,
+            title,
+            ..self
+        }
+    }
+
+    /// Whether CSV and JSON have it.
+    pub fn is_for_programs(&self) -> bool {
+        self.kind != ColumnKind::Words
     }
 }
 
+const fn data(name: &'static str, value: fn(&Row) -> Value) -> Column {
+    Column::new(name, ColumnKind::Data, value)
+}
+
+const fn effort(name: &'static str, value: fn(&Row) -> Value) -> Column {
+    Column::new(name, ColumnKind::Effort, value)
+}
+
 const fn words(name: &'static str, value: fn(&Row) -> Value) -> Column {
-    let audience = Audience::People;
-    Column {
-        name,
-        audience,
-        value,
-    }
+    Column::new(name, ColumnKind::Words, value)
 }
 
 /// Every column. Those for programs stand in the order of `results.csv`; the first eleven are a
 /// contract with scripts, further ones are only ever added behind the others.
 pub static COLUMNS: &[Column] = &[
-    data("case", |row| Value::Text(row.scene_name())),
-    data("method", |row| row.method.as_str().into()),
-    data("status", |row| row.status().name().into()),
+    data("case", |row| Value::Text(row.scene_name())).headed("case", "Case"),
+    data("method", |row| row.method.as_str().into()).headed("method", "Method"),
+    data("status", |row| row.status().name().into()).headed("status", "Status"),
     data("lower", |row| row.bracket().map(|b| b.lower).into()),
     data("upper", |row| row.bracket().map(|b| b.upper).into()),
     data("tan_beta", |row| row.crack().map(|c| c.tan_beta).into()),
     data("c", |row| row.crack().and_then(|c| c.c).into()),
     data("e", |row| row.crack().and_then(|c| c.e).into()),
     data("residual", |row| row.residual().into()),
-    data("seconds", |row| Value::Number(row.seconds)),
+    effort("seconds", |row| Value::Number(row.seconds)),
     data("reason", |row| Value::Text(row.outcome.reason())),
     data("blocks", |row| Value::Count(row.blocks)),
     data("joints", |row| Value::Count(row.joints)),
-    data("modelled", |row| Value::Count(row.outcome.work.modelled)),
-    data("programs", |row| Value::Count(row.outcome.work.programs)),
-    data("iterations", |row| {
+    effort("modelled", |row| Value::Count(row.outcome.work.modelled)),
+    effort("programs", |row| Value::Count(row.outcome.work.programs)),
+    effort("iterations", |row| {
         Value::Count(row.outcome.work.iterations)
     }),
-    data("block_steps", |row| {
+    effort("block_steps", |row| {
         Value::Count(row.outcome.work.block_steps)
     }),
     data("stated_error", |row| {
@@ -140,7 +185,8 @@ pub static COLUMNS: &[Column] = &[
     data("error", |row| row.error().into()),
     data("verdict", |row| {
         row.verdict.map(|v| v.name().to_owned()).into()
-    }),
+    })
+    .headed("verdict", "Verdict"),
     data("friction", |row| row.friction_words().into()),
     data("push", |row| row.push.name().into()),
     data("starts", |row| coverage(row, |found| found.starts)),
@@ -150,21 +196,23 @@ pub static COLUMNS: &[Column] = &[
         let search = row.outcome.search();
         search.map(|search| search.coverage().unseen).into()
     }),
-    data("fallbacks", |row| Value::Count(row.outcome.work.fallbacks)),
-    words("head_joints", |row| row.head_joints.name().into()),
-    words("lambda", multiplier),
-    words("lambda_reference", multiplier_reference),
+    effort("fallbacks", |row| Value::Count(row.outcome.work.fallbacks)),
+    words("head_joints", |row| row.head_joints.name().into()).headed("joints", "Joints"),
+    words("lambda", multiplier).headed("λ", "λ"),
+    words("lambda_reference", multiplier_reference).headed("reference", "Reference"),
     words("error_percent", |row| {
         row.error().map(|error| number(100.0 * error, 2)).into()
-    }),
-    words("slope", slope),
+    })
+    .headed("error %", "Error %"),
+    words("slope", slope).headed("tan β", "tan β"),
     words("slope_reference", |row| {
         row.reference(Quantity::TanBeta).map(with_letter).into()
-    }),
-    words("width_c", |row| width(row.crack().and_then(|c| c.c))),
-    words("width_e", |row| width(row.crack().and_then(|c| c.e))),
-    words("note", |row| Value::Text(note(row))),
-    words("cpu_seconds", |row| Value::Text(number(row.seconds, 2))),
+    })
+    .headed("reference", "Ref. β"),
+    words("width_c", |row| width(row.crack().and_then(|c| c.c))).headed("c", "c"),
+    words("width_e", |row| width(row.crack().and_then(|c| c.e))).headed("e", "e"),
+    words("note", |row| Value::Text(note(row))).headed("note", "Note"),
+    words("cpu_seconds", |row| Value::Text(number(row.seconds, 2))).headed("CPU s", "CPU s"),
 ];
 
 /// The column of this name.

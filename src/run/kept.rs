@@ -1,5 +1,6 @@
-//! A row as files keep it, a line each with a sum over its text: whole, or without forces and motions.
+//! A row as files keep it, a line each with a sum over its text: whole, or thinned where there are many.
 
+use super::columns::COLUMNS;
 use super::row::Row;
 use crate::answer::{Fact, Outcome};
 use crate::fingerprint::Fingerprint;
@@ -7,7 +8,8 @@ use crate::fingerprint::Fingerprint;
 /// How much of a row a journal keeps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Keeps {
-    /// Numbers and words: what tables of many rows need.
+    /// What tables of many rows need: the answer without forces, mechanisms and the other side, and its
+    /// facts in words.
     Numbers,
     /// The whole answer: what a record, a drawing and the judge need.
     Everything,
@@ -17,7 +19,7 @@ impl Keeps {
     /// What is left of a row, whether it was just answered or is read back.
     pub(super) fn of(self, row: Row) -> Row {
         match self {
-            Keeps::Numbers => row.kept(),
+            Keeps::Numbers => thinned(row),
             Keeps::Everything => row,
         }
     }
@@ -63,43 +65,38 @@ pub(crate) fn lines(rows: &[Row]) -> serde_json::Result<String> {
     Ok(lines?.into_iter().flatten().collect())
 }
 
-impl Row {
-    /// The row as files of many rows keep it: its numbers and words, without forces, motions and the
-    /// other side of the push.
-    pub fn kept(self) -> Self {
-        let reason = self.outcome.reason();
-        let fact = match self.outcome.is_refuted() {
-            true => Fact::KeptRefutation(reason),
-            false => Fact::Words(reason),
-        };
-        let mut residuals = self.residuals;
-        residuals.sort_by(|a, b| b.largest().total_cmp(&a.largest()));
-        residuals.truncate(1);
-        // JSON has no infinite numbers.
-        residuals.retain(|of| of.largest().is_finite());
-        Self {
-            outcome: Outcome {
-                evidence: self.outcome.evidence.thinned(),
-                facts: vec![fact],
-                ..self.outcome
-            },
-            stronger: None,
-            residuals,
-            references: Vec::new(),
-            verdict: None,
-            ..self
-        }
+/// The row without what takes room, as [`Keeps::Numbers`] says.
+fn thinned(row: Row) -> Row {
+    let reason = row.outcome.reason();
+    let fact = match row.outcome.is_refuted() {
+        true => Fact::KeptRefutation(reason),
+        false => Fact::Words(reason),
+    };
+    let mut residuals = row.residuals;
+    residuals.sort_by(|a, b| b.largest().total_cmp(&a.largest()));
+    residuals.truncate(1);
+    // JSON has no infinite numbers.
+    residuals.retain(|of| of.largest().is_finite());
+    Row {
+        outcome: Outcome {
+            evidence: row.outcome.evidence.thinned(),
+            facts: vec![fact],
+            ..row.outcome
+        },
+        stronger: None,
+        residuals,
+        references: Vec::new(),
+        verdict: None,
+        ..row
     }
+}
 
-    /// Whether files keep the same of both rows, but for the time.
+impl Row {
+    /// Whether both rows say the same, to nine digits, but for the time.
     pub fn agrees(&self, other: &Row) -> bool {
-        let text = |row: &Row| {
-            let timeless = Row {
-                seconds: 0.0,
-                ..row.clone().kept()
-            };
-            serde_json::to_string(&timeless).ok()
-        };
-        text(self) == text(other)
+        let is_time = |name: &str| ["seconds", "cpu_seconds"].contains(&name);
+        let columns = COLUMNS.iter().filter(|column| !is_time(column.name));
+        let mut values = columns.map(|column| [self, other].map(|row| (column.value)(row).csv()));
+        self.id == other.id && values.all(|[one, other]| one == other)
     }
 }

@@ -20,7 +20,7 @@ mod task;
 mod weaker;
 
 pub use cases::{CaseRuns, run};
-pub use columns::{Audience, COLUMNS, Column, Value, column, csv, values};
+pub use columns::{COLUMNS, Column, ColumnKind, Value, column, csv, values};
 pub use execute::{run_rows, run_tasks};
 pub use journal::Journal;
 pub use kept::Keeps;

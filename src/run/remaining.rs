@@ -10,8 +10,18 @@ pub struct Remaining {
     all: f64,
     /// Expected CPU seconds of those that are done, and what they took.
     done: [f64; 2],
-    /// Expected CPU seconds and begin of those that run, by their ids.
-    running: BTreeMap<String, [f64; 2]>,
+    /// Those that run, by their ids.
+    running: BTreeMap<String, Running>,
+}
+
+/// A task that runs.
+#[derive(Clone, Copy, Debug)]
+struct Running {
+    /// Expected CPU seconds.
+    expected: f64,
+    /// Of these, those that no second thread can take off.
+    alone: f64,
+    begun: f64,
 }
 
 /// Seconds that this machine is taken to need for as many expected ones, until some tasks are done.
@@ -37,9 +47,15 @@ impl Remaining {
         self.all += seconds;
     }
 
-    /// A task is begun.
-    pub fn begin(&mut self, id: &str, expected: f64, now: f64) {
-        self.running.insert(id.to_owned(), [expected, now]);
+    /// A task is begun, of so many expected CPU seconds, and so many of these that no second thread can
+    /// take off.
+    pub fn begin(&mut self, id: &str, [expected, alone]: [f64; 2], now: f64) {
+        let running = Running {
+            expected,
+            alone,
+            begun: now,
+        };
+        self.running.insert(id.to_owned(), running);
     }
 
     /// A task is done and took so many CPU seconds.
@@ -56,27 +72,32 @@ impl Remaining {
     }
 
     /// What is left of a task that runs.
-    fn left_of(&self, [expected, begun]: [f64; 2], now: f64) -> f64 {
-        let run = (now - begun).max(0.0);
-        (expected * self.pace() - run).max(ON * run)
+    fn left_of(&self, task: Running, now: f64) -> f64 {
+        let run = (now - task.begun).max(0.0);
+        (task.expected * self.pace() - run).max(ON * run)
     }
 
     /// Seconds until all is done, roughly.
     pub fn left(&self, now: f64) -> f64 {
-        let of_running = || self.running.values().map(|&task| self.left_of(task, now));
-        let expected: f64 = self.running.values().map(|task| task[0]).sum();
+        let running = || {
+            self.running
+                .values()
+                .map(|&task| (task, self.left_of(task, now)))
+        };
+        let expected: f64 = running().map(|(task, _)| task.expected).sum();
+        let left: f64 = running().map(|(_, left)| left).sum();
         let waiting = (self.all - self.done[0] - expected).max(0.0) * self.pace();
-        let shared = (of_running().sum::<f64>() + waiting) / self.threads as f64;
-        // No task runs on two threads.
-        of_running().fold(shared, f64::max)
+        let shared = (left + waiting) / self.threads as f64;
+        // Other threads may take parts of a task off, but not all of it.
+        let alone = running().map(|(task, left)| left * task.alone / task.expected.max(1e-9));
+        alone.fold(shared, f64::max)
     }
 
     /// How much of the work is done, from 0 to 1.
     pub fn share_done(&self, now: f64) -> f64 {
-        let running = self.running.values().map(|&[expected, begun]| {
-            let left = self.left_of([expected, begun], now);
-            let run = (now - begun).max(0.0);
-            expected * run / (run + left).max(1e-9)
+        let running = self.running.values().map(|&task| {
+            let run = (now - task.begun).max(0.0);
+            task.expected * run / (run + self.left_of(task, now)).max(1e-9)
         });
         let done = self.done[0] + running.sum::<f64>();
         if self.all > 0.0 {
@@ -108,13 +129,13 @@ mod tests {
         let mut remaining = Remaining::new(2);
         remaining.expect(TASKS.iter().map(|task| task[0]).sum());
         // The longest runs alone on one thread; the other takes the rest, one after the other.
-        remaining.begin("0", TASKS[0][0], 0.0);
+        remaining.begin("0", [TASKS[0][0]; 2], 0.0);
         let end = TASKS[1..].iter().map(|task| task[1]).sum::<f64>();
         assert!(end > TASKS[0][1]);
         let mut now = 0.0;
         for (index, [expected, took]) in TASKS.into_iter().enumerate().skip(1) {
             let id = index.to_string();
-            remaining.begin(&id, expected, now);
+            remaining.begin(&id, [expected; 2], now);
             let middle = now + took / 2.0;
             if middle < 0.8 * end {
                 let (left, truth) = (remaining.left(middle), end - middle);
@@ -135,8 +156,10 @@ mod tests {
     fn a_task_that_takes_longer_than_expected_is_not_done() {
         let mut remaining = Remaining::new(4);
         remaining.expect(1.0);
-        remaining.begin("a", 1.0, 0.0);
+        remaining.begin("a", [1.0, 1.0], 0.0);
         assert!((remaining.left(50.0) - 5.0).abs() < 1e-9);
+        remaining.begin("a", [1.0, 0.5], 0.0);
+        assert!((remaining.left(50.0) - 2.5).abs() < 1e-9);
         assert!(remaining.share_done(50.0) < 1.0);
     }
 }

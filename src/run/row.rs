@@ -11,7 +11,8 @@ use crate::method::{Kind, kind};
 use crate::number::short;
 use crate::scene::{HeadJoints, Push};
 
-/// The judged answer of one task. Files of many rows keep a part of it, see [`Row::kept`].
+/// The judged answer of one task. Files keep what its task and method say of it; what its case says is
+/// found again, see [`Row::compare`].
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Row {

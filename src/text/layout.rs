@@ -1,4 +1,4 @@
-//! How text looks on a screen: its width, its colours, wrapped words.
+//! How text is laid out on a screen: its width, its colours, wrapped words.
 
 use std::fmt::Display;
 

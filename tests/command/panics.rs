@@ -107,6 +107,6 @@ fn in_a_sweep() {
         .collect();
     let rows = run_rows(&tasks, None, &()).unwrap();
     assert_one_failed(rows.iter(), 6);
-    let text = sweep::sweep_csv(&rows).unwrap();
+    let text = sweep::SweepTable::of("", &rows, None).csv().unwrap();
     assert_eq!(text.lines().count(), 7, "{text}");
 }

@@ -44,7 +44,7 @@ fn assert_clear(picture: &str, what: &str) {
     }
 }
 
-/// Ranges, prices and drawings of the whole library, on the report's page and in the manual; paper-3,
+/// Ranges and drawings of the whole library, on the report's page and in the manual; paper-3,
 /// which takes long, apart.
 #[test]
 fn the_librarys_pictures_are_clear() {
@@ -90,10 +90,6 @@ fn assert_chart_is_clear(case: &str) {
         let axes = axes(&picture, class, true);
         assert!(axes.iter().any(|ticks| ticks.len() > 3), "{axes:?}");
         assert_true_ticks(&axes);
-    }
-    let prices = chart::prices(entries.iter().map(|entry| &entry.row));
-    if let Some(picture) = chart::price_picture(&prices) {
-        assert_clear(&picture, "prices");
     }
 }
 

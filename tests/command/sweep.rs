@@ -6,11 +6,10 @@ use std::process::{Child, Command, Output, Stdio};
 use std::thread::sleep;
 use std::time::{Duration, Instant};
 
-/// Quick methods on a small wall; the interval also starts from its neighbours' states.
+/// Quick methods on a small wall.
 const SMALL: &str = r#"
 title = "A small sweep"
 methods = ["macro-block", "associative", "interval"]
-neighbours = "overburden"
 
 [case]
 unit = { length = 4.0, height = 1.75, weight = 1.0 }
@@ -156,8 +155,8 @@ fn four_shards_of_two_processes_at_a_time_merge_to_the_same_bytes() {
     // Rows that disagree, of another sweep, or damaged.
     let first = folder.join("dealt/shard-1-of-4.rows");
     let rows = fs::read_to_string(&first).expect("the shard has written it");
-    let verified = "\"status\":\"verified\"";
-    let stands = "\"status\":\"stands\"";
+    let verified = "\"status\":\"Verified\"";
+    let stands = "\"status\":\"Stands\"";
     let id = "{\"id\":\"";
     let at = rows.lines().position(|line| line.contains(verified));
     let damaged = format!("line {} is not as it was written", at.unwrap() + 1);
@@ -201,11 +200,7 @@ fn summed_again(rows: &str) -> String {
 
 #[test]
 fn a_changed_sweep_repeats_only_what_has_changed() {
-    let folder = folder_with(
-        &SMALL
-            .replace(", \"interval\"", "")
-            .replace("neighbours", "#"),
-    );
+    let folder = folder_with(&SMALL.replace(", \"interval\"", ""));
     let folder = folder.path();
     let arguments = ["sweep", "small.sweep.toml"];
     done(trilith(folder, &arguments));
@@ -312,12 +307,6 @@ fn every_mistake_in_a_sweep_gets_its_line_and_a_way_out() {
             format!("{top}overburden = [1, 2]"),
             "unknown key",
             "put `overburden = [...]` under `[[vary]]`",
-        ),
-        (
-            3,
-            format!("{top}neighbours = \"friction\"\n"),
-            "does not vary",
-            "one of the keys that vary",
         ),
         (
             4,

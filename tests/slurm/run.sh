@@ -84,7 +84,6 @@ cat >"$work/small.sweep.toml" <<'SWEEP'
 title = "A sweep for a small cluster"
 case = "paper-1"
 methods = ["macro-block", "associative", "interval"]
-neighbours = "overburden"
 
 [[vary]]
 overburden = { from = 0, to = 3, count = 4 }

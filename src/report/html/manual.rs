@@ -8,12 +8,12 @@ use super::panel::foremost;
 use super::prose;
 use super::ranges::range_figure;
 use super::residuals::in_short;
-use super::table::{TableCell, plain};
+use super::sortable::{TableCell, cells, plain, titles};
 use crate::case::Case;
 use crate::judge::Verdict;
 use crate::method::Settings;
 use crate::number::{nine_digits, short};
-use crate::run::{CaseResult, Partial, column};
+use crate::run::{CaseResult, Partial};
 
 /// The manual of these results as a page.
 pub fn manual(results: &[CaseResult], settings: &Settings, partial: Option<&Partial>) -> String {
@@ -134,32 +134,18 @@ fn references(result: &CaseResult) -> Markup {
 
 fn answers(result: &CaseResult) -> Markup {
     let columns = [
-        ("method", "Method"),
-        ("head_joints", "Joints"),
-        ("status", "Status"),
-        ("lambda", "λ"),
-        ("lambda_reference", "Reference"),
-        ("error_percent", "Error %"),
-        ("slope", "tan β"),
-        ("verdict", "Verdict"),
-        ("note", "Note"),
+        "method",
+        "head_joints",
+        "status",
+        "lambda",
+        "lambda_reference",
+        "error_percent",
+        "slope",
+        "verdict",
+        "note",
     ];
-    let rows = result.rows.iter().map(|row| {
-        let cell = |(name, _): &(&str, &str)| {
-            let text = (column(name).value)(row).shown().replace(" - ", " – ");
-            match *name {
-                "status" | "verdict" => TableCell::word(text),
-                "method" | "head_joints" | "note" => TableCell::text(text),
-                _ => TableCell::number(text),
-            }
-        };
-        columns.iter().map(cell).collect::<Vec<_>>()
-    });
-    plain(
-        "Answers",
-        &columns.map(|(_, name)| name),
-        &rows.collect::<Vec<_>>(),
-    )
+    let rows = result.rows.iter().map(|row| cells(row, &columns));
+    plain("Answers", &titles(&columns), &rows.collect::<Vec<_>>())
 }
 
 /// How many checks hold, and those that do not simply.

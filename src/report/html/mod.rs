@@ -2,7 +2,7 @@
 //! or printed.
 //!
 //! ```text
-//! html ── summary, table ── ranges (Fig. 6), sweeps (Fig. 7)
+//! html ── summary, multipliers ── ranges (Fig. 6), sweeps (Fig. 7)
 //!     └── a panel a case: drawings, replay, certificates, record
 //! manual ── a page a case: drawing, ranges, references, answers, residuals
 //! ```
@@ -15,9 +15,9 @@ mod prose;
 mod ranges;
 mod replay;
 mod residuals;
+mod sortable;
 mod summary;
 mod sweep;
-mod table;
 
 pub use manual::manual;
 pub use page::{Report, page};

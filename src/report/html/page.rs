@@ -1,12 +1,11 @@
 //! The page: its sections in order, style and script.
 
-use maud::{Markup, PreEscaped, html};
+use maud::{Markup, html};
 
 use super::document::{Document, document};
-use super::{panel, prose, ranges, summary, sweep, table};
+use super::{panel, prose, ranges, sortable, summary, sweep};
 use crate::method::Settings;
 use crate::run::{CaseResult, Partial};
-use crate::study::chart::{price_picture, prices};
 use crate::study::sweep::SweepTable;
 
 /// What a report is made of.
@@ -59,7 +58,7 @@ fn sections(report: &Report) -> Vec<(String, String, Markup)> {
         (
             "multipliers".into(),
             "Multipliers".into(),
-            table::multipliers(results),
+            sortable::multipliers(results),
         ),
     ];
     let mut add = |id: &str, title: &str, body: Option<Markup>| {
@@ -68,7 +67,6 @@ fn sections(report: &Report) -> Vec<(String, String, Markup)> {
         }
     };
     add("ranges", "Ranges", ranges::ranges(results));
-    add("prices", "Prices", price(results));
     for (index, table) in report.sweeps.iter().enumerate() {
         let body = sweep::section(table);
         add(
@@ -93,13 +91,6 @@ fn sections(report: &Report) -> Vec<(String, String, Markup)> {
         Some(prose::made_with(report.settings)),
     );
     sections
-}
-
-/// What each assumption costs over all cases; nothing of one case.
-fn price(results: &[CaseResult]) -> Option<Markup> {
-    let prices = prices(results.iter().flat_map(|result| &result.rows));
-    let svg = price_picture(&prices).filter(|_| results.len() > 1)?;
-    Some(html! { figure { (PreEscaped(svg)) } })
 }
 
 fn names(results: &[CaseResult]) -> String {

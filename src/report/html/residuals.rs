@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use super::table::{TableCell, plain, sortable};
+use super::sortable::{TableCell, plain, sortable};
 use crate::answer::Evidence;
 use crate::judge::Recomputed;
 use crate::mechanics::{CollapseResidual, StaticResidual, VERIFIED_RESIDUAL};

@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use super::table::{TableCell, sortable};
+use super::sortable::{TableCell, sortable};
 use crate::answer::Status;
 use crate::judge::Verdict;
 use crate::run::CaseResult;

@@ -2,14 +2,14 @@
 
 use maud::{Markup, PreEscaped, html};
 
-use super::table::{TableCell, sortable};
+use super::sortable::{TableCell, sortable};
 use crate::number::short;
-use crate::study::sweep::{SweepTable, sweep_pictures};
+use crate::study::sweep::{SweepTable, VariableKind, sweep_pictures};
 
 /// Heading of a sweep's section.
 pub fn title(table: &SweepTable) -> String {
     match table.variables().as_slice() {
-        [only] if only.name == "overburden" => "Overburden".to_owned(),
+        [only] if only.kind == VariableKind::Overburden => "Overburden".to_owned(),
         _ => format!("Sweep {}", table.name),
     }
 }
@@ -20,7 +20,7 @@ pub fn section(table: &SweepTable) -> Markup {
     let rows: Vec<Vec<TableCell>> = table
         .rows
         .iter()
-        .map(|row| row.iter().map(|cell| fitting(cell)).collect())
+        .map(|row| row.iter().map(|cell| fitting(&cell.csv())).collect())
         .collect();
     html! {
         @if let Some(partial) = &table.partial { p.headline.bad { (partial) } }

@@ -50,10 +50,19 @@ impl GridPoint {
     }
 }
 
-/// The first values of a list of pairs (value, whether it is in the small atlas).
-pub fn chosen<T: Copy>(values: &[(T, bool)], large: bool) -> Vec<T> {
-    let wanted = values.iter().filter(|(_, small)| large || *small);
-    wanted.map(|(value, _)| *value).collect()
+/// All values, or those of the small atlas.
+pub fn chosen<'a, T>(large: bool, all: &'a [T], small: &'a [T]) -> &'a [T] {
+    if large { all } else { small }
+}
+
+/// A cell for each pair of values, row by row.
+pub fn crossed<X: Copy, Y: Copy>(
+    xs: &[X],
+    ys: &[Y],
+    cell: impl Fn(X, Y) -> GridPoint,
+) -> Vec<GridPoint> {
+    let row = |&y: &Y| xs.iter().map(|&x| cell(x, y)).collect::<Vec<_>>();
+    ys.iter().flat_map(row).collect()
 }
 
 /// Accuracy of a formula.

@@ -2,7 +2,7 @@
 
 use super::columns::Columns;
 use super::factors::{friction, live_load};
-use super::grid::{Grid, GridPoint, Known, chosen};
+use super::grid::{Grid, GridPoint, Known, chosen, crossed};
 use super::openings::{openings, openings_in_contact};
 use super::unequal::{light_beside_heavy, load_on_top, weights};
 use super::walls::{RUNNING, moved, running_bond, running_bond_in};
@@ -28,7 +28,7 @@ pub fn grids(large: bool) -> Vec<Grid> {
     ]
 }
 
-fn on_columns(x: String, y: String, columns: Columns) -> GridPoint {
+fn on_columns([x, y]: [String; 2], columns: Columns) -> GridPoint {
     GridPoint {
         x,
         y,
@@ -40,36 +40,16 @@ fn on_columns(x: String, y: String, columns: Columns) -> GridPoint {
 }
 
 fn courses_and_friction(large: bool) -> Grid {
-    let courses = [
-        (1, true),
-        (2, false),
-        (4, false),
-        (8, true),
-        (16, false),
-        (32, false),
-    ];
-    let frictions = [
-        (0.05, true),
-        (0.2, false),
-        (0.4, true),
-        (0.9, true),
-        (2.0, false),
-    ];
-    let mut cells = Vec::new();
-    for friction in chosen(&frictions, large) {
-        for courses in chosen(&courses, large) {
-            let columns = Columns {
-                courses,
-                friction,
-                ..Columns::default()
-            };
-            cells.push(on_columns(
-                courses.to_string(),
-                friction.to_string(),
-                columns,
-            ));
-        }
-    }
+    let courses = chosen(large, &[1, 2, 4, 8, 16, 32], &[1, 8]);
+    let frictions = chosen(large, &[0.05, 0.2, 0.4, 0.9, 2.0], &[0.05, 0.4, 0.9]);
+    let cells = crossed(courses, frictions, |courses, friction: f64| {
+        let columns = Columns {
+            courses,
+            friction,
+            ..Columns::default()
+        };
+        on_columns([courses.to_string(), friction.to_string()], columns)
+    });
     Grid {
         name: "courses-friction",
         x: "courses",
@@ -86,38 +66,17 @@ fn courses_and_friction(large: bool) -> Grid {
 }
 
 fn slenderness_and_mass(large: bool) -> Grid {
-    let slender = [
-        (0.5, true),
-        (1.0, false),
-        (2.0, true),
-        (5.0, false),
-        (10.0, true),
-        (40.0, false),
-    ];
-    let ratios = [
-        (1e-6, false),
-        (1e-3, true),
-        (0.1, false),
-        (1.0, true),
-        (1e3, true),
-        (1e6, false),
-    ];
-    let mut cells = Vec::new();
-    for ratio in chosen(&ratios, large) {
-        for slenderness in chosen(&slender, large) {
-            let columns = Columns {
-                height: slenderness / 3.0,
-                mass_ratio: ratio,
-                friction: 0.8,
-                ..Columns::default()
-            };
-            cells.push(on_columns(
-                slenderness.to_string(),
-                format!("{ratio:e}"),
-                columns,
-            ));
-        }
-    }
+    let slender = chosen(large, &[0.5, 1.0, 2.0, 5.0, 10.0, 40.0], &[0.5, 2.0, 10.0]);
+    let ratios = chosen(large, &[1e-6, 1e-3, 0.1, 1.0, 1e3, 1e6], &[1e-3, 1.0, 1e3]);
+    let cells = crossed(slender, ratios, |slenderness: f64, ratio| {
+        let columns = Columns {
+            height: slenderness / 3.0,
+            mass_ratio: ratio,
+            friction: 0.8,
+            ..Columns::default()
+        };
+        on_columns([slenderness.to_string(), format!("{ratio:e}")], columns)
+    });
     Grid {
         name: "slenderness-mass",
         x: "height over width",
@@ -133,29 +92,16 @@ fn slenderness_and_mass(large: bool) -> Grid {
 }
 
 fn courses_and_overburden(large: bool) -> Grid {
-    let courses = [(1, true), (3, true), (6, false), (12, false)];
-    let ratios = [
-        (0.0, false),
-        (0.1, false),
-        (1.0, true),
-        (10.0, true),
-        (100.0, false),
-    ];
-    let mut cells = Vec::new();
-    for overburden in chosen(&ratios, large) {
-        for courses in chosen(&courses, large) {
-            let columns = Columns {
-                courses,
-                overburden,
-                ..Columns::default()
-            };
-            cells.push(on_columns(
-                courses.to_string(),
-                overburden.to_string(),
-                columns,
-            ));
-        }
-    }
+    let courses = chosen(large, &[1, 3, 6, 12], &[1, 3]);
+    let ratios = chosen(large, &[0.0, 0.1, 1.0, 10.0, 100.0], &[1.0, 10.0]);
+    let cells = crossed(courses, ratios, |courses, overburden: f64| {
+        let columns = Columns {
+            courses,
+            overburden,
+            ..Columns::default()
+        };
+        on_columns([courses.to_string(), overburden.to_string()], columns)
+    });
     Grid {
         name: "courses-overburden",
         x: "courses",
@@ -169,26 +115,17 @@ fn courses_and_overburden(large: bool) -> Grid {
 }
 
 fn courses_and_gap(large: bool) -> Grid {
-    let courses = [(2, true), (4, false), (8, false)];
-    let gaps = [
-        (1e-4, true),
-        (1e-3, false),
-        (1e-2, true),
-        (0.1, false),
-        (0.5, true),
-    ];
-    let mut cells = Vec::new();
-    for gap in chosen(&gaps, large) {
-        for courses in chosen(&courses, large) {
-            let columns = Columns {
-                courses,
-                gap,
-                count: 2,
-                ..Columns::default()
-            };
-            cells.push(on_columns(courses.to_string(), format!("{gap:e}"), columns));
-        }
-    }
+    let courses = chosen(large, &[2, 4, 8], &[2]);
+    let gaps = chosen(large, &[1e-4, 1e-3, 1e-2, 0.1, 0.5], &[1e-4, 1e-2, 0.5]);
+    let cells = crossed(courses, gaps, |courses, gap| {
+        let columns = Columns {
+            courses,
+            gap,
+            count: 2,
+            ..Columns::default()
+        };
+        on_columns([courses.to_string(), format!("{gap:e}")], columns)
+    });
     Grid {
         name: "courses-gap",
         x: "courses",
@@ -203,32 +140,23 @@ fn courses_and_gap(large: bool) -> Grid {
 }
 
 fn unit_and_distance(large: bool) -> Grid {
-    let units = [
-        (1e-6, false),
-        (1e-3, true),
-        (1.0, true),
-        (1e3, true),
-        (1e6, false),
-    ];
-    let distances = [(0.0, true), (1e3, true), (1e5, false), (1e7, false)];
-    let mut cells = Vec::new();
+    let units = chosen(large, &[1e-6, 1e-3, 1.0, 1e3, 1e6], &[1e-3, 1.0, 1e3]);
+    let distances = chosen(large, &[0.0, 1e3, 1e5, 1e7], &[0.0, 1e3]);
     let (courses, known) = RUNNING[0];
-    for distance in chosen(&distances, large) {
-        for unit in chosen(&units, large) {
-            let scene = move || {
-                let wall = running_bond_in(courses, unit);
-                moved(&wall, distance * wall.height())
-            };
-            cells.push(GridPoint {
-                x: format!("{unit:e}"),
-                y: format!("{distance:e}"),
-                scene: Box::new(scene),
-                blocks: 33,
-                settings: Settings::default(),
-                known,
-            });
+    let cells = crossed(units, distances, |unit, distance| {
+        let scene = move || {
+            let wall = running_bond_in(courses, unit);
+            moved(&wall, distance * wall.height())
+        };
+        GridPoint {
+            x: format!("{unit:e}"),
+            y: format!("{distance:e}"),
+            scene: Box::new(scene),
+            blocks: 33,
+            settings: Settings::default(),
+            known,
         }
-    }
+    });
     Grid {
         name: "unit-distance",
         x: "unit of length",
@@ -244,30 +172,23 @@ fn unit_and_distance(large: bool) -> Grid {
 }
 
 fn tolerance_of_programs(large: bool) -> Grid {
-    let tolerances = [
-        (1e-1, false),
-        (1e-2, true),
-        (1e-3, false),
-        (1e-4, true),
-        (1e-6, true),
-        (1e-8, false),
-        (1e-10, true),
-    ];
-    let mut cells = Vec::new();
-    for (courses, known) in RUNNING {
-        for tolerance in chosen(&tolerances, large) {
-            let mut settings = Settings::default();
-            settings.programs.lp_tolerance = tolerance;
-            cells.push(GridPoint {
-                x: format!("{tolerance:e}"),
-                y: format!("{courses} courses"),
-                scene: Box::new(move || running_bond(courses)),
-                blocks: 5 * courses + courses / 2,
-                settings,
-                known,
-            });
+    let tolerances = chosen(
+        large,
+        &[1e-1, 1e-2, 1e-3, 1e-4, 1e-6, 1e-8, 1e-10],
+        &[1e-2, 1e-4, 1e-6, 1e-10],
+    );
+    let cells = crossed(tolerances, &RUNNING, |tolerance, (courses, known)| {
+        let mut settings = Settings::default();
+        settings.programs.lp_tolerance = tolerance;
+        GridPoint {
+            x: format!("{tolerance:e}"),
+            y: format!("{courses} courses"),
+            scene: Box::new(move || running_bond(courses)),
+            blocks: 5 * courses + courses / 2,
+            settings,
+            known,
         }
-    }
+    });
     Grid {
         name: "tolerance",
         x: "tolerance of the linear programs",
@@ -283,38 +204,26 @@ fn tolerance_of_programs(large: bool) -> Grid {
 }
 
 fn substep_and_stiffness(large: bool) -> Grid {
-    let substeps = [
-        (0.5, false),
-        (1.0, true),
-        (2.0, false),
-        (4.0, true),
-        (16.0, true),
-        (64.0, false),
-    ];
-    let stiffnesses = [
-        (4.0, true),
-        (1.0, true),
-        (0.25, false),
-        (1.0 / 16.0, true),
-        (1.0 / 256.0, false),
-    ];
-    let mut cells = Vec::new();
+    let substeps = chosen(large, &[0.5, 1.0, 2.0, 4.0, 16.0, 64.0], &[1.0, 4.0, 16.0]);
+    let (all, small) = (
+        [4.0, 1.0, 0.25, 1.0 / 16.0, 1.0 / 256.0],
+        [4.0, 1.0, 1.0 / 16.0],
+    );
+    let stiffnesses = chosen(large, &all, &small);
     let (courses, known) = RUNNING[0];
-    for stiffness in chosen(&stiffnesses, large) {
-        for substep in chosen(&substeps, large) {
-            let mut settings = Settings::default();
-            settings.pushover.substep = substep;
-            settings.pushover.stiffness = stiffness;
-            cells.push(GridPoint {
-                x: substep.to_string(),
-                y: stiffness.to_string(),
-                scene: Box::new(move || running_bond(courses)),
-                blocks: 33,
-                settings,
-                known,
-            });
+    let cells = crossed(substeps, stiffnesses, |substep: f64, stiffness: f64| {
+        let mut settings = Settings::default();
+        settings.pushover.substep = substep;
+        settings.pushover.stiffness = stiffness;
+        GridPoint {
+            x: substep.to_string(),
+            y: stiffness.to_string(),
+            scene: Box::new(move || running_bond(courses)),
+            blocks: 33,
+            settings,
+            known,
         }
-    }
+    });
     Grid {
         name: "substep-stiffness",
         x: "substep over the default",

@@ -45,11 +45,9 @@ pub fn openings_in_contact(large: bool) -> Grid {
 }
 
 fn pierced(head_joints: HeadJoints, large: bool) -> Vec<GridPoint> {
-    let heights = [(1, false), (3, false), (5, true), (7, false)];
-    let counts = [(1, true), (2, false)];
     let mut cells = Vec::new();
-    for openings in chosen(&counts, large) {
-        for height in chosen(&heights, large) {
+    for &openings in chosen(large, &[1, 2], &[1]) {
+        for &height in chosen(large, &HEIGHTS, &[5]) {
             let wall = Pierced {
                 openings,
                 height,

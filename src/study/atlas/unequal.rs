@@ -1,21 +1,15 @@
 //! Grids over blocks of unequal weight and size, where measures over the whole scene do not see the
 //! light ones, and over heavy tops.
 
-use super::grid::{Grid, GridPoint, Known, chosen};
+use super::grid::{Grid, GridPoint, Known, chosen, crossed};
 use super::library::of_library;
 use super::towers::{self, Capped, Stone, Tower};
 use crate::scene::HeadJoints;
 
 /// Ratios of weights.
-const RATIOS: [(f64, bool); 7] = [
-    (1.0, false),
-    (1e2, true),
-    (1e4, false),
-    (1e6, true),
-    (1e8, false),
-    (1e10, false),
-    (1e12, false),
-];
+fn ratios(large: bool) -> &'static [f64] {
+    chosen(large, &[1.0, 1e2, 1e4, 1e6, 1e8, 1e10, 1e12], &[1e2, 1e6])
+}
 
 /// A column whose blocks differ in weight.
 pub fn weights(large: bool) -> Grid {
@@ -29,25 +23,22 @@ pub fn weights(large: bool) -> Grid {
         ("in turn", &|course| -((course % 2) as f64)),
     ];
     let friction = 1.5;
-    let mut cells = Vec::new();
-    for (order, exponent) in orders {
-        for ratio in chosen(&RATIOS, large) {
-            let stone = |course: usize| Stone {
-                width: 1.0 - 0.1 * course as f64,
-                height: 0.5,
-                weight: ratio.powf(exponent(course)),
-            };
-            let tower = Tower {
-                axis: 0.0,
-                stones: (0..COURSES).map(stone).collect(),
-                load: 0.0,
-            };
-            let known = Known::exact(tower.multiplier(friction));
-            let scene = towers::scene(&[tower], friction);
-            let place = [format!("{ratio:e}"), order.to_owned()];
-            cells.push(GridPoint::of_scene(place, known, scene));
-        }
-    }
+    let cells = crossed(ratios(large), &orders, |ratio: f64, (order, exponent)| {
+        let stone = |course: usize| Stone {
+            width: 1.0 - 0.1 * course as f64,
+            height: 0.5,
+            weight: ratio.powf(exponent(course)),
+        };
+        let tower = Tower {
+            axis: 0.0,
+            stones: (0..COURSES).map(stone).collect(),
+            load: 0.0,
+        };
+        let known = Known::exact(tower.multiplier(friction));
+        let scene = towers::scene(&[tower], friction);
+        let place = [format!("{ratio:e}"), order.to_owned()];
+        GridPoint::of_scene(place, known, scene)
+    });
     Grid {
         name: "weights",
         x: "heaviest over lightest block",
@@ -65,30 +56,27 @@ pub fn weights(large: bool) -> Grid {
 
 /// A light block that rocks beside a heavy one.
 pub fn light_beside_heavy(large: bool) -> Grid {
-    let sizes = [(1.0, true), (1e-2, true), (1e-4, false)];
-    let mut cells = Vec::new();
-    for size in chosen(&sizes, large) {
-        for ratio in chosen(&RATIOS, large) {
-            let tower = |axis, width, height, weight| Tower {
-                axis,
-                stones: vec![Stone {
-                    width,
-                    height,
-                    weight,
-                }],
-                load: 0.0,
-            };
-            let towers = [
-                tower(0.0, 2.0, 2.0, ratio),
-                tower(10.0, size, 4.0 * size, 1.0),
-            ];
-            let friction = 0.65;
-            let known = Known::exact(towers::multiplier(&towers, friction));
-            let scene = towers::scene(&towers, friction);
-            let place = [format!("{ratio:e}"), format!("{size:e}")];
-            cells.push(GridPoint::of_scene(place, known, scene));
-        }
-    }
+    let sizes = chosen(large, &[1.0, 1e-2, 1e-4], &[1.0, 1e-2]);
+    let friction = 0.65;
+    let cells = crossed(ratios(large), sizes, |ratio, size| {
+        let tower = |axis, width, height, weight| Tower {
+            axis,
+            stones: vec![Stone {
+                width,
+                height,
+                weight,
+            }],
+            load: 0.0,
+        };
+        let towers = [
+            tower(0.0, 2.0, 2.0, ratio),
+            tower(10.0, size, 4.0 * size, 1.0),
+        ];
+        let known = Known::exact(towers::multiplier(&towers, friction));
+        let scene = towers::scene(&towers, friction);
+        let place = [format!("{ratio:e}"), format!("{size:e}")];
+        GridPoint::of_scene(place, known, scene)
+    });
     Grid {
         name: "light-beside-heavy",
         x: "weight of the heavy block over that of the light one",
@@ -104,17 +92,8 @@ pub fn light_beside_heavy(large: bool) -> Grid {
 
 /// A slab on two columns, and a wall under overburden.
 pub fn load_on_top(large: bool) -> Grid {
-    let ratios = [
-        (0.25, false),
-        (0.5, false),
-        (1.0, false),
-        (2.0, false),
-        (4.0, true),
-        (10.0, true),
-        (1e2, false),
-        (1e4, false),
-    ];
-    let ratios = chosen(&ratios, large);
+    let all = [0.25, 0.5, 1.0, 2.0, 4.0, 10.0, 1e2, 1e4];
+    let ratios = chosen(large, &all, &[4.0, 10.0]);
     let friction = 0.6;
     let capped = |cap: f64| {
         let capped = Capped {

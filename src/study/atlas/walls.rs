@@ -6,8 +6,8 @@ use crate::scene::{
     Course, Friction, HeadJoints, OfBlocks, Piece, Polygon, Push, Scene, SceneParts, Vector, Wall,
 };
 
-/// What multipliers are worth that HiGHS (1.15.1, simplex) computed, the lowest states by blending from
-/// 9 to 30 starts of eight kinds, as `shared/science.md` section 8 describes.
+/// What multipliers are worth that HiGHS (1.15.1, simplex) computed, the lowest states by blending, as
+/// `tests/reference/limit.py` does, from 9 to 30 starts of eight kinds.
 pub const COMPUTED: f64 = 1e-5;
 
 /// What [`running_bond`] is worth as a reference of the pushover too: all its answers lie within

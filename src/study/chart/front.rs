@@ -1,7 +1,7 @@
 //! The Pareto front of time and error.
 
+use super::measurement::Measurement;
 use super::reference::DIGITS;
-use super::table::Measurement;
 
 /// Errors below this count as it: the references have six digits.
 pub const FLOOR: f64 = DIGITS;

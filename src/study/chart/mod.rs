@@ -8,16 +8,14 @@
 mod front;
 mod highest;
 mod ladder;
+mod measurement;
 mod picture;
-mod price;
 mod reference;
 mod summary;
-mod table;
 
 pub use front::front;
 pub use ladder::{Step, ladder};
+pub use measurement::{Chart, Measurement, csv, run};
 pub use picture::picture;
-pub use price::{Price, price_picture, prices};
 pub use reference::{ReferenceRange, reference};
 pub use summary::{Summary, csv as summary_csv, summaries, table as summary_table};
-pub use table::{Chart, Measurement, csv, run};

@@ -3,7 +3,7 @@
 use indexmap::{IndexMap, IndexSet};
 
 use super::front::{FLOOR, front};
-use super::table::Measurement;
+use super::measurement::Measurement;
 use crate::answer::Bracket;
 use crate::method::{Look, METHODS, Mark, method_look};
 use crate::number::short;

@@ -3,7 +3,7 @@
 use anstyle::Style;
 use indexmap::IndexSet;
 
-use super::table::Measurement;
+use super::measurement::Measurement;
 use crate::number::number;
 use crate::run::{self, Value};
 use crate::text::{Layout, grid, numbers, words};

@@ -1,12 +1,13 @@
 //! Curves of λ over one variable of a sweep, with bands for ranges and values from elsewhere.
 
 use super::known::of_overburden;
-use super::points::{SweepTable, Variable};
+use super::points::{SweepTable, Variable, VariableKind};
 use crate::case::find;
 use crate::method::{Look, Mark, method_look};
 use crate::number::{number, short};
 use crate::picture::palette::INK;
 use crate::picture::{Between, Filling, Line, Marks, Plot, PlotAxis, PlotPoint, Ticks};
+use crate::run::Value;
 use crate::scene::HeadJoints;
 
 /// Relative width from which on a bracket is a band.
@@ -24,7 +25,7 @@ pub fn curves(
     scene: &str,
     chosen: &[(&str, &str)],
     x: &Variable,
-    rows: &[&Vec<String>],
+    rows: &[&Vec<Value>],
 ) -> Plot {
     let mut plot = Plot {
         title: heading(scene, chosen),
@@ -42,7 +43,7 @@ pub fn curves(
         let colour = method_look(method, 0).colour;
         let of_method = rows
             .iter()
-            .filter(|row| table.cell(row, "method") == method);
+            .filter(|row| table.words(row, "method") == method);
         let pieces = pieces(table, x, of_method.copied());
         let last = pieces.len().saturating_sub(1);
         for (index, points) in pieces.into_iter().enumerate() {
@@ -70,11 +71,11 @@ pub fn curves(
 fn pieces<'a>(
     table: &SweepTable,
     x: &Variable,
-    rows: impl Iterator<Item = &'a Vec<String>>,
+    rows: impl Iterator<Item = &'a Vec<Value>>,
 ) -> Vec<Vec<[f64; 3]>> {
     let numbers = x.numbers();
-    let place = |row: &[String]| {
-        let value = table.cell(row, &x.name);
+    let place = |row: &[Value]| {
+        let value = table.words(row, &x.name);
         let index = x.values.iter().position(|known| known == value)?;
         Some(
             numbers
@@ -82,7 +83,7 @@ fn pieces<'a>(
                 .map_or(index as f64, |numbers| numbers[index]),
         )
     };
-    let point = |row: &'a Vec<String>| {
+    let point = |row: &'a Vec<Value>| {
         let ends = table.number(row, "lower").zip(table.number(row, "upper"));
         Some((place(row)?, ends))
     };
@@ -132,8 +133,8 @@ fn split(scene: &str) -> (&str, HeadJoints) {
 
 /// Values of others, where nothing but the overburden is changed, on a wall of a built-in case: a key of
 /// one value may change it as well, and so may a file that has the name of one.
-fn known(table: &SweepTable, scene: &str, x: &Variable, rows: &[&Vec<String>]) -> Option<Marks> {
-    if x.name != "overburden" || !table.keys().eq(["overburden"]) {
+fn known(table: &SweepTable, scene: &str, x: &Variable, rows: &[&Vec<Value>]) -> Option<Marks> {
+    if x.kind != VariableKind::Overburden || table.keys().count() > 1 {
         return None;
     }
     let (case, head_joints) = split(scene);
@@ -144,9 +145,9 @@ fn known(table: &SweepTable, scene: &str, x: &Variable, rows: &[&Vec<String>]) -
         ("joints", wall.joints().len().to_string()),
         ("friction", frictions.next()?),
     ];
-    let differs = |row: &&Vec<String>| {
-        wall.iter()
-            .any(|(name, value)| table.cell(row, name) != value)
+    let differs = |row: &&Vec<Value>| {
+        let mut known = wall.iter();
+        known.any(|(name, value)| table.cell(row, name).csv() != *value)
     };
     if rows.iter().any(differs) {
         return None;

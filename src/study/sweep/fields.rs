@@ -5,26 +5,23 @@ use super::points::{SweepTable, Variable};
 use crate::number::number;
 use crate::picture::palette::{SCALE, tone_of};
 use crate::picture::{Cells, Field, LegendEntry, PictureCell, cells};
+use crate::run::Value;
 
 /// Fields of cells over two variables, a field a scene and method: the lower end of λ on one scale.
 pub fn fields(table: &SweepTable, title: &str, x: &Variable, y: &Variable) -> String {
-    let lower = |row: &Vec<String>| table.number(row, "lower");
+    let lower = |row: &Vec<Value>| table.number(row, "lower");
     let values = || table.rows.iter().filter_map(lower);
     let [least, most] = values().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| {
         [low.min(v), high.max(v)]
     });
-    let place = |row: &Vec<String>| {
-        let column = x
-            .values
-            .iter()
-            .position(|v| v == table.cell(row, &x.name))?;
-        let line = y
-            .values
-            .iter()
-            .position(|v| v == table.cell(row, &y.name))?;
-        Some([column, line])
+    let place = |row: &Vec<Value>| {
+        let of = |variable: &Variable| {
+            let value = table.words(row, &variable.name);
+            variable.values.iter().position(|known| known == value)
+        };
+        Some([of(x)?, of(y)?])
     };
-    let cell = |row: &Vec<String>| {
+    let cell = |row: &Vec<Value>| {
         let value = lower(row);
         let share = value.map(|value| (value - least) / (most - least).max(f64::MIN_POSITIVE));
         Some(PictureCell {
@@ -33,9 +30,9 @@ pub fn fields(table: &SweepTable, title: &str, x: &Variable, y: &Variable) -> St
             word: value.map_or("-".to_owned(), |value| number(value, 4)),
             tooltip: format!(
                 "{} to {}, {}",
-                table.cell(row, "lower"),
-                table.cell(row, "upper"),
-                table.cell(row, "status")
+                table.cell(row, "lower").csv(),
+                table.cell(row, "upper").csv(),
+                table.words(row, "status")
             ),
         })
     };
@@ -47,7 +44,7 @@ pub fn fields(table: &SweepTable, title: &str, x: &Variable, y: &Variable) -> St
     }
     let fields = names.iter().map(|(name, scene, method)| {
         let own = table.rows.iter().filter(|row| {
-            table.cell(row, "case") == *scene && table.cell(row, "method") == *method
+            table.words(row, "case") == *scene && table.words(row, "method") == *method
         });
         Field {
             name,

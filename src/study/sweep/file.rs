@@ -18,7 +18,6 @@ pub(super) struct File {
     pub case: Spanned<CaseSource>,
     pub head_joints: Option<Spanned<String>>,
     pub methods: Option<Spanned<WordList>>,
-    pub neighbours: Option<Spanned<String>>,
     #[serde(default)]
     pub settings: BTreeMap<Spanned<String>, Spanned<Scalar>>,
     #[serde(default)]
@@ -69,13 +68,12 @@ pub(super) fn parse(document: &Document) -> Result<File, Complaint> {
 }
 
 /// The keys at the top of a sweep file.
-const KEYS: [&str; 8] = [
+const KEYS: [&str; 7] = [
     "title",
     "source",
     "case",
     "head_joints",
     "methods",
-    "neighbours",
     "settings",
     "vary",
 ];

@@ -10,26 +10,25 @@
 //! determines the answer. Charts and atlas make points in code and run them the same way.
 
 mod compare;
+mod csv_files;
 mod curves;
 mod fields;
 mod file;
 mod known;
 mod library;
 mod name;
-mod neighbours;
 mod picture;
 mod plan;
 mod points;
 mod replace;
 mod shard;
-mod table;
 mod values;
 mod variants;
 
 pub use compare::{SweepCheck, compare};
+pub use csv_files::times_csv;
 pub use library::embedded;
 pub use picture::{sweep_picture, sweep_pictures};
 pub use plan::Sweep;
-pub use points::{SweepError, SweepTable, Variable};
+pub use points::{SweepError, SweepTable, Variable, VariableKind};
 pub use shard::{MOST_SHARDS, Shard, merge};
-pub use table::{sweep_csv, times_csv};

@@ -2,9 +2,10 @@
 
 use super::curves::{KNOWN, curves};
 use super::fields::fields;
-use super::points::{SweepTable, Variable};
+use super::points::{SweepTable, Variable, VariableKind};
 use crate::picture::palette::INK;
 use crate::picture::{Filling, LegendEntry, Plot, dashed_line, plots};
+use crate::run::Value;
 
 /// Most plots of one sweep that anybody looks at.
 const MOST_PLOTS: usize = 24;
@@ -78,13 +79,13 @@ fn drawn(table: &SweepTable) -> Result<Drawn, String> {
     let mut panels = Vec::new();
     for scene in scenes {
         for chosen in combinations(&others) {
-            let of_panel = |row: &&Vec<String>| {
-                table.cell(row, "case") == scene
+            let of_panel = |row: &&Vec<Value>| {
+                table.words(row, "case") == scene
                     && chosen
                         .iter()
-                        .all(|(name, value)| table.cell(row, name) == *value)
+                        .all(|(name, value)| table.words(row, name) == *value)
             };
-            let rows: Vec<&Vec<String>> = table.rows.iter().filter(of_panel).collect();
+            let rows: Vec<&Vec<Value>> = table.rows.iter().filter(of_panel).collect();
             if rows.is_empty() {
                 continue;
             }
@@ -120,7 +121,7 @@ fn abscissa(variables: &[Variable]) -> Option<&Variable> {
         (
             is_number,
             variable.values.len(),
-            variable.name == "overburden",
+            variable.kind == VariableKind::Overburden,
         )
     };
     // Of equal ones the first.

@@ -1,18 +1,13 @@
 //! From a sweep file to its tasks.
 
-use std::borrow::Cow;
 use std::path::Path;
-
-use toml::Spanned;
 
 use super::file::{self, CaseSource, File};
 use super::name::sweep_name;
-use super::neighbours::FromNeighbours;
-use super::variants::{Axis, Base, Variant, axes, settings, variants};
+use super::variants::{Base, Variant, axes, settings, variants};
 use crate::case::{self, Complaint, Document, UnreadCase, listed, nearest, printable};
-use crate::method::{Kind, METHODS, Method, defaults, kind, methods as all_methods};
-use crate::run::{Subject, Task};
-use crate::scene::HeadJoints;
+use crate::method::{METHODS, Method, defaults, methods as all_methods};
+use crate::run::Task;
 
 /// A sweep: walls, methods and settings, in a fixed order.
 pub struct Sweep {
@@ -24,9 +19,6 @@ pub struct Sweep {
     pub source: String,
     variants: Vec<Variant>,
     methods: Vec<&'static dyn Method>,
-    /// How far apart in `variants` the neighbours are that the interval also starts from, and on
-    /// which axis they lie.
-    neighbours: Option<(usize, usize)>,
 }
 
 impl Sweep {
@@ -45,14 +37,12 @@ impl Sweep {
         let axes = axes(&document, &file)?;
         let bases = bases(&document, &file, &name)?;
         let variants = variants(&document, &bases, &axes, settings)?;
-        let neighbours = neighbours(&document, &file, &axes, &variants)?;
         Ok(Self {
             title: printable(file.title.as_deref().unwrap_or(&name)),
             source: printable(file.source.as_deref().unwrap_or_default()),
             name,
             variants,
             methods,
-            neighbours,
         })
     }
 
@@ -65,58 +55,15 @@ impl Sweep {
     /// Every task: walls slowest, then methods, then head joints, as in the tables of `run`.
     pub fn tasks(&self) -> Vec<Task<'_>> {
         let mut tasks = Vec::new();
-        for (index, variant) in self.variants.iter().enumerate() {
+        for variant in &self.variants {
             for &method in &self.methods {
                 for &head_joints in &variant.case.head_joints {
-                    tasks.push(self.task(index, method, head_joints));
+                    let subject = variant.subject(head_joints);
+                    tasks.push(Task::new(subject, method, variant.settings));
                 }
             }
         }
         tasks
-    }
-
-    fn subject(&self, index: usize, head_joints: HeadJoints) -> Subject<'_> {
-        let variant = &self.variants[index];
-        Subject {
-            case: variant.case.name.clone(),
-            head_joints,
-            parameters: variant.parameters.clone(),
-            blocks: variant.blocks,
-            sides: Box::new(move || Cow::Owned(variant.case.sides(head_joints))),
-            determined_by: variant.determined_by.clone(),
-        }
-    }
-
-    fn task(&self, index: usize, method: &'static dyn Method, head_joints: HeadJoints) -> Task<'_> {
-        let variant = &self.variants[index];
-        let mut subject = self.subject(index, head_joints);
-        if kind(method.name()) != Kind::CollapseStates || self.neighbours.is_none() {
-            return Task::new(subject, method, variant.settings);
-        }
-        let neighbours = self.beside(index);
-        let texts = neighbours.iter().flat_map(|other| &other.determined_by);
-        subject.determined_by.extend(texts.cloned());
-        let method = FromNeighbours {
-            neighbours,
-            head_joints,
-        };
-        Task::new(subject, method, variant.settings)
-    }
-
-    /// The walls before and after this one on the axis of neighbours.
-    fn beside(&self, index: usize) -> Vec<&Variant> {
-        let Some((stride, axis)) = self.neighbours else {
-            return Vec::new();
-        };
-        let here = self.variants[index].place[axis];
-        let before = index.checked_sub(stride).map(|i| (i, here.wrapping_sub(1)));
-        let after = Some((index + stride, here + 1));
-        let both = [before, after].into_iter().flatten();
-        let on_axis = both.filter_map(|(i, place)| {
-            let other = self.variants.get(i)?;
-            (other.place[axis] == place).then_some(other)
-        });
-        on_axis.collect()
     }
 }
 
@@ -221,39 +168,4 @@ fn bases(document: &Document, file: &File, name: &str) -> Result<Vec<Base>, Comp
         }
     }
     Ok(bases)
-}
-
-fn neighbours(
-    document: &Document,
-    file: &File,
-    axes: &[Axis],
-    variants: &[Variant],
-) -> Result<Option<(usize, usize)>, Complaint> {
-    let Some(word) = &file.neighbours else {
-        return Ok(None);
-    };
-    let complain = |title: String, help: String| {
-        let complaint = document.complain(Spanned::span(word), title, "these neighbours");
-        Err(complaint.help(help))
-    };
-    let name = word.get_ref().as_str();
-    let holds = |axis: &Axis| axis.keys.iter().any(|key| key.name == name);
-    let Some(axis) = axes.iter().position(holds) else {
-        let keys = axes.iter().flat_map(|axis| &axis.keys).map(|key| key.name);
-        let help = format!("write one of the keys that vary: {}", listed(keys));
-        return complain(format!("`{name}` does not vary"), help);
-    };
-    let stride: usize = axes[axis + 1..].iter().map(|axis| axis.length).product();
-    let stride = stride.max(1);
-    let of_a_size = variants.iter().enumerate().all(|(index, variant)| {
-        let next = variants.get(index + stride);
-        next.is_none_or(|next| {
-            next.place[axis] != variant.place[axis] + 1 || next.blocks == variant.blocks
-        })
-    });
-    if !of_a_size {
-        let help = "take a key that leaves every block where it is, such as `overburden`".into();
-        return complain(format!("walls along `{name}` have different blocks"), help);
-    }
-    Ok(Some((stride, axis)))
 }

@@ -1,9 +1,13 @@
-//! A sweep's `sweep.csv`, read as what varies and what came out.
+//! A sweep's points as a table of what varies and what came out, from its rows or from `sweep.csv`.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
+use indexmap::IndexSet;
+
+use super::csv_files::{ANSWER, SCENE};
 use crate::files::{Input, read_input};
-use crate::run::PARTIAL_MARK;
+use crate::run::{PARTIAL_MARK, Value};
 
 /// A sweep's points.
 pub struct SweepTable {
@@ -12,8 +16,8 @@ pub struct SweepTable {
     /// Names of the columns.
     pub columns: Vec<String>,
     /// Cells of every point.
-    pub rows: Vec<Vec<String>>,
-    /// What the last line says of a sweep that did not come to its end.
+    pub rows: Vec<Vec<Value>>,
+    /// What is said of a sweep that did not come to its end.
     pub partial: Option<String>,
 }
 
@@ -37,14 +41,6 @@ pub enum SweepError {
         column: &'static str,
     },
 }
-
-/// Columns that say what came out; the others, up to the first about the scene, are what varies.
-const RESULTS: [&str; 10] = [
-    "case", "method", "status", "lower", "upper", "tan_beta", "c", "e", "residual", "reason",
-];
-
-/// The first column about the scene.
-const SCENE: &str = "blocks";
 
 impl SweepTable {
     /// Reads a sweep's table.
@@ -74,7 +70,7 @@ impl SweepTable {
         Ok(table)
     }
 
-    /// The table of a sweep of this name from its CSV.
+    /// The table of a sweep of this name from its CSV: its cells as words.
     ///
     /// # Errors
     /// Lines of different lengths.
@@ -89,7 +85,7 @@ impl SweepTable {
                 partial = Some(first.trim_start_matches("# ").to_owned());
                 continue;
             }
-            rows.push(record.iter().map(str::to_owned).collect());
+            rows.push(record.iter().map(Value::from).collect());
         }
         Ok(Self {
             name: name.to_owned(),
@@ -103,24 +99,28 @@ impl SweepTable {
         self.columns.iter().position(|column| column == name)
     }
 
-    /// A cell of a row; empty where there is no such column.
-    pub fn cell<'a>(&self, row: &'a [String], column: &str) -> &'a str {
+    /// A cell of a row; nothing where there is no such column.
+    pub fn cell<'a>(&self, row: &'a [Value], column: &str) -> &'a Value {
         let index = self.column(column);
-        let cell = index.and_then(|index| row.get(index));
-        cell.map_or("", String::as_str)
+        index.and_then(|at| row.get(at)).unwrap_or(&Value::Nothing)
+    }
+
+    /// The words of a cell.
+    pub fn words<'a>(&self, row: &'a [Value], column: &str) -> &'a str {
+        self.cell(row, column).words()
     }
 
     /// A cell as a number.
-    pub fn number(&self, row: &[String], column: &str) -> Option<f64> {
-        let value: f64 = self.cell(row, column).parse().ok()?;
-        value.is_finite().then_some(value)
+    pub fn number(&self, row: &[Value], column: &str) -> Option<f64> {
+        self.cell(row, column).number()
     }
 
-    /// The keys that the sweep's file varies, also those of one value.
+    /// The keys that the sweep's file varies, also those of one value: they stand before the first
+    /// column about the scene.
     pub fn keys(&self) -> impl Iterator<Item = &str> {
-        let end = self.column(SCENE).unwrap_or(self.columns.len());
+        let end = self.column(SCENE[0]).unwrap_or(self.columns.len());
         let names = self.columns[..end].iter().map(String::as_str);
-        names.filter(|name| !RESULTS.contains(name))
+        names.filter(|name| !ANSWER.contains(name))
     }
 
     /// What varies: keys with all their values, in the order of the table. Keys that vary together, as
@@ -128,43 +128,52 @@ impl SweepTable {
     pub fn variables(&self) -> Vec<Variable> {
         let mut found: Vec<Variable> = Vec::new();
         for name in self.keys() {
-            let of_row = |row: &Vec<String>| self.cell(row, name).to_owned();
-            let mut values: Vec<String> = Vec::new();
-            for value in self.rows.iter().map(of_row) {
-                if !values.contains(&value) {
-                    values.push(value);
-                }
-            }
-            if values.len() < 2 {
-                continue;
-            }
+            let values = self.distinct(name);
             let together = found.iter().any(|known| {
-                let pairs = self.rows.iter();
-                let pairs: std::collections::BTreeSet<_> = pairs
-                    .map(|row| (self.cell(row, &known.name), self.cell(row, name)))
-                    .collect();
+                let rows = self.rows.iter();
+                let pair = |row: &'_ Vec<Value>| {
+                    [known.name.as_str(), name].map(|name| self.cell(row, name).csv())
+                };
+                let pairs: BTreeSet<_> = rows.map(pair).collect();
                 pairs.len() == values.len() && values.len() == known.values.len()
             });
-            if !together {
+            if values.len() > 1 && !together {
                 found.push(Variable {
+                    kind: VariableKind::of(name),
                     name: name.to_owned(),
-                    values,
+                    values: values.into_iter().map(str::to_owned).collect(),
                 });
             }
         }
         found
     }
 
-    /// The values of a column, as they first come.
+    /// The words of a column, as they first come.
     pub fn distinct(&self, column: &str) -> Vec<&str> {
-        let mut values = Vec::new();
-        for row in &self.rows {
-            let value = self.cell(row, column);
-            if !values.contains(&value) {
-                values.push(value);
-            }
+        let words = self.rows.iter().map(|row| self.words(row, column));
+        words.collect::<IndexSet<_>>().into_iter().collect()
+    }
+}
+
+/// Keys of a case of which more is known than their names.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum VariableKind {
+    /// The overburden ratio: what the paper's Fig. 7 runs through, so that values from elsewhere are
+    /// known.
+    Overburden,
+    /// The coefficient of friction.
+    Friction,
+    /// Any other.
+    Other,
+}
+
+impl VariableKind {
+    fn of(key: &str) -> Self {
+        match key {
+            "overburden" => VariableKind::Overburden,
+            "friction" => VariableKind::Friction,
+            _ => VariableKind::Other,
         }
-        values
     }
 }
 
@@ -173,6 +182,8 @@ impl SweepTable {
 pub struct Variable {
     /// Its name.
     pub name: String,
+    /// What is known of it.
+    pub kind: VariableKind,
     /// Its values as written, in the order in which they first come.
     pub values: Vec<String>,
 }
@@ -186,10 +197,10 @@ impl Variable {
 
     /// What it is for people.
     pub fn label(&self) -> String {
-        match self.name.as_str() {
-            "overburden" => "overburden ratio p/(γH)".to_owned(),
-            "friction" => "coefficient of friction μ".to_owned(),
-            name => name.to_owned(),
+        match self.kind {
+            VariableKind::Overburden => "overburden ratio p/(γH)".to_owned(),
+            VariableKind::Friction => "coefficient of friction μ".to_owned(),
+            VariableKind::Other => self.name.clone(),
         }
     }
 }

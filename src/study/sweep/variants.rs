@@ -1,5 +1,6 @@
 //! The walls of a sweep: a case with some keys of its file replaced, for every combination.
 
+use std::borrow::Cow;
 use std::cell::RefCell;
 use std::ops;
 use std::sync::Arc;
@@ -12,6 +13,8 @@ use super::replace::{Rank, replace};
 use super::values::{Placed, text, values};
 use crate::case::{Case, Complaint, Document, UnreadCase};
 use crate::method::Settings;
+use crate::run::Subject;
+use crate::scene::HeadJoints;
 
 /// Most combinations of one sweep.
 const MOST_VARIANTS: usize = 1_000_000;
@@ -130,13 +133,25 @@ pub(super) fn axes<'a>(document: &Document, file: &'a File) -> Result<Vec<Axis<'
 pub(super) struct Variant {
     pub case: Arc<Case>,
     /// Number of blocks with head joints in contact.
-    pub blocks: usize,
+    blocks: usize,
     /// Text of the case and of the files that it names.
-    pub determined_by: Vec<String>,
-    pub parameters: Vec<(String, String)>,
+    determined_by: Vec<String>,
+    parameters: Vec<(String, String)>,
     pub settings: Settings,
-    /// Index of the value on every axis.
-    pub place: Vec<usize>,
+}
+
+impl Variant {
+    /// The wall with this setting of its head joints.
+    pub fn subject(&self, head_joints: HeadJoints) -> Subject<'_> {
+        Subject {
+            case: self.case.name.clone(),
+            head_joints,
+            parameters: self.parameters.clone(),
+            blocks: self.blocks,
+            sides: Box::new(move || Cow::Owned(self.case.sides(head_joints))),
+            determined_by: self.determined_by.clone(),
+        }
+    }
 }
 
 /// Every combination: cases slowest, then the axes in their order.
@@ -147,17 +162,9 @@ pub(super) fn variants(
     settings: Settings,
 ) -> Result<Vec<Variant>, Complaint> {
     let count: usize = axes.iter().map(|axis| axis.length).product();
-    let place = |mut index: usize| {
-        let mut place = vec![0; axes.len()];
-        for (at, axis) in place.iter_mut().zip(axes).rev() {
-            *at = index % axis.length;
-            index /= axis.length;
-        }
-        place
-    };
     let read = (0..bases.len() * count).into_par_iter().map(|index| {
-        let replaced = Replaced::new(axes, place(index % count));
-        replaced.variant(document, &bases[index / count], settings)
+        let base = &bases[index / count];
+        Combination::of(axes, index % count).variant(document, base, settings)
     });
     // Of several complaints always the first, whichever core is faster.
     read.collect::<Vec<_>>().into_iter().collect()
@@ -168,29 +175,54 @@ const VARIES: &str = "vary a key of the case, such as `overburden` or `\"unit.le
                       such as `\"settings.starts\"`, `aspect` or `refine`";
 
 /// The values that one combination puts into the case.
-struct Replaced<'a> {
-    values: Vec<(&'a str, &'a Placed)>,
-    place: Vec<usize>,
-}
+#[derive(Clone)]
+struct Combination<'a>(Vec<(&'a str, &'a Placed)>);
 
-impl<'a> Replaced<'a> {
-    fn new(axes: &'a [Axis], place: Vec<usize>) -> Self {
+impl<'a> Combination<'a> {
+    /// The last axis runs fastest; keys stand in the order of the axes.
+    fn of(axes: &'a [Axis], mut index: usize) -> Self {
         let mut values = Vec::new();
-        for (axis, &at) in axes.iter().zip(&place) {
-            values.extend(axis.keys.iter().map(|key| (key.name, &key.values[at])));
+        for axis in axes.iter().rev() {
+            let at = index % axis.length;
+            index /= axis.length;
+            let keys = axis.keys.iter().rev();
+            values.extend(keys.map(|key| (key.name, &key.values[at])));
         }
-        Self { values, place }
+        values.reverse();
+        Self(values)
     }
 
     fn variant(
-        self,
+        &self,
         document: &Document,
         base: &Base,
         mut settings: Settings,
     ) -> Result<Variant, Complaint> {
+        let (case, determined_by) = self.case(document, base, &mut settings)?;
+        let case = case.map_err(|inner| self.blame(document, base, &inner))?;
+        let values = self.0.iter();
+        Ok(Variant {
+            blocks: case.scene(case.head_joints[0]).blocks().len(),
+            case: Arc::new(case),
+            determined_by,
+            parameters: values
+                .map(|(key, (value, _))| ((*key).to_owned(), text(value)))
+                .collect(),
+            settings,
+        })
+    }
+
+    /// The case with the values, and the texts that determine it; those of settings go into these.
+    /// What cannot be put into a case is complained of here, what the case does not take there.
+    fn case(
+        &self,
+        document: &Document,
+        base: &Base,
+        settings: &mut Settings,
+    ) -> Result<(Result<Case, Complaint>, Vec<String>), Complaint> {
         let mut table = base.table.clone();
         for rank in [Rank::Plain, Rank::Aspect, Rank::Refine] {
-            for (key, (value, span)) in &self.values {
+            for (key, (value, span)) in &self.0 {
                 let refused = |what: String, help: &str| {
                     let title = format!("`{key}` cannot vary: {what}");
                     document.complain(span.clone(), title, "here").help(help)
@@ -206,46 +238,29 @@ impl<'a> Replaced<'a> {
             }
         }
         let written = toml::to_string(&table).map_err(|e| Complaint::new(e.to_string()))?;
-        let (case, determined_by) = base.with(written);
-        let case = case.map_err(|inner| self.blame(document, base, &determined_by[0], &inner))?;
-        let blocks = case.scene(case.head_joints[0]).blocks().len();
-        let parameters = self.values.iter();
-        Ok(Variant {
-            case: Arc::new(case),
-            blocks,
-            determined_by,
-            parameters: parameters
-                .map(|(key, (value, _))| ((*key).to_owned(), text(value)))
-                .collect(),
-            settings,
-            place: self.place,
-        })
+        Ok(base.with(written))
+    }
+
+    /// Whether the case takes it no better without the value of this place.
+    fn is_innocent(&self, document: &Document, base: &Base, at: usize, inner: &Complaint) -> bool {
+        let mut others = self.clone();
+        others.0.remove(at);
+        let without = others.case(document, base, &mut Settings::default());
+        let still = without.and_then(|(case, _)| case).err();
+        still.is_some_and(|still| still.title() == inner.title())
     }
 
     /// Points at the value that a case does not take, with the case's own complaint.
-    fn blame(
-        &self,
-        document: &Document,
-        base: &Base,
-        written: &str,
-        inner: &Complaint,
-    ) -> Complaint {
-        let wrong = inner.line().and_then(|(_, line)| key_at(written, line));
-        let guilty = self.values.iter().find(|(key, _)| {
-            let wrong = wrong.as_deref();
-            wrong == Some(key) || *key == "aspect" && wrong == Some("unit.length")
-        });
-        let first = self.values.first();
-        let span = match (guilty, &base.span, first) {
-            (Some((_, (_, span))), _, _)
-            | (None, Some(span), _)
-            | (None, None, Some((_, (_, span)))) => span,
-            (None, None, None) => {
-                let title = format!("{}: {}", base.found.path, inner.title());
-                return Complaint::new(title).help(inner.advice());
-            }
+    fn blame(&self, document: &Document, base: &Base, inner: &Complaint) -> Complaint {
+        let places = 0..self.0.len();
+        let mut guilty = places.filter(|&at| !self.is_innocent(document, base, at, inner));
+        let place = |at: usize| &self.0[at].1.1;
+        let span = guilty.next().map(place).or(base.span.as_ref());
+        let Some(span) = span.or(self.0.first().map(|(_, (_, span))| span)) else {
+            let title = format!("{}: {}", base.found.path, inner.title());
+            return Complaint::new(title).help(inner.advice());
         };
-        let values = self.values.iter();
+        let values = self.0.iter();
         let values: Vec<String> = values
             .map(|(key, (value, _))| format!("{key} = {value}"))
             .collect();
@@ -259,19 +274,6 @@ impl<'a> Replaced<'a> {
             .complain(span.clone(), title, label)
             .help(inner.advice())
     }
-}
-
-/// The key that a line of a table as `toml` writes it is about, with the names of the tables that it
-/// stands in; lines count from 1.
-fn key_at(written: &str, line: usize) -> Option<String> {
-    let lines: Vec<&str> = written.lines().take(line).map(str::trim).collect();
-    let (key, _) = lines.last()?.split_once('=')?;
-    let table = |line: &&str| Some(line.strip_prefix('[')?.strip_suffix(']')?.to_owned());
-    let table = lines.iter().rev().find_map(table);
-    Some(match table {
-        Some(table) => format!("{table}.{}", key.trim()),
-        None => key.trim().to_owned(),
-    })
 }
 
 /// The settings of a file.
@@ -288,23 +290,4 @@ pub(super) fn settings(document: &Document, file: &File) -> Result<Settings, Com
         })?;
     }
     Ok(settings)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::key_at;
-
-    #[test]
-    fn a_line_is_about_a_key_and_not_about_one_that_begins_alike() {
-        let written = "head = 1\nheight = 2\n\n[unit]\nheight = 3\n\n[friction]\nbed = 4\n";
-        let keys = [1, 2, 3, 5, 8].map(|line| key_at(written, line));
-        let expected = [
-            Some("head"),
-            Some("height"),
-            None,
-            Some("unit.height"),
-            Some("friction.bed"),
-        ];
-        assert_eq!(keys, expected.map(|key| key.map(str::to_owned)));
-    }
 }

@@ -3,7 +3,7 @@
 use maud::{Markup, html};
 
 use crate::record::LEGEND;
-use crate::run::CaseResult;
+use crate::run::{CaseResult, Row, column};
 
 /// One cell.
 pub struct TableCell {
@@ -105,45 +105,56 @@ fn shown(place: usize, name: &str, cell: &TableCell) -> Markup {
     }
 }
 
+/// Headings of columns of rows.
+pub fn titles(names: &[&str]) -> Vec<&'static str> {
+    names.iter().map(|name| column(name).title).collect()
+}
+
+/// What a row says in these columns.
+pub fn cells(row: &Row, names: &[&str]) -> Vec<TableCell> {
+    let cell = |name: &&str| {
+        let text = (column(name).value)(row).shown().replace(" - ", " – ");
+        match *name {
+            "method" | "head_joints" | "note" => TableCell::text(text),
+            "status" | "verdict" => TableCell::word(text),
+            _ => TableCell::number(text),
+        }
+    };
+    names.iter().map(cell).collect()
+}
+
+/// Columns of the multipliers behind the case: λ and what it is worth come first; the note, which is
+/// long, last.
+const MULTIPLIERS: [&str; 13] = [
+    "method",
+    "head_joints",
+    "status",
+    "verdict",
+    "lambda",
+    "lambda_reference",
+    "error_percent",
+    "slope",
+    "slope_reference",
+    "width_c",
+    "width_e",
+    "cpu_seconds",
+    "note",
+];
+
 /// Every row of every case, published beside computed.
 pub fn multipliers(results: &[CaseResult]) -> Markup {
-    // λ and what it is worth come first; the note, which is long, last.
-    let columns = [
-        ("method", "Method"),
-        ("head_joints", "Joints"),
-        ("status", "Status"),
-        ("verdict", "Verdict"),
-        ("lambda", "λ"),
-        ("lambda_reference", "Reference"),
-        ("error_percent", "Error %"),
-        ("slope", "tan β"),
-        ("slope_reference", "Ref. β"),
-        ("width_c", "c"),
-        ("width_e", "e"),
-        ("cpu_seconds", "CPU s"),
-        ("note", "Note"),
-    ];
-    let mut names = vec!["Case"];
-    names.extend(columns.map(|(_, heading)| heading));
-    let mut rows = Vec::new();
-    for result in results {
+    let rows = results.iter().flat_map(|result| {
         let name = &result.case.name;
-        for row in &result.rows {
+        let line = move |row| {
             let mut line = vec![TableCell::link(name, format!("#case-{name}"))];
-            for (column, _) in columns {
-                let text = crate::run::column(column).value;
-                let text = text(row).shown().replace(" - ", " – ");
-                line.push(match column {
-                    "method" | "head_joints" | "note" => TableCell::text(text),
-                    "status" | "verdict" => TableCell::word(text),
-                    _ => TableCell::number(text),
-                });
-            }
-            rows.push(line);
-        }
-    }
+            line.extend(cells(row, &MULTIPLIERS));
+            line
+        };
+        result.rows.iter().map(line)
+    });
+    let titles = [titles(&["case"]), titles(&MULTIPLIERS)].concat();
     html! {
-        (sortable("Computed beside reference", &names, &rows))
+        (sortable("Computed beside reference", &titles, &rows.collect::<Vec<_>>()))
         p.small { (LEGEND) }
     }
 }

@@ -2,22 +2,22 @@
 
 use std::fmt::Display;
 
-use crate::run::{CaseResult, Row, values};
+use crate::run::{CaseResult, Row, column, values};
 use crate::scene::HeadJoints;
 
-/// Columns of the table: name, heading, width. The last one ends the line.
-const TABLE: [(&str, &str, usize); 11] = [
-    ("method", "method", 12),
-    ("head_joints", "joints", 8),
-    ("status", "status", 15),
-    ("lambda", "lambda", 18),
-    ("lambda_reference", "reference", 18),
-    ("error_percent", "error %", 8),
-    ("slope", "tan beta", 9),
-    ("slope_reference", "reference", 10),
-    ("width_c", "c", 6),
-    ("width_e", "e", 6),
-    ("verdict", "verdict", 0),
+/// Columns of the table: name and width. The last one ends the line.
+const TABLE: [(&str, usize); 11] = [
+    ("method", 12),
+    ("head_joints", 8),
+    ("status", 15),
+    ("lambda", 18),
+    ("lambda_reference", 18),
+    ("error_percent", 8),
+    ("slope", 9),
+    ("slope_reference", 10),
+    ("width_c", 6),
+    ("width_e", 6),
+    ("verdict", 0),
 ];
 
 /// What the letters behind references mean.
@@ -25,9 +25,10 @@ pub const LEGEND: &str = "Reference: p is a published value, a an analytic one, 
                           Error: how far the farther end of the answer is from it. c and e: widths of \
                           the crack's triangle along the top of the wall.";
 
-/// Column names, above the lines of [`lines`].
+/// Headings of the columns, above the lines of [`lines`], their Greek letters spelled out.
 pub fn heading() -> String {
-    padded(TABLE.map(|(_, heading, _)| heading.to_owned()))
+    let headings = TABLE.map(|(name, _)| column(name).heading);
+    padded(headings.map(|heading| heading.replace('λ', "lambda").replace('β', "beta")))
 }
 
 /// One fixed-width line a row.
@@ -36,7 +37,7 @@ pub fn lines(result: &CaseResult) -> Vec<String> {
 }
 
 fn line(row: &Row) -> String {
-    let cells = values(row, &TABLE.map(|(name, _, _)| name));
+    let cells = values(row, &TABLE.map(|(name, _)| name));
     padded(cells.iter().map(|cell| cell.shown()))
 }
 
@@ -73,7 +74,7 @@ pub fn notes(result: &CaseResult) -> Vec<Note> {
 }
 
 fn padded(cells: impl IntoIterator<Item = String>) -> String {
-    fixed_width(cells.into_iter().zip(TABLE.map(|(_, _, width)| width)))
+    fixed_width(cells.into_iter().zip(TABLE.map(|(_, width)| width)))
 }
 
 /// Cells with their widths, as one line without blanks at its end. Widths are fixed, so that lines of
