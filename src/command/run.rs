@@ -121,7 +121,7 @@ impl Format {
         match self {
             Format::Table => {
                 let said = partial.map_or(String::new(), |partial| format!("{partial}\n\n"));
-                Ok(said + &report::legend(layout()))
+                Ok(said + &report::legend(layout(), "`--wide` shows every column."))
             }
             Format::Csv => {
                 let commas = csv(&[])?.matches(',').count();

@@ -235,7 +235,7 @@ fn gaps_and_overlaps_are_refused_with_their_place() {
     assert!(shown.contains("a gap of 2.000e-2"), "{shown}");
     assert!(shown.contains("at (1.0000, 1.0000)"), "{shown}");
     assert!(shown.contains("`2B` (layer `upper`"), "{shown}");
-    assert!(shown.contains("--tolerance 0.01"), "{shown}");
+    assert!(shown.contains("`tolerance` of 0.01"), "{shown}");
     let shown = refused(&with(&above(0.9)));
     assert!(shown.contains("overlap, 1.000e-1 deep"), "{shown}");
     assert!(shown.contains("handle 2B, layer `upper`"), "{shown}");

@@ -128,6 +128,6 @@ fn leads_nowhere(document: &Document, path: &Path, end: Point) -> Complaint {
     );
     document.complain(path.place.clone(), title, label).help(
         "draw each block as one closed polyline, or as lines and arcs that meet; leave other lines out \
-         with `--without LAYER`",
+         (`without`)",
     )
 }

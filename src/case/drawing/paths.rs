@@ -115,7 +115,7 @@ impl Paths<'_> {
                         layer,
                         &format!("more than {MOST_PATHS} outlines and lines"),
                     )
-                    .help("leave out layers with `--without LAYER`"));
+                    .help("leave out layers (`without`)"));
             }
         }
         Ok(())
@@ -138,12 +138,8 @@ impl Paths<'_> {
             kind => {
                 let help = match kind {
                     "SPLINE" | "ELLIPSE" => "draw the curve as a polyline with arcs, or flatten it",
-                    "HATCH" => {
-                        "put hatches on a layer of their own and leave it out: `--without LAYER`"
-                    }
-                    _ => {
-                        "draw blocks as closed polylines, or leave its layer out: `--without LAYER`"
-                    }
+                    "HATCH" => "put hatches on a layer of their own and leave it out (`without`)",
+                    _ => "draw blocks as closed polylines, or leave its layer out (`without`)",
                 };
                 let what = format!("{kind} is no outline of a block");
                 return Err(self.complain(entity, layer, &what).help(help));

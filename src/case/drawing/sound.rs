@@ -69,8 +69,8 @@ pub(super) fn sound(
                 near(block)
             );
             Err(complain(document, &block.path, &title).help(
-                "let an edge of it lie on an edge of a block that is held, or leave its layer out with \
-                 `--without LAYER`",
+                "let an edge of it lie on an edge of a block that is held, or leave its layer out \
+                 (`without`)",
             ))
         }
         _ => Ok(()),
@@ -81,7 +81,7 @@ pub(super) fn sound(
 pub(super) fn beyond(options: &DrawingOptions) -> String {
     if options.tolerance < 0.01 {
         format!(
-            "correct the drawing, or heal more with `--tolerance 0.01` (a part of the smaller block's \
+            "correct the drawing, or heal more with a `tolerance` of 0.01 (a part of the smaller block's \
              extent; now {})",
             options.tolerance
         )

@@ -36,7 +36,7 @@ pub(super) fn supports(
             if fixed.iter().all(|fixed| *fixed) {
                 let title = format!("all outlines are on the layer `{layer}` of supports");
                 return Err(complain(document, &first.path, &title)
-                    .help("name the layer of what never moves with `--support LAYER`"));
+                    .help("name the layer of what never moves (`support`)"));
             }
             remarks.push(format!("supports: what is on the layer `{layer}`"));
             return Ok(fixed);
@@ -71,7 +71,7 @@ pub(super) fn supports(
         Some(lowest) => {
             let name = &drawn[lowest].name;
             remarks.push(format!(
-                "support: the lowest wide outline, `{name}`; `--support LAYER` names another"
+                "support: the lowest wide outline, `{name}`; `support` names the layer of another"
             ));
             Ok((0..drawn.len()).map(|i| i == lowest).collect())
         }
@@ -81,8 +81,8 @@ pub(super) fn supports(
             "no support: which outlines never move?",
         )
         .help(
-            "draw the ground as a closed outline on a layer `support`, or name its layer with \
-             `--support LAYER`",
+            "draw the ground as a closed outline on a layer `support`, or name its layer \
+             (`support`)",
         )),
     }
 }

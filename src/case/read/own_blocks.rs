@@ -100,7 +100,7 @@ fn block(
                 .complain(span, title, "the course says where it lies")
                 .help(format!(
                     "remove `{key}`; a block of another shape needs the form of explicit blocks, \
-                     which `trilith convert CASE --to blocks` writes"
+                     which `trilith convert` writes"
                 )));
         }
     }
