@@ -53,7 +53,6 @@ mod tree;
 mod types;
 
 pub(crate) use conditions::{Conditions, Entry};
-pub use encoding::Unreadable;
 pub use proof::prove;
 pub(crate) use proof::{Prover, scene_fingerprint};
 pub(crate) use tree::{SliceProof, together};

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use crate::answer::thrust;
 use crate::files::write_whole;
+use crate::mechanics::thrust;
 use crate::method::{Settings, methods};
 use crate::picture::dxf;
 use crate::run::{Plan, run};

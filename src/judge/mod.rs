@@ -17,8 +17,7 @@ pub use conclusion::{Basis, Conclusion, Difference, Doubt, Explanation, Floor};
 pub(crate) use cross_check::{cross_check, open_never_raises};
 pub use heard::LowerState;
 pub use proof::judge;
-pub use references::computed;
-pub(crate) use references::{comparisons, reference_checks};
+pub(crate) use references::{comparisons, computed, reference_checks};
 
 #[cfg(test)]
 mod tests;

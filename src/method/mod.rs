@@ -7,18 +7,18 @@ pub mod limit;
 mod macro_block;
 pub mod pushover;
 mod settings;
-mod table;
+pub(crate) mod table;
 
 pub(crate) use at_once::borrowed;
 pub use auto::Auto;
 pub use contract::Method;
 pub use macro_block::MacroBlock;
 pub use settings::{
-    Accuracy, Allowed, AutoSettings, Collapse, Engine, IntervalSettings, ProgramSettings,
-    PushoverSettings, SequentialSettings, Setting, SettingError, Settings,
+    Accuracy, Allowed, AutoSettings, BoundSettings, Collapse, Engine, IntervalSettings,
+    ProgramSettings, PushoverSettings, SequentialSettings, Setting, SettingError, Settings,
 };
-pub use table::{
-    Changes, Cost, Kind, Look, METHODS, Mark, MethodEntry, Rung, Scenes, defaults, entry, kind,
-    methods, without_lower_bounds,
+pub(crate) use table::{
+    Changes, Kind, Look, METHODS, Mark, MethodEntry, entry, expected_cost, kind, method_look,
+    without_lower_bounds,
 };
-pub(crate) use table::{expected_cost, method_look};
+pub use table::{defaults, methods};

@@ -6,9 +6,8 @@
 mod snapshot;
 mod table;
 
-pub use snapshot::{RecordChange, compare, records_beside};
-pub(crate) use table::{LEGEND, fixed_width};
-pub use table::{Note, heading, lines, notes};
+pub(crate) use snapshot::{RecordChange, compare, records_beside};
+pub(crate) use table::{LEGEND, Note, fixed_width, heading, lines, notes};
 
 use crate::judge::{Check, Conclusion, Verdict};
 use crate::number::short;

@@ -5,8 +5,8 @@ use std::path::Path;
 
 use trilith::answer::Outcome;
 use trilith::case::{self, Case, DrawingOptions, Geometry, Imported};
+use trilith::inside::dxf;
 use trilith::method::{Settings, methods};
-use trilith::picture::dxf;
 use trilith::run::{Plan, run};
 use trilith::scene::HeadJoints;
 
@@ -396,7 +396,7 @@ fn the_exported_mechanism_is_no_wall() {
     let thrust = outcome
         .forces
         .as_ref()
-        .map(|forces| trilith::answer::thrust(&scene, forces));
+        .map(|forces| trilith::inside::thrust(&scene, forces));
     let text = dxf(&scene, outcome.mechanism.as_ref(), thrust.as_ref());
     for layer in ["blocks", "support", "names", "mechanism", "resultants"] {
         assert!(text.contains(&format!("\n8\n{layer}\n")), "{layer}");

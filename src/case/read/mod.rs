@@ -25,5 +25,4 @@ mod table;
 mod values;
 mod wall;
 
-pub use bodies::ReadFile;
 pub(crate) use explain::explain;

@@ -170,11 +170,6 @@ fn task<'a>(grid: &Grid, place: &'a GridPoint, method: &'a dyn Method) -> Task<'
     Task::new(subject, method, place.settings)
 }
 
-/// Number of places of all grids, for a method that all of them speak of.
-pub fn size(large: bool) -> usize {
-    grids(large).iter().map(|grid| grid.cells.len()).sum()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -15,9 +15,9 @@ mod summary;
 mod table;
 
 pub use front::front;
-pub use ladder::{Step, ladder};
+pub use ladder::ladder;
 pub use picture::picture;
-pub use price::{Price, price_picture, prices};
-pub use reference::{ReferenceRange, reference};
-pub use summary::{Summary, csv as summary_csv, summaries, table as summary_table};
+pub use price::{price_picture, prices};
+pub use reference::reference;
+pub use summary::{csv as summary_csv, summaries, table as summary_table};
 pub use table::{Chart, Measurement, csv, run};

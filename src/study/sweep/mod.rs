@@ -30,6 +30,6 @@ pub use compare::{SweepCheck, compare};
 pub use library::embedded;
 pub use picture::{sweep_picture, sweep_pictures};
 pub use plan::Sweep;
-pub use points::{SweepError, SweepTable, Variable};
+pub use points::SweepTable;
 pub use shard::{MOST_SHARDS, Shard, merge};
 pub use table::{sweep_csv, times_csv};
