@@ -4,7 +4,6 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use super::grid::{Grid, GridPoint};
-use super::grids::grids;
 use crate::answer::{Bracket, Status};
 use crate::method::{Method, kind};
 use crate::run::{Progress, Row, Subject, Task, run_rows};
