@@ -55,8 +55,7 @@ pub(super) fn export(
     let forces = row.outcome.forces.as_ref();
     let thrust = forces.map(|forces| thrust(scene, forces));
     let text = dxf(scene, row.outcome.mechanism.as_ref(), thrust.as_ref());
-    write_whole(path, &text)
-        .map_err(|e| Stop::bad_input(format!("error: cannot write {}: {e}", path.display())))?;
+    write_whole(path, &text).map_err(|e| Stop::not_written(path.display(), e))?;
     print_lines(&format!("wrote {}\n", path.display()))?;
     Ok(0)
 }
