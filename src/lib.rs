@@ -11,7 +11,8 @@
 //!
 //! The modules are floors of a house. Each uses only those before it, and no two files use each
 //! other (a test holds both): number, text, files; scene; mechanics, certificate; answer; method; case; external; judge; run;
-//! record; picture; study; report. The command line stands on top.
+//! record; picture; study; report. The command line stands on top. Public are scene, method, answer,
+//! case, judge and run; the rest is the program's own.
 //!
 //! A case read, solved and judged:
 //!
@@ -46,25 +47,76 @@ pub mod answer;
 pub mod case;
 mod certificate;
 mod command;
-pub mod external;
-pub mod files;
+mod external;
+mod files;
 mod fingerprint;
 pub mod judge;
 mod mechanics;
 pub mod method;
-pub mod number;
-pub mod picture;
-pub mod record;
-pub mod report;
+mod number;
+mod picture;
+mod record;
+mod report;
 pub mod run;
 pub mod scene;
-pub mod study;
-pub mod text;
+mod study;
+mod text;
 
 /// The program: reads the command line, and returns its exit status.
 #[doc(hidden)]
 pub fn main() -> std::process::ExitCode {
     command::main()
+}
+
+/// For this house's own tests: what they look at inside. No contract, and gone without notice.
+#[doc(hidden)]
+pub mod inside {
+    pub use crate::answer::bracket::magnitude;
+    pub use crate::answer::fact::{
+        AutoFact, Fact, JudgedFact, LimitFact, ProgramEnding, ProgramFailure, PushoverFact,
+        SearchEnding, SearchFailure, SearchStart, Uniqueness,
+    };
+    pub use crate::answer::{Checked, Repetition, SelfCheck};
+    pub use crate::certificate::{Refusal, prove};
+    pub use crate::external::{
+        AnswerFile, External, SceneFile, answer_schema, export, parse, scene_schema,
+    };
+    pub use crate::mechanics::{
+        dead_power, falling_violation, kinematic_multiplier, parts, thrust,
+    };
+    pub use crate::method::entries::{METHODS, without_lower_bounds};
+    pub use crate::method::limit::ending::Ending;
+    pub use crate::method::limit::program::Program;
+    pub use crate::method::pushover::parameters::Parameters;
+    pub use crate::method::pushover::single::solve_with;
+    pub use crate::picture::{Options, View, dxf, figure, threshold};
+    pub use crate::record::record;
+    pub use crate::report::html::{Report, manual, page};
+    pub use crate::report::{
+        case_table, csv, json_with_states, library_case, library_closing, table,
+    };
+    pub use crate::run::execute::run_rows;
+    pub use crate::run::task::{Subject, Task};
+    pub use crate::text::Layout;
+
+    /// The map of where methods are right.
+    pub mod atlas {
+        pub use crate::study::atlas::{
+            Cell, CellVerdict, Columns, grids, picture, run, running_bond,
+        };
+    }
+
+    /// Speed against accuracy.
+    pub mod chart {
+        pub use crate::study::chart::{
+            Measurement, csv, front, ladder, picture, reference, run, summaries,
+        };
+    }
+
+    /// Values varied over ranges.
+    pub mod sweep {
+        pub use crate::study::sweep::{Sweep, SweepTable, embedded, sweep_picture};
+    }
 }
 
 /// The example of README compiles and runs.

@@ -55,7 +55,6 @@ mod types;
 mod walls;
 
 pub(crate) use conditions::{Conditions, Entry};
-pub use encoding::Unreadable;
 pub use proof::prove;
 pub(crate) use proof::{Prover, scene_fingerprint};
 pub(crate) use tree::{SliceProof, together};

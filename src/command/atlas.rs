@@ -3,14 +3,14 @@
 use std::path::{Path, PathBuf};
 
 use crate::method::without_lower_bounds;
-use crate::run::{Keeps, Partial, Row, marked, run_rows};
+use crate::run::{Keeps, Row, marked, run_rows};
 use crate::study::atlas::{self, Atlas, CellVerdict, Grid};
 use clap::Args;
 
 use super::output;
 use super::plan::externals;
 use super::screen::{layout, print};
-use super::stop::{REFUTED, Stop};
+use super::stop::{Stop, status};
 use super::study::run_study;
 
 #[derive(Args)]
@@ -34,13 +34,13 @@ pub(super) fn atlas(arguments: &AtlasArguments) -> Result<u8, Stop> {
     let atlas = Atlas::new(&grids, &methods);
     let journal = output::journal(&arguments.out, "atlas.journal", Keeps::Numbers)?;
     output::tell_known(&journal, atlas.tasks());
-    let status = run_study(
+    let ended = run_study(
         &journal,
         |progress| run_rows(atlas.tasks(), Some(&journal), progress),
         |rows, why| hand_out(&atlas, &grids, &rows, why, &arguments.out),
     )?;
     output::finish(journal);
-    Ok(status)
+    Ok(ended)
 }
 
 /// Prints the table and writes it with the pictures.
@@ -52,23 +52,18 @@ fn hand_out(
     folder: &Path,
 ) -> Result<u8, Stop> {
     let cells = atlas.cells(rows);
-    let partial = why.map(|why| Partial {
-        why: why.to_owned(),
-        finished: cells.len(),
-        of: atlas.tasks().len(),
-    });
+    let partial = output::partial(why, cells.len(), atlas.tasks().len());
     let partial = partial.as_ref();
-    let broken = |e| Stop::bad_input(format!("error: cannot write CSV: {e}"));
-    let csv = atlas::csv(&cells).map_err(broken)?;
+    let csv = atlas::csv(&cells).map_err(|e| Stop::not_written("CSV", e))?;
     let mut files = vec![("atlas.csv".to_owned(), marked(csv, partial))];
     for grid in grids {
         let picture = atlas::picture(grid, &cells, partial);
         files.push((format!("{}.svg", grid.name), picture));
     }
-    let said = partial.map_or(String::new(), |partial| format!("{partial}\n"));
+    let said = output::said(partial);
     let printed = print(&format!("{said}{}", atlas::table(grids, &cells, layout())));
     output::write(folder, files)?;
     printed?;
     let wrong = cells.iter().any(|cell| cell.verdict == CellVerdict::Wrong);
-    Ok(if wrong { REFUTED } else { 0 })
+    Ok(status(wrong))
 }

@@ -44,8 +44,7 @@ pub(super) fn list() -> Result<u8, Stop> {
         .map(|((path, _), case)| [case.name, path.to_owned(), case.title].to_vec());
     let mut sweeps = Vec::new();
     for (path, _) in sweep::embedded() {
-        let sweep =
-            Sweep::find(path).map_err(|complaint| Stop::bad_input(complaint.to_string()))?;
+        let sweep = Sweep::find(path)?;
         sweeps.push(vec![sweep.name, path.to_owned(), sweep.title]);
     }
     let methods = METHODS.iter().map(|entry| {
@@ -68,7 +67,7 @@ pub(super) fn list() -> Result<u8, Stop> {
 }
 
 pub(super) fn show(argument: &str, pushover: bool) -> Result<u8, Stop> {
-    let cases = case::find(argument).map_err(|complaint| Stop::bad_input(complaint.to_string()))?;
+    let cases = case::find(argument)?;
     warn(&cases);
     for case in &cases {
         print_lines(&description(case))?;
@@ -215,9 +214,8 @@ pub(super) fn new(name: &str, template: Template) -> Result<u8, Stop> {
     }
     let text = template.text(&stem);
     // A name that `run` would refuse is refused here.
-    Case::read(&file, text.as_bytes()).map_err(|e| Stop::bad_input(e.to_string()))?;
-    write_whole(path, &text)
-        .map_err(|e| Stop::bad_input(format!("error: cannot write {file}: {e}")))?;
+    Case::read(&file, text.as_bytes())?;
+    write_whole(path, &text).map_err(|e| Stop::not_written(&file, e))?;
     print_lines(&format!(
         "wrote {file}; next: trilith run {}\n",
         quoted(&file)

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::run::{Keeps, Partial, Row, marked};
+use crate::run::{Keeps, Row, marked};
 use crate::study::chart::{self, Chart};
 use clap::Args;
 
@@ -72,14 +72,10 @@ pub(super) fn chart(arguments: &ChartArguments) -> Result<u8, Stop> {
 /// Prints the summary and writes the table, the summary and the picture.
 fn hand_out(chart: &Chart, rows: &[Row], why: Option<&str>, folder: &Path) -> Result<(), Stop> {
     let entries = chart.measurements(rows);
-    let partial = why.map(|why| Partial {
-        why: why.to_owned(),
-        finished: entries.len(),
-        of: chart.len(),
-    });
+    let partial = output::partial(why, entries.len(), chart.len());
     let partial = partial.as_ref();
     let summaries = chart::summaries(&entries);
-    let broken = |e: csv::Error| Stop::bad_input(format!("error: cannot write CSV: {e}"));
+    let broken = |e: csv::Error| Stop::not_written("CSV", e);
     let files = [
         ("chart.csv", chart::csv(&entries).map_err(broken)?),
         (
@@ -93,7 +89,7 @@ fn hand_out(chart: &Chart, rows: &[Row], why: Option<&str>, folder: &Path) -> Re
         let picture = chart::picture(&entries, partial);
         files.push(("chart.svg".to_owned(), picture));
     }
-    let said = partial.map_or(String::new(), |partial| format!("{partial}\n"));
+    let said = output::said(partial);
     let printed = print(&format!(
         "{said}{}",
         chart::summary_table(&summaries, layout())

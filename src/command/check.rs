@@ -8,12 +8,11 @@ use crate::report;
 use crate::run::{CaseResult, Partial, stored};
 use clap::Args;
 
-use super::output;
 use super::plan::PlanArguments;
-use super::run::{files, refuted};
+use super::run::{KeptArguments, refuted};
 use super::screen::{layout, print, print_lines};
 use super::solve::solve;
-use super::stop::{REFUTED, Stop};
+use super::stop::{Stop, status};
 
 #[derive(Args)]
 pub(super) struct CheckArguments {
@@ -22,17 +21,8 @@ pub(super) struct CheckArguments {
     cases: Vec<String>,
     #[command(flatten)]
     plan: PlanArguments,
-    /// Also write results.csv, results.json and one record a case into this folder.
-    #[arg(long, value_name = "DIR")]
-    out: Option<PathBuf>,
-    /// Keep finished results in a journal in this folder, and go on from there [default: the folder of
-    /// --out].
-    #[arg(long, value_name = "DIR")]
-    resume: Option<PathBuf>,
-    /// Write the certificates of lower bounds into this folder, one file a scene and direction of the
-    /// push: CASE.right.bound, CASE@open.left.bound.
-    #[arg(long, value_name = "DIR")]
-    certificate: Option<PathBuf>,
+    #[command(flatten)]
+    kept: KeptArguments,
     /// Verify the stored certificates of the cases in this folder, without a solver [default:
     /// cases/certificates, where there is one].
     #[arg(long, value_name = "DIR")]
@@ -45,12 +35,7 @@ pub(super) struct CheckArguments {
 
 pub(super) fn check(arguments: &CheckArguments) -> Result<u8, Stop> {
     let (cases, plan) = arguments.plan.read(&arguments.cases, case::library)?;
-    for folder in [&arguments.out, &arguments.certificate]
-        .into_iter()
-        .flatten()
-    {
-        output::test(folder)?;
-    }
+    arguments.kept.test()?;
     let stored_in = stored_in(arguments)?;
     let refused = AtomicBool::new(false);
     print(&report::library_heading(layout()))?;
@@ -64,16 +49,11 @@ pub(super) fn check(arguments: &CheckArguments) -> Result<u8, Stop> {
         }
         Ok(())
     };
-    let kept = arguments.resume.as_deref().or(arguments.out.as_deref());
-    let kept = kept.map(|folder| (folder, "check.journal"));
+    let kept = arguments.kept.journal("check.journal");
     let results = solve(&cases, &plan, kept, show, |results, partial| {
         hand_out(arguments, results, partial)
     })?;
-    Ok(if refuted(&results) || refused.load(Ordering::SeqCst) {
-        REFUTED
-    } else {
-        0
-    })
+    Ok(status(refuted(&results) || refused.load(Ordering::SeqCst)))
 }
 
 fn hand_out(
@@ -86,12 +66,7 @@ fn hand_out(
         "{said}{}",
         report::library_closing(results, layout())
     ));
-    if let Some(folder) = &arguments.out {
-        output::write(folder, files(results, arguments.states, partial)?)?;
-    }
-    if let Some(folder) = &arguments.certificate {
-        output::write_certificates(folder, results)?;
-    }
+    arguments.kept.write(results, arguments.states, partial)?;
     printed
 }
 

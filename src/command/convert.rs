@@ -3,10 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use crate::case::{self, Case};
-use crate::files::write_together;
 use clap::{Args, ValueEnum};
 
 use super::cases::quoted;
+use super::output::write_files;
 use super::plan::warn;
 use super::screen::print_lines;
 use super::stop::Stop;
@@ -36,12 +36,7 @@ pub(super) fn convert(arguments: &ConvertArguments) -> Result<u8, Stop> {
     let path = arguments.output.clone().unwrap_or_else(default);
     let csv = path.with_extension("csv");
     let files = in_files(&case, &path)?;
-    write_together(&[(path.clone(), files.toml), (csv.clone(), files.csv)]).map_err(
-        |(path, error)| {
-            let path = path.display();
-            Stop::bad_input(format!("error: cannot write {path}: {error}"))
-        },
-    )?;
+    write_files(&[(path.clone(), files.toml), (csv.clone(), files.csv)])?;
     let (shown, csv) = (path.display().to_string(), csv.display());
     print_lines(&format!(
         "wrote {shown} and {csv}; next: trilith run {}\n",
@@ -52,7 +47,7 @@ pub(super) fn convert(arguments: &ConvertArguments) -> Result<u8, Stop> {
 
 /// The one case that an argument names.
 pub(super) fn one_case(argument: &str) -> Result<Case, Stop> {
-    let cases = case::find(argument).map_err(|complaint| Stop::bad_input(complaint.to_string()))?;
+    let cases = case::find(argument)?;
     warn(&cases);
     let names: Vec<&str> = cases.iter().map(|case| case.name.as_str()).collect();
     let names = names.join(", ");
@@ -89,7 +84,6 @@ pub(super) fn in_files(case: &Case, path: &Path) -> Result<case::BlocksFiles, St
     let files = case.as_blocks(&name);
     let read = |_: &str| Ok(files.csv.clone().into_bytes());
     let shown = path.display().to_string();
-    Case::read_with(&shown, files.toml.as_bytes(), &read)
-        .map_err(|complaint| Stop::bad_input(complaint.to_string()))?;
+    Case::read_with(&shown, files.toml.as_bytes(), &read)?;
     Ok(files)
 }

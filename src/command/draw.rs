@@ -83,11 +83,7 @@ pub(super) fn draw(arguments: &DrawArguments) -> Result<u8, Stop> {
         output::test(folder.unwrap_or(Path::new(".")))?;
     }
     if path.is_dir() {
-        let text = format!(
-            "error: cannot write {}: a folder has its name",
-            path.display()
-        );
-        return Err(Stop::bad_input(text));
+        return Err(Stop::not_written(path.display(), "a folder has its name"));
     }
     let results = solve(&cases, &plan, None, |_| Ok(()), |_, _| Ok(()))?;
     let [result] = results.as_slice() else {
@@ -105,11 +101,9 @@ pub(super) fn draw(arguments: &DrawArguments) -> Result<u8, Stop> {
         print(&svg)?;
         return Ok(0);
     }
-    let contents = format
-        .print(svg)
-        .map_err(|why| Stop::bad_input(format!("error: cannot write {}: {why}", path.display())))?;
-    write_whole(path, contents)
-        .map_err(|e| Stop::bad_input(format!("error: cannot write {}: {e}", path.display())))?;
+    let contents = format.print(svg);
+    let contents = contents.map_err(|why| Stop::not_written(path.display(), why))?;
+    write_whole(path, contents).map_err(|e| Stop::not_written(path.display(), e))?;
     print_lines(&format!("wrote {}\n", path.display()))?;
     Ok(0)
 }

@@ -13,6 +13,10 @@ use super::stop::Stop;
 /// Remarks that a run prints; `import` prints all of them.
 const SHOWN: usize = 20;
 
+/// How to give what a complaint about a drawing asks for.
+const OPTIONS: &str = "help: options are `--support LAYER`, `--without LAYER`, `--units mm`, and for \
+                       `trilith import` `--tolerance 0.01`";
+
 #[derive(Args)]
 #[command(next_help_heading = "Drawings (.dxf)")]
 pub(super) struct DrawingArguments {
@@ -139,7 +143,7 @@ impl DrawingArguments {
             ))
         })?;
         let imported = Case::from_drawing(argument, &bytes, &self.options(tolerance)?)
-            .map_err(|complaint| Stop::bad_input(complaint.to_string()))?;
+            .map_err(|complaint| Stop::bad_input(format!("{complaint}\n{OPTIONS}")))?;
         let most = if all { usize::MAX } else { SHOWN };
         for remark in imported.remarks.iter().take(most) {
             tell!("{argument}: {remark}");

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use crate::answer::thrust;
 use crate::files::write_whole;
+use crate::mechanics::thrust;
 use crate::method::{Settings, methods};
 use crate::picture::dxf;
 use crate::run::{Plan, run};
@@ -55,8 +55,7 @@ pub(super) fn export(
     let forces = row.outcome.evidence.forces();
     let thrust = forces.map(|(_, forces)| thrust(scene, forces));
     let text = dxf(scene, row.outcome.evidence.mechanism(), thrust.as_ref());
-    write_whole(path, &text)
-        .map_err(|e| Stop::bad_input(format!("error: cannot write {}: {e}", path.display())))?;
+    write_whole(path, &text).map_err(|e| Stop::not_written(path.display(), e))?;
     print_lines(&format!("wrote {}\n", path.display()))?;
     Ok(0)
 }

@@ -38,7 +38,7 @@ pub(super) fn export(
     head_joints: Option<HeadJointsArgument>,
     push: Option<Push>,
 ) -> Result<u8, Stop> {
-    let cases = case::find(argument).map_err(|complaint| Stop::bad_input(complaint.to_string()))?;
+    let cases = case::find(argument)?;
     let [case] = cases.as_slice() else {
         let names: Vec<&str> = cases.iter().map(|case| case.name.as_str()).collect();
         let text = format!(
@@ -66,7 +66,7 @@ pub(super) fn export(
     }
     let push = push.unwrap_or(case.pushes[0]);
     let text = external::export(&case.pushed(head_joints, push));
-    let text = text.map_err(|e| Stop::bad_input(format!("error: cannot write JSON: {e}")))?;
+    let text = text.map_err(|e| Stop::not_written("JSON", e))?;
     print(&format!("{text}\n"))?;
     Ok(0)
 }
@@ -77,7 +77,7 @@ pub(super) fn schema(of: SchemaOf) -> Result<u8, Stop> {
         SchemaOf::Result => external::answer_schema(),
     };
     let text = serde_json::to_string_pretty(&schema);
-    let text = text.map_err(|e| Stop::bad_input(format!("error: cannot write JSON: {e}")))?;
+    let text = text.map_err(|e| Stop::not_written("JSON", e))?;
     print(&format!("{text}\n"))?;
     Ok(0)
 }

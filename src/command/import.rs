@@ -4,7 +4,6 @@ use std::fmt::Write;
 use std::path::PathBuf;
 
 use crate::case::BlocksFiles;
-use crate::files::write_together;
 use crate::scene::HeadJoints;
 use clap::Args;
 
@@ -12,6 +11,7 @@ use super::cases::quoted;
 use super::convert::in_files;
 use super::drawing::{DrawingArguments, is_drawing};
 use super::head_joints::HeadJointsArgument;
+use super::output::write_files;
 use super::screen::print_lines;
 use super::stop::Stop;
 
@@ -60,12 +60,7 @@ pub(super) fn import(arguments: &ImportArguments) -> Result<u8, Stop> {
     let remarks = commented(&imported.remarks);
     let csv = path.with_extension("csv");
     let BlocksFiles { toml, csv: rows } = files;
-    write_together(&[(path.clone(), remarks + &toml), (csv.clone(), rows)]).map_err(
-        |(path, error)| {
-            let path = path.display();
-            Stop::bad_input(format!("error: cannot write {path}: {error}"))
-        },
-    )?;
+    write_files(&[(path.clone(), remarks + &toml), (csv.clone(), rows)])?;
     let shown = path.display().to_string();
     let next = match known {
         true => format!("next: trilith run {}", quoted(&shown)),

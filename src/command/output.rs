@@ -1,10 +1,10 @@
 //! Where results go: tried before the work begins, written whole, kept in a journal meanwhile.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use crate::files::{test_folder, write_together, write_whole};
 use crate::method::{Kind, kind};
-use crate::run::{CaseResult, Journal, Keeps, Task, certificates};
+use crate::run::{CaseResult, Journal, Keeps, Partial, Task, certificates};
 
 use super::screen::tell;
 use super::stop::Stop;
@@ -26,9 +26,26 @@ pub(super) fn write(folder: &Path, files: Vec<(String, String)>) -> Result<(), S
         .into_iter()
         .map(|(name, text)| (folder.join(name), text))
         .collect();
-    write_together(&files).map_err(|(path, error)| {
-        Stop::bad_input(format!("error: cannot write {}: {error}", path.display()))
+    write_files(&files)
+}
+
+/// Writes files that belong together, or none of them.
+pub(super) fn write_files(files: &[(PathBuf, String)]) -> Result<(), Stop> {
+    write_together(files).map_err(|(path, error)| Stop::not_written(path.display(), error))
+}
+
+/// What is said of a study that ended early, where it did.
+pub(super) fn partial(why: Option<&str>, finished: usize, of: usize) -> Option<Partial> {
+    why.map(|why| Partial {
+        why: why.to_owned(),
+        finished,
+        of,
     })
+}
+
+/// The line above what is printed of results that are not all there.
+pub(super) fn said(partial: Option<&Partial>) -> String {
+    partial.map_or(String::new(), |partial| format!("{partial}\n"))
 }
 
 /// Writes the certificates of results into a folder, each whole. Those of rows that a journal kept are
@@ -37,9 +54,7 @@ pub(super) fn write_certificates(folder: &Path, results: &[CaseResult]) -> Resul
     for result in results {
         for (name, bytes) in certificates(result) {
             let path = folder.join(name);
-            write_whole(&path, bytes).map_err(|error| {
-                Stop::bad_input(format!("error: cannot write {}: {error}", path.display()))
-            })?;
+            write_whole(&path, bytes).map_err(|error| Stop::not_written(path.display(), error))?;
         }
         for row in &result.rows {
             if kind(&row.method) == Kind::LowerBound
@@ -60,8 +75,7 @@ pub(super) fn write_certificates(folder: &Path, results: &[CaseResult]) -> Resul
 /// Opens the journal of this name in a folder that can be written to, and says where it is damaged.
 pub(super) fn journal(folder: &Path, name: &str, keeps: Keeps) -> Result<Journal, Stop> {
     test(folder)?;
-    let journal = Journal::open(&folder.join(name), keeps);
-    let journal = journal.map_err(|complaint| Stop::bad_input(complaint.to_string()))?;
+    let journal = Journal::open(&folder.join(name), keeps)?;
     if journal.damaged() > 0 {
         tell!(
             "{} holds damaged lines: {}; what they held is computed again",

@@ -46,7 +46,7 @@ pub(super) fn man(arguments: &ManArguments, trilith: clap::Command) -> Result<u8
             let page = Man::new(command.clone());
             Ok((page.get_filename(), text(&page)?))
         });
-        output::write(folder, pages.collect::<Result<_, _>>()?)?;
+        output::write(folder, pages.collect::<Result<_, Stop>>()?)?;
         return Ok(0);
     }
     let command = match &arguments.command {
@@ -67,6 +67,6 @@ pub(super) fn man(arguments: &ManArguments, trilith: clap::Command) -> Result<u8
 fn text(page: &Man) -> Result<String, Stop> {
     let mut text = Vec::new();
     page.render(&mut text)
-        .map_err(|e| Stop::bad_input(format!("error: cannot write the page: {e}")))?;
+        .map_err(|e| Stop::not_written("the page", e))?;
     Ok(String::from_utf8_lossy(&text).into_owned())
 }

@@ -92,9 +92,7 @@ pub(super) fn externals(arguments: &[String]) -> Result<Vec<&'static dyn Method>
 pub(super) fn programs(arguments: &[String]) -> Result<Vec<&'static External>, Stop> {
     let mut all: Vec<&'static External> = Vec::new();
     for argument in arguments {
-        let read =
-            external::read(argument).map_err(|complaint| Stop::bad_input(complaint.to_string()))?;
-        for method in read {
+        for method in external::read(argument)? {
             if all.iter().any(|other| other.name == method.name) {
                 let name = &method.name;
                 let text = format!(

@@ -15,7 +15,7 @@ use super::plan::PlanArguments;
 use super::run::{files, refuted};
 use super::screen::print_lines;
 use super::solve::solve;
-use super::stop::{REFUTED, Stop};
+use super::stop::{Stop, status};
 
 #[derive(Args)]
 pub(super) struct ReportArguments {
@@ -56,11 +56,11 @@ pub(super) fn report(arguments: &ReportArguments) -> Result<u8, Stop> {
         |_| Ok(()),
         |results, partial| {
             let path = hand_out(arguments, results, &settings, &sweeps, partial)?;
-            let said = partial.map_or(String::new(), |partial| format!("{partial}\n"));
+            let said = output::said(partial);
             print_lines(&format!("{said}wrote {path}\n"))
         },
     )?;
-    Ok(if refuted(&results) { REFUTED } else { 0 })
+    Ok(status(refuted(&results)))
 }
 
 /// The sweeps that the report plots.

@@ -1,6 +1,6 @@
 //! `trilith run`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use crate::answer::Status;
 use crate::case;
@@ -15,7 +15,7 @@ use super::plan::PlanArguments;
 use super::records::compare;
 use super::screen::{layout, print};
 use super::solve::solve;
-use super::stop::{REFUTED, Stop};
+use super::stop::{Stop, status};
 
 #[derive(Args)]
 pub(super) struct RunArguments {
@@ -25,17 +25,8 @@ pub(super) struct RunArguments {
     cases: Vec<String>,
     #[command(flatten)]
     plan: PlanArguments,
-    /// Also write results.csv, results.json and one record a case into this folder.
-    #[arg(long, value_name = "DIR")]
-    out: Option<PathBuf>,
-    /// Keep finished results in a journal in this folder, and go on from there [default: the folder of
-    /// --out].
-    #[arg(long, value_name = "DIR")]
-    resume: Option<PathBuf>,
-    /// Write the certificates of lower bounds into this folder, one file a scene and direction of the
-    /// push: CASE.right.bound, CASE@open.left.bound.
-    #[arg(long, value_name = "DIR")]
-    certificate: Option<PathBuf>,
+    #[command(flatten)]
+    kept: KeptArguments,
     /// How results are printed.
     #[arg(long, default_value = "table")]
     format: Format,
@@ -59,22 +50,68 @@ pub(super) enum Format {
     Json,
 }
 
+/// Where results are kept.
+#[derive(Args)]
+pub(super) struct KeptArguments {
+    /// Also write results.csv, results.json and one record a case into this folder.
+    #[arg(long, value_name = "DIR")]
+    pub(super) out: Option<PathBuf>,
+    /// Keep finished results in a journal in this folder, and go on from there [default: the folder of
+    /// --out].
+    #[arg(long, value_name = "DIR")]
+    resume: Option<PathBuf>,
+    /// Write the certificates of lower bounds into this folder, one file a scene and direction of the
+    /// push: CASE.right.bound, CASE@open.left.bound.
+    #[arg(long, value_name = "DIR")]
+    certificate: Option<PathBuf>,
+}
+
+impl KeptArguments {
+    /// Tells before the work whether the folders can be written into.
+    pub(super) fn test(&self) -> Result<(), Stop> {
+        let mut folders = [&self.out, &self.certificate].into_iter().flatten();
+        folders.try_for_each(|folder| output::test(folder))
+    }
+
+    /// The journal of this name.
+    pub(super) fn journal(&self, name: &'static str) -> Option<(&Path, &'static str)> {
+        let folder = self.resume.as_deref().or(self.out.as_deref());
+        folder.map(|folder| (folder, name))
+    }
+
+    /// Writes the files that were asked for.
+    pub(super) fn write(
+        &self,
+        results: &[CaseResult],
+        states: bool,
+        partial: Option<&Partial>,
+    ) -> Result<(), Stop> {
+        if let Some(folder) = &self.out {
+            output::write(folder, files(results, states, partial)?)?;
+        }
+        if let Some(folder) = &self.certificate {
+            output::write_certificates(folder, results)?;
+        }
+        Ok(())
+    }
+}
+
 pub(super) fn run(arguments: &RunArguments) -> Result<u8, Stop> {
-    if arguments.states && arguments.out.is_none() && !matches!(arguments.format, Format::Json) {
+    if arguments.states && arguments.kept.out.is_none() && !matches!(arguments.format, Format::Json)
+    {
         let text = "error: --states goes into JSON, and none is written\nhelp: add `--format json`, \
                     or `--out DIR`";
         return Err(Stop::bad_input(text));
     }
     let (cases, plan) = arguments.plan.read(&arguments.cases, case::paper)?;
-    let folders = [&arguments.out, &arguments.record, &arguments.certificate];
-    for folder in folders.into_iter().flatten() {
+    arguments.kept.test()?;
+    if let Some(folder) = &arguments.record {
         output::test(folder)?;
     }
     let format = arguments.format;
     print(&format.heading()?)?;
     let show = |result: &CaseResult| print(&format.case(result)?);
-    let kept = arguments.resume.as_deref().or(arguments.out.as_deref());
-    let kept = kept.map(|folder| (folder, "run.journal"));
+    let kept = arguments.kept.journal("run.journal");
     let results = solve(&cases, &plan, kept, show, |results, partial| {
         hand_out(arguments, results, partial)
     })?;
@@ -82,11 +119,7 @@ pub(super) fn run(arguments: &RunArguments) -> Result<u8, Stop> {
         Some(folder) => compare(folder, &results, &arguments.cases, arguments.prune)?,
         None => false,
     };
-    Ok(if changed || refuted(&results) {
-        REFUTED
-    } else {
-        0
-    })
+    Ok(status(changed || refuted(&results)))
 }
 
 /// Each case is printed as soon as those before it are; a JSON document only as a whole.
@@ -121,7 +154,7 @@ impl Format {
         match self {
             Format::Table => {
                 let said = partial.map_or(String::new(), |partial| format!("{partial}\n\n"));
-                Ok(said + &report::legend(layout()))
+                Ok(said + &report::legend(layout(), "`--wide` shows every column."))
             }
             Format::Csv => {
                 let commas = csv(&[])?.matches(',').count();
@@ -140,17 +173,12 @@ fn hand_out(
 ) -> Result<(), Stop> {
     let states = arguments.states;
     let printed = print(&arguments.format.closing(results, states, partial)?);
-    if let Some(folder) = &arguments.out {
-        output::write(folder, files(results, states, partial)?)?;
-    }
-    if let Some(folder) = &arguments.certificate {
-        output::write_certificates(folder, results)?;
-    }
+    arguments.kept.write(results, states, partial)?;
     printed
 }
 
 fn csv(results: &[CaseResult]) -> Result<String, Stop> {
-    report::csv(results).map_err(|e| Stop::bad_input(format!("error: cannot write CSV: {e}")))
+    report::csv(results).map_err(|e| Stop::not_written("CSV", e))
 }
 
 fn json(results: &[CaseResult], states: bool, partial: Option<&Partial>) -> Result<String, Stop> {
@@ -159,7 +187,7 @@ fn json(results: &[CaseResult], states: bool, partial: Option<&Partial>) -> Resu
     } else {
         report::json(results, partial)
     };
-    text.map_err(|e| Stop::bad_input(format!("error: cannot write JSON: {e}")))
+    text.map_err(|e| Stop::not_written("JSON", e))
 }
 
 /// The files results.csv, results.json, with the states where those are wanted, and the records.

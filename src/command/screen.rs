@@ -82,7 +82,7 @@ pub(super) fn print(text: &str) -> Result<(), Stop> {
     let mut out = std::io::stdout().lock();
     match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
         Err(e) if e.kind() != std::io::ErrorKind::BrokenPipe => {
-            Err(Stop::bad_input(format!("error: cannot write results: {e}")))
+            Err(Stop::not_written("results", e))
         }
         _ => Ok(()),
     }

@@ -145,7 +145,9 @@ impl TypedValueParser for WordsParser {
 
     fn possible_values(&self) -> Option<Box<dyn Iterator<Item = PossibleValue> + '_>> {
         match self.0 {
-            Allowed::Words(words) => Some(Box::new(words.iter().cloned())),
+            Allowed::Words(words) => Some(Box::new(words.iter().map(|(word, meaning)| {
+                PossibleValue::new(*word).help(meaning.trim().trim_end_matches('.'))
+            }))),
             Allowed::Switch | Allowed::Whole(_) | Allowed::Number(_) => None,
         }
     }

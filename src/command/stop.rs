@@ -1,10 +1,14 @@
 //! How a command ends: text on standard output, or why it stops and with which exit status.
 
+use std::fmt::Display;
+
+use crate::case::Complaint;
+
 /// Exit status of a result that failed, a published value violated, a record that changed.
-pub(super) const REFUTED: u8 = 1;
+const REFUTED: u8 = 1;
 
 /// Exit status of bad input and usage, which is also clap's.
-pub(super) const BAD_INPUT: u8 = 2;
+const BAD_INPUT: u8 = 2;
 
 /// Why a command stops, printed to standard error.
 pub(super) struct Stop {
@@ -19,4 +23,20 @@ impl Stop {
             status: BAD_INPUT,
         }
     }
+
+    /// A file, or what is to be in it, that cannot be written.
+    pub(super) fn not_written(what: impl Display, error: impl Display) -> Self {
+        Self::bad_input(format!("error: cannot write {what}: {error}"))
+    }
+}
+
+impl From<Complaint> for Stop {
+    fn from(complaint: Complaint) -> Self {
+        Self::bad_input(complaint.to_string())
+    }
+}
+
+/// The exit status of a command that ran to its end.
+pub(super) fn status(refuted: bool) -> u8 {
+    if refuted { REFUTED } else { 0 }
 }

@@ -5,10 +5,9 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 use crate::answer::Status;
-use crate::case::Complaint;
 use crate::judge::Verdict;
 use crate::number::number;
-use crate::run::{Keeps, Partial, Row, Task, marked, run_rows};
+use crate::run::{Keeps, Row, Task, marked, run_rows};
 use crate::study::sweep::{self, MOST_SHARDS, Shard, Sweep, SweepCheck, SweepTable, sweep_picture};
 use crate::text::{ended, grid, numbers, words};
 use clap::Args;
@@ -18,7 +17,7 @@ use super::output;
 use super::plan::externals;
 use super::screen::{layout, print, print_lines};
 use super::slurm;
-use super::stop::{REFUTED, Stop};
+use super::stop::{self, Stop};
 use super::study::run_study;
 
 /// What a sweep file looks like, below the help.
@@ -84,7 +83,7 @@ pub(super) struct MergeArguments {
 }
 
 fn find(file: &str, out: Option<&Path>, external: &[String]) -> Result<(Sweep, PathBuf), Stop> {
-    let sweep = Sweep::find(file).map_err(complained)?;
+    let sweep = Sweep::find(file)?;
     let sweep = sweep.with_programs(externals(external)?);
     let folder = match out {
         Some(folder) => folder.to_owned(),
@@ -93,12 +92,8 @@ fn find(file: &str, out: Option<&Path>, external: &[String]) -> Result<(Sweep, P
     Ok((sweep, folder))
 }
 
-fn complained(complaint: Complaint) -> Stop {
-    Stop::bad_input(complaint.to_string())
-}
-
 fn not_written(error: impl std::fmt::Display) -> Stop {
-    Stop::bad_input(format!("error: cannot write the sweep: {error}"))
+    Stop::not_written("the sweep", error)
 }
 
 pub(super) fn sweep(arguments: &SweepArguments) -> Result<u8, Stop> {
@@ -138,7 +133,7 @@ pub(super) fn sweep(arguments: &SweepArguments) -> Result<u8, Stop> {
                     rows.len(),
                     path.display()
                 ))?;
-                Ok(status(&rows))
+                Ok(stop::status(failed(&rows)))
             }
         },
     )
@@ -161,7 +156,7 @@ pub(super) fn merge(arguments: &MergeArguments) -> Result<u8, Stop> {
         &arguments.external,
     )?;
     let tasks = sweep.tasks();
-    let rows = sweep::merge(&tasks, &folder).map_err(complained)?;
+    let rows = sweep::merge(&tasks, &folder)?;
     output::test(&folder)?;
     hand_out(&sweep, &tasks, rows, None, &folder)
 }
@@ -174,11 +169,7 @@ fn hand_out(
     why: Option<&str>,
     folder: &Path,
 ) -> Result<u8, Stop> {
-    let partial = why.map(|why| Partial {
-        why: why.to_owned(),
-        finished: rows.len(),
-        of: tasks.len(),
-    });
+    let partial = output::partial(why, rows.len(), tasks.len());
     let partial = partial.as_ref();
     let checks = sweep::compare(tasks, &mut rows);
     let rows = &rows;
@@ -186,7 +177,7 @@ fn hand_out(
     let times = sweep::times_csv(rows).map_err(not_written)?;
     let table = SweepTable::of(&sweep.name, rows, partial);
     let csv = table.csv().map_err(not_written)?;
-    let said = partial.map_or(String::new(), |partial| format!("{partial}\n"));
+    let said = output::said(partial);
     let picture = sweep_picture(&table);
     let drawn = match &picture {
         Ok(_) => String::new(),
@@ -210,7 +201,7 @@ fn hand_out(
     let violated = checks
         .iter()
         .any(|one| one.check.verdict == Verdict::Violated);
-    Ok(if violated { REFUTED } else { status(rows) })
+    Ok(stop::status(violated || failed(rows)))
 }
 
 /// Checks that are shown one by one, at most.
@@ -234,12 +225,8 @@ fn compared(checks: &[SweepCheck]) -> String {
     text
 }
 
-fn status(rows: &[Row]) -> u8 {
-    if rows.iter().any(|row| row.status() == Status::Failed) {
-        REFUTED
-    } else {
-        0
-    }
+fn failed(rows: &[Row]) -> bool {
+    rows.iter().any(|row| row.status() == Status::Failed)
 }
 
 /// A line a case and method: how far λ goes over all points, and how many points ended how.

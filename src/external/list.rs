@@ -36,7 +36,7 @@ struct ProgramEntry {
 /// Longest time limit, seconds.
 const MAX_TIME_LIMIT: f64 = 86_400.0;
 
-/// Reads the methods that an argument of the command line stands for: a `.toml` file, or
+/// Reads the methods that a text stands for: a `.toml` file, or
 /// `NAME=COMMAND` with the command's words divided as a shell would.
 ///
 /// # Errors
@@ -44,13 +44,13 @@ const MAX_TIME_LIMIT: f64 = 86_400.0;
 pub fn read(argument: &str) -> Result<Vec<External>, Complaint> {
     if let Some((name, command)) = argument.split_once('=') {
         let method = of_argument(name, command).map_err(|(title, help)| {
-            Complaint::new(format!("--external {argument}: {title}")).help(help)
+            Complaint::new(format!("external method {argument}: {title}")).help(help)
         })?;
         return Ok(vec![method]);
     }
     if !argument.ends_with(".toml") {
-        let title = format!("--external {argument}: neither a .toml file nor NAME=COMMAND");
-        return Err(Complaint::new(title).help("write `--external highs=\"python3 highs.py\"`"));
+        let title = format!("external method {argument}: neither a .toml file nor NAME=COMMAND");
+        return Err(Complaint::new(title).help("write `highs=\"python3 highs.py\"`"));
     }
     let bytes = read_input(Path::new(argument), Input::Toml);
     let text = bytes.and_then(|bytes| String::from_utf8(bytes).map_err(io::Error::other));

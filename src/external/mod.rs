@@ -15,9 +15,10 @@ mod scene;
 mod states;
 mod text;
 
-pub use answer::{AnswerFile, AnswerKind, answer_schema};
-pub use list::{parse, read};
+pub use answer::{AnswerFile, answer_schema};
+pub use list::parse;
+pub(crate) use list::read;
 pub use outside::External;
-pub use process::stop_all;
+pub(crate) use process::stop_all;
 pub use scene::{SceneFile, export, scene_schema};
-pub use states::answers;
+pub(crate) use states::answers;

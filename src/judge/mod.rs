@@ -20,8 +20,7 @@ pub use heard::LowerState;
 pub(crate) use judgement::largest;
 pub use judgement::{Judgement, Recomputed};
 pub use proof::judge;
-pub use references::computed;
-pub(crate) use references::{comparisons, reference_checks};
+pub(crate) use references::{comparisons, computed, reference_checks};
 
 #[cfg(test)]
 mod tests;

@@ -136,7 +136,7 @@ fn not_compared(reference: &Reference, answers: &Answers) -> String {
     let outside = outside.filter(|name| kind(name) == Kind::Outside);
     let help = match nearest(name, outside) {
         Some(near) => format!("did the case mean `{near}`?"),
-        None => format!("add `--external {name}=COMMAND`"),
+        None => format!("add it to the external methods: `{name}=COMMAND`"),
     };
     format!(
         "{} is not compared with {}, because no program of this name ran; {help}",

@@ -27,4 +27,4 @@ pub(crate) use residual::{VERIFIED_RESIDUAL, associative_violation, live_unit};
 pub(crate) use rigid_parts::in_words;
 pub use rigid_parts::{RigidPart, parts};
 pub use state::{Ceiling, CollapseState, ForceState, JointForce};
-pub use thrust::{CourseResultant, Thrust, thrust};
+pub use thrust::{Thrust, thrust};

@@ -6,7 +6,7 @@ mod tuned;
 mod at_once;
 mod auto;
 mod contract;
-mod entries;
+pub(crate) mod entries;
 pub mod limit;
 mod macro_block;
 pub mod pushover;
@@ -15,13 +15,13 @@ mod settings;
 pub(crate) use at_once::borrowed;
 pub use auto::Auto;
 pub use contract::Method;
-pub use entries::{
-    Changes, Cost, Kind, Look, METHODS, Mark, MethodEntry, Rung, Scenes, defaults, entry, kind,
-    methods, without_lower_bounds,
+pub(crate) use entries::{
+    Changes, Kind, Look, METHODS, Mark, MethodEntry, entry, expected_cost, kind, method_look,
+    without_lower_bounds,
 };
-pub(crate) use entries::{expected_cost, method_look};
+pub use entries::{defaults, methods};
 pub use macro_block::MacroBlock;
 pub use settings::{
-    Accuracy, Allowed, AutoSettings, Collapse, Engine, IntervalSettings, ProgramSettings,
-    PushoverSettings, SequentialSettings, Setting, SettingError, Settings,
+    Accuracy, Allowed, AutoSettings, BoundSettings, Collapse, Engine, IntervalSettings,
+    ProgramSettings, PushoverSettings, SequentialSettings, Setting, SettingError, Settings,
 };

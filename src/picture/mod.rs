@@ -52,5 +52,5 @@ pub use dxf::dxf;
 pub use figure::figure;
 pub use mechanism::threshold;
 #[cfg(feature = "print")]
-pub use print::{PrintError, pdf, png};
+pub(crate) use print::{PrintError, pdf, png};
 pub use view::{Options, View};

@@ -6,9 +6,8 @@
 mod lines;
 mod snapshot;
 
-pub(crate) use lines::{LEGEND, fixed_width};
-pub use lines::{Note, heading, lines, notes};
-pub use snapshot::{RecordChange, compare, records_beside};
+pub(crate) use lines::{LEGEND, Note, fixed_width, heading, lines, notes};
+pub(crate) use snapshot::{RecordChange, compare, records_beside};
 
 use crate::judge::{Check, Conclusion, Verdict};
 use crate::number::short;

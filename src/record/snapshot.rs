@@ -46,7 +46,7 @@ pub fn compare(folder: &Path, name: &str, record: &str) -> io::Result<RecordChan
             return Ok(RecordChange::Same);
         }
     }
-    let source = serde_json::Value::from(format!("trilith run --record: {name}"));
+    let source = serde_json::Value::from(format!("trilith: {name}"));
     write_whole(&pending, format!("---\nsource: {source}\n---\n{record}"))?;
     Ok(if known {
         RecordChange::Changed(pending)

@@ -7,7 +7,10 @@ mod screen;
 mod styles;
 mod terms;
 
-pub use library::{library_case, library_closing, library_heading};
-pub use rows::{csv, json, json_with_states};
-pub use screen::{case_table, legend, table};
-pub use styles::of_verdict;
+pub(crate) use library::library_heading;
+pub use library::{library_case, library_closing};
+pub(crate) use rows::json;
+pub use rows::{csv, json_with_states};
+pub(crate) use screen::legend;
+pub use screen::{case_table, table};
+pub(crate) use styles::of_verdict;

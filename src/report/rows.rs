@@ -56,12 +56,12 @@ pub fn json(
     Ok(text)
 }
 
-/// As [`json()`], a row a line, each with its `head_joints` and with the `sides` that it was pushed
+/// As `json`, a row a line, each with its `head_joints` and with the `sides` that it was pushed
 /// to, the row's own side first: the scene and every answer of the method, in the formats of outside
 /// programs and in full digits, so that another program can confirm each claim.
 ///
 /// # Errors
-/// As [`json()`].
+/// As `json`.
 pub fn json_with_states(
     results: &[CaseResult],
     partial: Option<&Partial>,

@@ -13,7 +13,7 @@ use crate::text::{Layout, bold, ended, grid, sentence};
 /// The tables of all cases, and what explains them.
 pub fn table(results: &[CaseResult], layout: Layout) -> String {
     let cases = results.iter().map(|result| case_table(result, layout));
-    cases.collect::<String>() + &legend(layout)
+    cases.collect::<String>() + &legend(layout, "")
 }
 
 /// Columns of a screen: those of the record, as many as there is room for, and how soon each is left
@@ -102,15 +102,12 @@ const WITH_REFERENCES: usize = 100;
 const ERROR: &str =
     "The error says how far the farther end of an answer is from its reference value.";
 
-/// Where the rest is.
-const MORE: &str = "`--wide` shows every column.";
-
-/// What stands below the last case.
-pub fn legend(layout: Layout) -> String {
+/// What stands below the last case; `more` says how to get the columns that a narrow screen leaves out.
+pub fn legend(layout: Layout, more: &str) -> String {
     let words = match layout.columns() {
         None => LEGEND.to_owned(),
-        Some(columns) if columns < WITH_REFERENCES => format!("{ERROR} {MORE}"),
-        Some(_) => format!("{LEGEND} {MORE}"),
+        Some(columns) if columns < WITH_REFERENCES => format!("{ERROR} {more}"),
+        Some(_) => format!("{LEGEND} {more}"),
     };
     layout.paragraph("", Style::new(), &words)
 }

@@ -63,10 +63,10 @@ pub fn run_tasks(
     }
 }
 
-/// As [`run_tasks`], with the flat part of the rows in the order of the tasks.
+/// As `run_tasks`, with the flat part of the rows in the order of the tasks.
 ///
 /// # Errors
-/// As [`run_tasks`].
+/// As `run_tasks`.
 pub fn run_rows(
     tasks: &[Task],
     journal: Option<&Journal>,

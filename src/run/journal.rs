@@ -48,8 +48,9 @@ impl Journal {
             Ok(()) => {}
             Err(TryLockError::WouldBlock) => {
                 let title = format!("another process writes {}", path.display());
-                return Err(Complaint::new(title)
-                    .help("wait until it ends, or name another folder with `--out`"));
+                return Err(
+                    Complaint::new(title).help("wait until it ends, or name another folder")
+                );
             }
             Err(TryLockError::Error(error)) => return Err(failed(error)),
         }

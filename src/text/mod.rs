@@ -6,4 +6,4 @@ mod wrap;
 
 pub use grid::{GridColumn, grid, numbers, words};
 pub use layout::{LEAST_WIDTH, Layout, bold, ended, sentence};
-pub use wrap::{lines, wrapped};
+pub use wrap::wrapped;

@@ -1,11 +1,13 @@
 //! The small atlas: no method is wrong anywhere on it, and it notices methods that are.
 
 use trilith::answer::{Bracket, Observed, Outcome, Status};
-use trilith::method::limit::{Associative, Ending, Interval, Program};
-use trilith::method::pushover::{Parameters, solve_with};
-use trilith::method::{Method, Settings, without_lower_bounds};
+use trilith::inside::without_lower_bounds;
+use trilith::inside::{Ending, Program};
+use trilith::inside::{Parameters, solve_with};
+use trilith::inside::{atlas, atlas::Cell, atlas::CellVerdict, atlas::grids};
+use trilith::method::limit::{Associative, Interval};
+use trilith::method::{Method, Settings};
 use trilith::scene::{Block, Scene, SceneParts};
-use trilith::study::atlas::{self, Cell, CellVerdict, grids};
 
 fn of(cells: &[Cell], verdict: CellVerdict) -> Vec<&Cell> {
     cells

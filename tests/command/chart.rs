@@ -2,7 +2,7 @@
 
 use trilith::answer::Status;
 use trilith::case::find;
-use trilith::study::chart::{self, Measurement};
+use trilith::inside::{chart, chart::Measurement};
 
 /// The stack has an exact answer, min(μ, b/H) = 0.4.
 #[test]

@@ -2,12 +2,12 @@
 
 use crate::scenes;
 
-use trilith::answer::parts;
 use trilith::answer::{Outcome, Status};
 use trilith::case::find;
+use trilith::inside::parts;
+use trilith::inside::{Options, View, figure, threshold};
 use trilith::method::limit::{Associative, Interval};
 use trilith::method::{MacroBlock, Method, Settings};
-use trilith::picture::{Options, View, figure, threshold};
 use trilith::run::{Row, answer};
 use trilith::scene::{HeadJoints, Push, Scene};
 

@@ -5,8 +5,8 @@ use std::path::Path;
 
 use trilith::answer::Outcome;
 use trilith::case::{self, Case, DrawingOptions, Geometry, Imported};
+use trilith::inside::dxf;
 use trilith::method::{Settings, methods};
-use trilith::picture::dxf;
 use trilith::run::{Plan, run};
 use trilith::scene::HeadJoints;
 
@@ -235,7 +235,7 @@ fn gaps_and_overlaps_are_refused_with_their_place() {
     assert!(shown.contains("a gap of 2.000e-2"), "{shown}");
     assert!(shown.contains("at (1.0000, 1.0000)"), "{shown}");
     assert!(shown.contains("`2B` (layer `upper`"), "{shown}");
-    assert!(shown.contains("--tolerance 0.01"), "{shown}");
+    assert!(shown.contains("`tolerance` of 0.01"), "{shown}");
     let shown = refused(&with(&above(0.9)));
     assert!(shown.contains("overlap, 1.000e-1 deep"), "{shown}");
     assert!(shown.contains("handle 2B, layer `upper`"), "{shown}");
@@ -396,7 +396,7 @@ fn the_exported_mechanism_is_no_wall() {
     let thrust = outcome
         .evidence
         .forces()
-        .map(|(_, forces)| trilith::answer::thrust(&scene, forces));
+        .map(|(_, forces)| trilith::inside::thrust(&scene, forces));
     let text = dxf(&scene, outcome.evidence.mechanism(), thrust.as_ref());
     for layer in ["blocks", "support", "names", "mechanism", "resultants"] {
         assert!(text.contains(&format!("\n8\n{layer}\n")), "{layer}");

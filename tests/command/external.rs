@@ -9,8 +9,9 @@ use std::time::Duration;
 
 use crate::skipped::skipped;
 use serde_json::{Value, json};
-use trilith::answer::{Fact, JointForce, Outcome, ProgramEnding, ProgramFailure, Status};
-use trilith::external::{External, SceneFile, answer_schema, export, parse, scene_schema};
+use trilith::answer::{Fact, JointForce, Outcome, Status};
+use trilith::inside::{External, SceneFile, answer_schema, export, parse, scene_schema};
+use trilith::inside::{ProgramEnding, ProgramFailure};
 use trilith::method::limit::{Associative, Interval};
 use trilith::method::{Method, Settings};
 use trilith::run::{Row, answer};

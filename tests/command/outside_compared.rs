@@ -203,7 +203,7 @@ fn references_of_programs_are_compared_where_they_run() {
     let (code, text) = run(&[]);
     assert_eq!(code, Some(0), "{text}");
     assert!(
-        text.contains("not compared") && text.contains("--external mylp=COMMAND"),
+        text.contains("not compared") && text.contains("external methods: `mylp=COMMAND`"),
         "{text}"
     );
     let says = |lambda: f64| {

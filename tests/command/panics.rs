@@ -2,15 +2,16 @@
 
 use trilith::answer::{Outcome, Status};
 use trilith::case::{Case, find};
+use trilith::inside::Layout;
+use trilith::inside::record;
+use trilith::inside::sweep;
+use trilith::inside::{Report, page};
+use trilith::inside::{Subject, Task, run_rows};
+use trilith::inside::{csv, library_case, library_closing, table};
 use trilith::method::limit::Associative;
 use trilith::method::{Method, Settings};
-use trilith::record::record;
-use trilith::report::html::{Report, page};
-use trilith::report::{csv, library_case, library_closing, table};
-use trilith::run::{CaseResult, Plan, Row, Subject, Task, run, run_rows};
+use trilith::run::{CaseResult, Plan, Row, run};
 use trilith::scene::{HeadJoints, Scene};
-use trilith::study::sweep;
-use trilith::text::Layout;
 
 /// λ_A, but on one block alone.
 struct PanicsOnStacks;

@@ -3,12 +3,12 @@
 
 use crate::svg::{assert_true_ticks, axes, faults, texts};
 use trilith::case::{find, library};
+use trilith::inside::chart;
+use trilith::inside::{Report, manual, page};
+use trilith::inside::{sweep::SweepTable, sweep::sweep_picture};
 use trilith::method::{Method, Settings, methods as all_methods};
-use trilith::report::html::{Report, manual, page};
 use trilith::run::{CaseResult, Plan, run};
 use trilith::scene::HeadJoints;
-use trilith::study::chart;
-use trilith::study::sweep::{SweepTable, sweep_picture};
 
 fn methods(names: &[&str]) -> Vec<&'static dyn Method> {
     let all = all_methods().into_iter();

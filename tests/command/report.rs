@@ -3,11 +3,11 @@
 use std::path::Path;
 
 use trilith::case::find;
+use trilith::inside::sweep::SweepTable;
+use trilith::inside::{Report, page};
 use trilith::method::{Settings, methods as all_methods};
-use trilith::report::html::{Report, page};
 use trilith::run::{CaseResult, Plan, run};
 use trilith::scene::HeadJoints;
-use trilith::study::sweep::SweepTable;
 
 fn results(cases: &[&str], methods: &[&str]) -> Vec<CaseResult> {
     let cases: Vec<_> = cases.iter().flat_map(|name| find(name).unwrap()).collect();

@@ -4,9 +4,9 @@ use std::path::Path;
 
 use trilith::answer::Status;
 use trilith::case::{self, Case};
+use trilith::inside::record;
 use trilith::judge::Verdict;
 use trilith::method::{Settings, defaults};
-use trilith::record::record;
 use trilith::run::{CaseResult, Plan};
 
 /// Walls of more blocks than this have the record of their pushover in an ignored test: it takes

@@ -2,10 +2,11 @@
 //! names and prints the work counters; without an argument, lists the paths.
 
 use trilith::answer::{CollapseResidual, Outcome, StaticResidual, Work};
-use trilith::method::limit::{Associative, Interval, Program, Sequential};
+use trilith::inside::Program;
+use trilith::inside::{atlas::Columns, atlas::running_bond};
+use trilith::method::limit::{Associative, Interval, Sequential};
 use trilith::method::pushover::Pushover;
 use trilith::method::{Method, Settings};
-use trilith::study::atlas::{Columns, running_bond};
 
 /// A path's name and its work.
 type Path = (&'static str, fn() -> Work);

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 
 use syn::visit::{self, Visit};
 use syn::{Item, UseTree};
-use trilith::method::METHODS;
+use trilith::inside::METHODS;
 
 /// Rooms from the ground up; those of one line do not use each other.
 const FLOORS: [&[&str]; 14] = [

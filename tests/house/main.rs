@@ -1,4 +1,5 @@
 //! How the sources are kept.
 
 mod floors;
+mod public;
 mod sources;

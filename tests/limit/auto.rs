@@ -2,13 +2,14 @@
 
 use crate::scenes;
 
-use trilith::answer::{AutoFact, Fact, Outcome, Status, Uniqueness};
+use trilith::answer::{Fact, Outcome, Status};
 use trilith::case::{find, library};
+use trilith::inside::chart::reference;
+use trilith::inside::{AutoFact, Uniqueness};
 use trilith::method::limit::Interval;
 use trilith::method::{Auto, Settings};
 use trilith::run::answer;
 use trilith::scene::{HeadJoints, Scene};
-use trilith::study::chart::reference;
 
 fn auto(sides: &[Scene], settings: Settings) -> Outcome {
     answer(sides, &Auto, settings).outcome

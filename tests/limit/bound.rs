@@ -1,8 +1,9 @@
 //! The lower bound: what it proves of scenes with known answers, that nothing contradicts it, and that
 //! a changed certificate proves nothing.
 
-use trilith::answer::{Certificate, Outcome, Refusal, Status, prove};
+use trilith::answer::{Certificate, Outcome, Status};
 use trilith::case::{self, Quantity, SourceKind};
+use trilith::inside::{Refusal, prove};
 use trilith::judge::judge;
 use trilith::method::{self, Method, Settings};
 use trilith::scene::{

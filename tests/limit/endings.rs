@@ -1,9 +1,8 @@
 //! Scenes that fall under their own weight and scenes that no push collapses, each with its proof.
 
 use crate::scenes::{arch, ground, homogeneous, mirrored, polygon, rectangle, scene};
-use trilith::answer::{
-    Evidence, JointForce, Motion, Outcome, StaticResidual, Status, falling_violation,
-};
+use trilith::answer::{Evidence, JointForce, Motion, Outcome, StaticResidual, Status};
+use trilith::inside::falling_violation;
 use trilith::judge::judge;
 use trilith::method::limit::{Associative, Interval, Sequential};
 use trilith::method::{Method, Settings};

@@ -1,7 +1,8 @@
 //! What is said where a scene falls because its head joints are open.
 
 use crate::scenes::{ground, homogeneous, polygon, rectangle, scene};
-use trilith::answer::{Fact, JudgedFact, Outcome, Status};
+use trilith::answer::{Fact, Outcome, Status};
+use trilith::inside::JudgedFact;
 use trilith::judge::judge;
 use trilith::method::limit::Associative;
 use trilith::method::pushover::Pushover;

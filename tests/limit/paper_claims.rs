@@ -1,9 +1,10 @@
 //! What the paper claims about the overburden and about its bounds, and where a claim fails.
 
 use trilith::answer::Status;
-use trilith::run::{Row, run_rows};
+use trilith::inside::run_rows;
+use trilith::inside::{sweep, sweep::Sweep};
+use trilith::run::Row;
 use trilith::scene::HeadJoints;
-use trilith::study::sweep::{self, Sweep};
 
 /// The rows of an embedded sweep whose text is changed first.
 fn rows(name: &str, change: impl Fn(String) -> String) -> Vec<Row> {

@@ -6,8 +6,9 @@ use crate::scenes::{laid, mirrored, scaled, shifted};
 use crate::seeded::seeded;
 use proptest::prelude::*;
 use trilith::answer::{
-    CollapseResidual, CollapseState, Mechanism, Outcome, StaticResidual, Status, dead_power,
+    CollapseResidual, CollapseState, Mechanism, Outcome, StaticResidual, Status,
 };
+use trilith::inside::dead_power;
 use trilith::judge::judge;
 use trilith::method::limit::{Associative, Interval};
 use trilith::method::{Method, Settings};

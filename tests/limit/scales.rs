@@ -5,7 +5,8 @@
 use std::cell::RefCell;
 
 use crate::scenes::{arch, ground, homogeneous, laid, rectangle, scene, small_walls, weighted};
-use trilith::answer::{Evidence, Fact, JudgedFact, Outcome, Status, magnitude};
+use trilith::answer::{Evidence, Fact, Outcome, Status};
+use trilith::inside::{JudgedFact, magnitude};
 use trilith::judge::judge;
 use trilith::method::limit::{Associative, Interval};
 use trilith::method::pushover::Pushover;

@@ -3,13 +3,14 @@
 use std::f64::consts::PI;
 use std::fmt::Write;
 
-use trilith::answer::{Outcome, thrust};
+use trilith::answer::Outcome;
 use trilith::case::Case;
+use trilith::inside::Layout;
+use trilith::inside::case_table;
+use trilith::inside::thrust;
 use trilith::method::{Settings, methods};
-use trilith::report::case_table;
 use trilith::run::{CaseResult, Plan, run};
 use trilith::scene::HeadJoints;
-use trilith::text::Layout;
 
 fn read(toml: &str, csv: &str) -> Case {
     let beside = |_: &str| Ok(csv.as_bytes().to_vec());

@@ -1,7 +1,8 @@
 //! Starts of the interval's search: nearly all end in a verified state, every other ending named.
 
 use crate::scenes::{laid, small_walls};
-use trilith::answer::{SearchEnding, SearchFailure, SearchStart, Status};
+use trilith::answer::Status;
+use trilith::inside::{SearchEnding, SearchFailure, SearchStart};
 use trilith::judge::judge;
 use trilith::method::limit::Interval;
 use trilith::method::{Method, Settings};

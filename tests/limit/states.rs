@@ -6,9 +6,10 @@ use std::time::Duration;
 use serde_json::Value;
 use trilith::answer::Status;
 use trilith::case;
-use trilith::external::{AnswerFile, External};
-use trilith::method::{Settings, without_lower_bounds};
-use trilith::report::json_with_states;
+use trilith::inside::json_with_states;
+use trilith::inside::without_lower_bounds;
+use trilith::inside::{AnswerFile, External};
+use trilith::method::Settings;
 use trilith::run::{Plan, answer, run};
 use trilith::scene::{HeadJoints, Push, Scene};
 
@@ -76,7 +77,7 @@ fn every_answer_is_one_of_an_outside_program() {
                 _ => Push::Left,
             };
             let scene = case.pushed(head_joints, push);
-            let exported = trilith::external::export(&scene).unwrap();
+            let exported = trilith::inside::export(&scene).unwrap();
             let exported: Value = serde_json::from_str(&exported).unwrap();
             assert_eq!(side["scene"], exported, "{name}");
             for text in side["answers"].as_array().unwrap() {
@@ -143,7 +144,7 @@ fn the_ends_of_an_interval_are_states() {
 fn scenes_name_their_blocks_and_tell_weight_from_overburden() {
     let scene = |name: &str| {
         let case = case::find(name).unwrap().remove(0);
-        let text = trilith::external::export(&case.scene(HeadJoints::Contact)).unwrap();
+        let text = trilith::inside::export(&case.scene(HeadJoints::Contact)).unwrap();
         serde_json::from_str::<Value>(&text).unwrap()
     };
     let wall = scene("overburden-1");

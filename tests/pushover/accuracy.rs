@@ -2,9 +2,10 @@
 
 use trilith::answer::Status;
 use trilith::case;
+use trilith::inside::{Parameters, solve_with};
 use trilith::judge::judge;
 use trilith::method::limit::Interval;
-use trilith::method::pushover::{Parameters, Pushover, solve_with};
+use trilith::method::pushover::Pushover;
 use trilith::method::{Accuracy, Method, PushoverSettings, Settings};
 use trilith::scene::{HeadJoints, OfBlocks, Piece, Push, Wall};
 

@@ -1,8 +1,9 @@
 //! What `--verify` compares, and head joints in contact as a range.
 
 use trilith::answer::Repetition::{HalfSubstep, Mirrored, Undamped};
-use trilith::answer::{Checked, Mechanism, Outcome, PushoverFact, SelfCheck, Status};
+use trilith::answer::{Checked, Mechanism, Outcome, SelfCheck, Status};
 use trilith::case;
+use trilith::inside::PushoverFact;
 use trilith::method::pushover::Pushover;
 use trilith::method::{Collapse, Method, Settings};
 use trilith::scene::{HeadJoints, Scene};

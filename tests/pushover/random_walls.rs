@@ -4,9 +4,10 @@
 use crate::random::Random;
 use crate::scenes::{ground, homogeneous, rectangle, scene};
 use trilith::answer::{Bracket, Outcome, Status};
+use trilith::inside::solve_with;
 use trilith::judge::judge;
 use trilith::method::limit::{Associative, Interval};
-use trilith::method::pushover::{Pushover, solve_with};
+use trilith::method::pushover::Pushover;
 use trilith::method::{Method, PushoverSettings, Settings};
 use trilith::scene::{Block, HeadJoints, Load, Scene, Vector};
 

@@ -1,7 +1,8 @@
 //! Undecided or a right answer, never a confident wrong one.
 
-use trilith::answer::{Checked, Fact, Outcome, PushoverFact, Status};
-use trilith::method::pushover::{Parameters, solve_with};
+use trilith::answer::{Checked, Fact, Outcome, Status};
+use trilith::inside::PushoverFact;
+use trilith::inside::{Parameters, solve_with};
 use trilith::method::{PushoverSettings, Settings};
 use trilith::scene::{Course, HeadJoints, OfBlocks, Piece, Point, Push, Scene, Side, Vector, Wall};
 
@@ -210,7 +211,7 @@ fn little_and_much_friction() {
         ..paper_1()
     };
     let outcome = pushed(&open(&rough));
-    let associative = trilith::method::METHODS
+    let associative = trilith::inside::METHODS
         .iter()
         .find(|m| m.name() == "associative");
     let highest = associative.and_then(|m| {
@@ -238,7 +239,7 @@ fn a_heavy_top_course() {
                 load.live *= factor;
             }
         });
-        let associative = trilith::method::METHODS
+        let associative = trilith::inside::METHODS
             .iter()
             .find(|m| m.name() == "associative");
         let exact =

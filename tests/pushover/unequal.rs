@@ -2,7 +2,8 @@
 //! whole scene would miss.
 
 use crate::scenes::{ground, rectangle, scene, weighted};
-use trilith::answer::{Bracket, Fact, Outcome, PushoverFact, Status};
+use trilith::answer::{Bracket, Fact, Outcome, Status};
+use trilith::inside::PushoverFact;
 use trilith::method::pushover::Pushover;
 use trilith::method::{Method, Settings};
 use trilith::scene::{Block, Scene};

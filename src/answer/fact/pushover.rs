@@ -152,7 +152,7 @@ impl fmt::Display for PushoverFact {
             Self::Checked(check) => check.fmt(f),
             Self::SelfCheckFailed(check) => write!(f, "a self-check failed: {check}"),
             Self::VerificationFailed(check) => {
-                write!(f, "a check under --verify failed: {check}")
+                write!(f, "a check of `verify` failed: {check}")
             }
             Self::NoBlocks => write!(f, "the scene has no blocks"),
             Self::NoWeight => write!(f, "no block has a weight"),
@@ -210,7 +210,7 @@ impl fmt::Display for PushoverFact {
             Self::RangeNotRun { pushovers, blocks } => write!(
                 f,
                 "it was not run: with head joints in contact the answer is a range over {pushovers} \
-                 pushovers, which take long on {blocks} blocks; `--long-ranges` runs them"
+                 pushovers, which take long on {blocks} blocks; the setting `long-ranges` runs them"
             ),
             Self::RangeUnfinished {
                 run,

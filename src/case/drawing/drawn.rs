@@ -41,9 +41,11 @@ pub(super) fn drawn(
     }
     let metres = options.metres.or(file.metres);
     match metres {
-        Some(metres) => remarks.push(format!("a drawing unit is {metres} m; lengths are in metres")),
+        Some(metres) => remarks.push(format!(
+            "a drawing unit is {metres} m; lengths are in metres"
+        )),
         None => remarks.push(
-            "the drawing does not say its unit of length, and is taken as it is; `--units mm` says it"
+            "the drawing does not say its unit of length, and is taken as it is; `units` says it"
                 .to_owned(),
         ),
     }
@@ -52,7 +54,7 @@ pub(super) fn drawn(
     let closed = outlines(paths.found, options.tolerance.max(TOUCHING))?;
     if let Some(path) = closed.get(MOST_BLOCKS) {
         let title = format!("more than {MOST_BLOCKS} outlines");
-        return Err(complain(path, &title).help("leave out layers: `--without LAYER`"));
+        return Err(complain(path, &title).help("leave out layers (`without`)"));
     }
     let mut names = std::collections::HashSet::new();
     let mut drawn = Vec::new();
@@ -114,7 +116,7 @@ pub(super) fn shape(path: &Path) -> Result<Polygon, Complaint> {
             Some(at) => format!("{title}, at ({}, {})", at.x, at.y),
             None => title,
         };
-        complain(path, &title).help("draw it again, or leave its layer out: `--without LAYER`")
+        complain(path, &title).help("draw it again, or leave its layer out (`without`)")
     })
 }
 

@@ -109,6 +109,6 @@ fn leads_nowhere(path: &Path, end: Point) -> Complaint {
     let label = format!("{whose}: nothing goes on from ({}, {})", end.x, end.y);
     Complaint::at(path.place.clone(), title, label).help(
         "draw each block as one closed polyline, or as lines and arcs that meet; leave other lines out \
-         with `--without LAYER`",
+         (`without`)",
     )
 }

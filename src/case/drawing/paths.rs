@@ -109,7 +109,7 @@ impl<'a> Paths<'a> {
             if self.found.len() > MOST_PATHS {
                 let what = format!("more than {MOST_PATHS} outlines and lines");
                 let complaint = entity.complain(layer, &what);
-                return Err(complaint.help("leave out layers with `--without LAYER`"));
+                return Err(complaint.help("leave out layers (`without`)"));
             }
         }
         Ok(())
@@ -142,12 +142,8 @@ impl<'a> Paths<'a> {
             kind => {
                 let help = match kind {
                     "SPLINE" | "ELLIPSE" => "draw the curve as a polyline with arcs, or flatten it",
-                    "HATCH" => {
-                        "put hatches on a layer of their own and leave it out: `--without LAYER`"
-                    }
-                    _ => {
-                        "draw blocks as closed polylines, or leave its layer out: `--without LAYER`"
-                    }
+                    "HATCH" => "put hatches on a layer of their own and leave it out (`without`)",
+                    _ => "draw blocks as closed polylines, or leave its layer out (`without`)",
                 };
                 let what = format!("{kind} is no outline of a block");
                 return Err(entity.complain(layer, &what).help(help));

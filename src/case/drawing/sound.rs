@@ -62,8 +62,8 @@ pub(super) fn sound(
     let name = near(block);
     let title = format!("{name} floats: no joints lead from it to a support");
     Err(complain(&block.path, &title).help(
-        "let an edge of it lie on an edge of a block that is held, or leave its layer out with \
-         `--without LAYER`",
+        "let an edge of it lie on an edge of a block that is held, or leave its layer out \
+         (`without`)",
     ))
 }
 
@@ -71,7 +71,7 @@ pub(super) fn sound(
 pub(super) fn beyond(options: &DrawingOptions) -> String {
     if options.tolerance < 0.01 {
         format!(
-            "correct the drawing, or heal more with `--tolerance 0.01` (a part of the smaller block's \
+            "correct the drawing, or heal more with a `tolerance` of 0.01 (a part of the smaller block's \
              extent; now {})",
             options.tolerance
         )

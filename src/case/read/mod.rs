@@ -25,7 +25,6 @@ mod spreadsheet;
 mod values;
 mod wall;
 
-pub use bodies::ReadFile;
 pub(crate) use explain::explain;
 #[cfg(test)]
 pub(super) use file::CASE_KEYS;

@@ -85,7 +85,7 @@ fn block(
             let complaint = Complaint::at(span, title, "the course says where it lies");
             return Err(complaint.help(format!(
                 "remove `{key}`; a block of another shape needs the form of explicit blocks, \
-                 which `trilith convert CASE --to blocks` writes"
+                 which `trilith convert` writes"
             )));
         }
     }

@@ -15,7 +15,7 @@ pub(super) fn totals(forces: &[JointForce]) -> Vec<f64> {
 pub enum Ending {
     /// The solver reports an optimum. That is no proof.
     Solved(Solution),
-    /// No force state satisfies the rows, for any λ; velocities as in [`Solution`] by which the
+    /// No force state satisfies the rows, for any λ; velocities as in a solution by which the
     /// solver shows that. No proof either.
     Infeasible(Vec<f64>),
     /// λ can grow without limit.

@@ -3,13 +3,13 @@
 mod associative;
 mod bound;
 mod columns;
-mod ending;
+pub(crate) mod ending;
 mod equilibration;
 mod falling;
 mod interval;
 mod numbers;
 mod own_weight;
-mod program;
+pub(crate) mod program;
 mod reduction;
 mod scale;
 mod sequential;
@@ -21,8 +21,6 @@ mod walls;
 
 pub use associative::Associative;
 pub use bound::Bound;
-pub use ending::{Ending, Solution};
 pub use interval::Interval;
 pub(crate) use interval::lowest;
-pub use program::Program;
 pub use sequential::Sequential;

@@ -18,21 +18,20 @@ mod levels;
 mod mass;
 mod measure;
 mod model;
-mod parameters;
+pub(crate) mod parameters;
 mod parts;
 mod physics;
 mod portion;
 mod range;
 mod run;
 mod search;
-mod single;
+pub(crate) mod single;
 #[cfg(test)]
 mod tests;
 mod tuned;
 mod verify;
 
-pub use parameters::Parameters;
-pub use single::solve_with;
+pub(crate) use parameters::Parameters;
 
 use crate::answer::{Observed, Outcome, PushoverFact, Status};
 use crate::method::{Collapse, Method, PushoverSettings, Settings};
@@ -155,7 +154,10 @@ fn qualified(outcome: Outcome, status: Status, fact: PushoverFact) -> Outcome {
 ///
 /// # Errors
 /// What this method cannot honour in the scene.
-pub fn parameters(scene: &Scene, settings: &PushoverSettings) -> Result<String, PushoverFact> {
+pub(crate) fn parameters(
+    scene: &Scene,
+    settings: &PushoverSettings,
+) -> Result<String, PushoverFact> {
     let asked = Asked::new(settings);
     let portion = beyond_stagger(scene, &Portion::default(), &asked.tuned).unwrap_or_default();
     let model = Model::new(scene, &portion, &asked.tuned)?;

@@ -1,8 +1,8 @@
 //! What a user may change about the methods.
 //!
 //! A new setting is one entry in the table below, and the line of the method that reads its field.
-//! From the entry follow `--NAME`, `--set NAME=VALUE`, `[settings]` and `settings.NAME` in sweeps,
-//! the help, the refusals with what is allowed, and what a report prints.
+//! From the entry follow its flag, `[settings]` and `settings.NAME` in sweeps, the help, the refusals
+//! with what is allowed, and what a report prints.
 
 mod choice;
 mod error;
@@ -32,11 +32,11 @@ settings! {
     /// Settings of the pushover.
     pushover: PushoverSettings {
         /// How accurate λ of the pushover is meant to be; the error that it states is measured on the scene.
-        accuracy: Accuracy = Accuracy::Normal, Allowed::words::<Accuracy>(), "";
+        accuracy: Accuracy = Accuracy::Normal, Allowed::Words(Accuracy::WORDS), "";
         /// Repeat each pushover with half the substep, mirrored and without damping; all must agree.
         verify: bool = false, Allowed::Switch, "";
         /// What the pushover takes for the collapse.
-        collapse: Collapse = Collapse::Runaway, Allowed::words::<Collapse>(), "";
+        collapse: Collapse = Collapse::Runaway, Allowed::Words(Collapse::WORDS), "";
         /// Run the pushovers of a range, which walls with head joints in contact need, also where they take
         /// long.
         long_ranges: bool = false, Allowed::Switch, "";
@@ -57,7 +57,7 @@ settings! {
         /// Whether the limit analyses first try the part of a wall that the crack can reach.
         reduction: bool = true, Allowed::Switch, "";
         /// Which solver solves the linear programs of the limit analyses.
-        engine: Engine = Engine::Structured, Allowed::words::<Engine>(), "";
+        engine: Engine = Engine::Structured, Allowed::Words(Engine::WORDS), "";
     }
 
     /// Settings of the sequential method; those who use it differ in them.

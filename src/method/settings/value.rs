@@ -3,10 +3,6 @@
 use std::fmt;
 use std::ops::RangeInclusive;
 
-use clap::ValueEnum;
-use clap::builder::PossibleValue;
-
-use super::choice::{Accuracy, Collapse, Engine};
 use crate::number::nine_digits;
 
 /// What a setting may be.
@@ -18,24 +14,18 @@ pub enum Allowed {
     Number(RangeInclusive<f64>),
     /// `true` or `false`.
     Switch,
-    /// One of these words.
-    Words(Vec<PossibleValue>),
+    /// One of these words, each with its meaning.
+    Words(&'static [(&'static str, &'static str)]),
 }
 
 impl Allowed {
-    /// The words of a choice.
-    pub(super) fn words<T: ValueEnum>() -> Self {
-        let words = T::value_variants().iter();
-        Allowed::Words(words.filter_map(T::to_possible_value).collect())
-    }
-
     /// Whether the text is one of these values.
     pub(super) fn holds(&self, text: &str) -> bool {
         match self {
             Allowed::Whole(range) => text.parse().is_ok_and(|value| range.contains(&value)),
             Allowed::Number(range) => text.parse().is_ok_and(|value| range.contains(&value)),
             Allowed::Switch => text.parse::<bool>().is_ok(),
-            Allowed::Words(words) => words.iter().any(|word| word.get_name() == text),
+            Allowed::Words(words) => words.iter().any(|(word, _)| *word == text),
         }
     }
 }
@@ -57,7 +47,7 @@ impl fmt::Display for Allowed {
             }
             Allowed::Switch => f.write_str("one of false, true"),
             Allowed::Words(words) => {
-                let words: Vec<&str> = words.iter().map(PossibleValue::get_name).collect();
+                let words: Vec<&str> = words.iter().map(|(word, _)| *word).collect();
                 write!(f, "one of {}", words.join(", "))
             }
         }
@@ -73,50 +63,19 @@ pub(super) trait SettingValue: Sized {
     fn written(&self) -> String;
 }
 
-impl SettingValue for usize {
-    fn read(text: &str) -> Option<Self> {
-        text.parse().ok()
-    }
-
-    fn written(&self) -> String {
-        self.to_string()
-    }
-}
-
-impl SettingValue for f64 {
-    fn read(text: &str) -> Option<Self> {
-        text.parse().ok()
-    }
-
-    fn written(&self) -> String {
-        nine_digits(*self)
-    }
-}
-
-impl SettingValue for bool {
-    fn read(text: &str) -> Option<Self> {
-        text.parse().ok()
-    }
-
-    fn written(&self) -> String {
-        self.to_string()
-    }
-}
-
-/// The words of a type are its variants, with hyphens.
-macro_rules! words {
-    ($($Type:ty),+) => {$(
+/// The types that Rust itself reads and writes.
+macro_rules! parsed {
+    ($($Type:ty: $written:expr),+) => {$(
         impl SettingValue for $Type {
             fn read(text: &str) -> Option<Self> {
-                Self::from_str(text, false).ok()
+                text.parse().ok()
             }
 
             fn written(&self) -> String {
-                let word = self.to_possible_value();
-                word.map_or_else(String::new, |word| word.get_name().to_owned())
+                $written(self)
             }
         }
     )+};
 }
 
-words!(Accuracy, Collapse, Engine);
+parsed!(usize: usize::to_string, bool: bool::to_string, f64: |value: &f64| nine_digits(*value));

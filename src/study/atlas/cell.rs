@@ -4,7 +4,6 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 use super::grid::{Grid, GridPoint};
-use super::grids::grids;
 use crate::answer::{Bracket, Status};
 use crate::method::{Method, kind};
 use crate::run::{Progress, Row, Subject, Task, run_rows};
@@ -168,11 +167,6 @@ fn task<'a>(grid: &Grid, place: &'a GridPoint, method: &'a dyn Method) -> Task<'
         determined_by: Vec::new(),
     };
     Task::new(subject, method, place.settings)
-}
-
-/// Number of places of all grids, for a method that all of them speak of.
-pub fn size(large: bool) -> usize {
-    grids(large).iter().map(|grid| grid.cells.len()).sum()
 }
 
 #[cfg(test)]

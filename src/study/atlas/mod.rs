@@ -21,10 +21,10 @@ mod towers;
 mod unequal;
 mod walls;
 
-pub use cell::{Atlas, Cell, CellVerdict, run, size};
+pub use cell::{Atlas, Cell, CellVerdict, run};
 pub use columns::Columns;
-pub use grid::{Grid, GridPoint, Known};
+pub use grid::Grid;
 pub use grids::grids;
 pub use picture::picture;
 pub use text::{csv, table};
-pub use walls::{moved, running_bond};
+pub use walls::running_bond;

@@ -14,8 +14,8 @@ mod reference;
 mod summary;
 
 pub use front::front;
-pub use ladder::{Step, ladder};
+pub use ladder::ladder;
 pub use measurement::{Chart, Measurement, csv, run};
 pub use picture::picture;
-pub use reference::{ReferenceRange, reference};
-pub use summary::{Summary, csv as summary_csv, summaries, table as summary_table};
+pub use reference::reference;
+pub use summary::{csv as summary_csv, summaries, table as summary_table};

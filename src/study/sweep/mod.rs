@@ -30,5 +30,5 @@ pub use csv_files::times_csv;
 pub use library::embedded;
 pub use picture::{sweep_picture, sweep_pictures};
 pub use plan::Sweep;
-pub use points::{SweepError, SweepTable, Variable, VariableKind};
+pub use points::{SweepTable, VariableKind};
 pub use shard::{MOST_SHARDS, Shard, merge};

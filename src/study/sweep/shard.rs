@@ -129,7 +129,7 @@ pub fn merge(points: &[Task], folder: &Path) -> Result<Vec<Row>, Complaint> {
 fn files(folder: &Path) -> Result<Vec<(Shard, PathBuf)>, Complaint> {
     let entries = std::fs::read_dir(folder).map_err(|error| {
         Complaint::new(format!("cannot read {}: {error}", folder.display()))
-            .help("run the shards first, with the same `--out`: `trilith sweep FILE --shard 1/4`")
+            .help("run the shards of the sweep first, with the same folder")
     })?;
     let paths = entries.flatten().map(|entry| entry.path());
     let mut files: Vec<(Shard, PathBuf)> = paths
@@ -195,9 +195,7 @@ fn incomplete(points: &[Task], missing: &[usize], there: &[Shard], folder: &Path
         listed.join(", ")
     );
     let help = match there.last() {
-        None => {
-            "there is no file of a shard; run `trilith sweep FILE --shard 1/4` and so on".into()
-        }
+        None => "there is no file of a shard; run shard 1/4 of the sweep and so on".into(),
         Some(&Shard { count, .. }) => {
             let turns = turns(points);
             let mut shards: Vec<usize> = missing.iter().map(|&i| turns[i] % count + 1).collect();

@@ -3,8 +3,9 @@
 mod piles;
 
 use piles::{CLASSES, of_class};
-use trilith::answer::{Fact, LimitFact, Outcome, Status, falling_violation};
+use trilith::answer::{Fact, Outcome, Status};
 use trilith::case::Case;
+use trilith::inside::{LimitFact, falling_violation};
 use trilith::judge::judge;
 use trilith::method::limit::{Associative, Interval};
 use trilith::method::{Method, Settings};
@@ -95,7 +96,7 @@ fn export() {
     };
     for (class, (_, truth)) in CLASSES.iter().enumerate() {
         for index in 0..truth.len() {
-            let scene = trilith::external::export(&of_class(class, index)).expect("a scene");
+            let scene = trilith::inside::export(&of_class(class, index)).expect("a scene");
             let path = format!("{folder}/{class}-{index:03}.json");
             std::fs::write(path, scene).expect("a folder that can be written");
         }
