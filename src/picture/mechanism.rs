@@ -7,20 +7,8 @@ use super::path::{Path, Pixel};
 use super::svg::{Svg, style};
 use super::tints::tints;
 use super::wall::line_width;
-use crate::mechanics::Mechanism;
-use crate::mechanics::{RigidPart, in_words, parts};
-use crate::method::{Kind, kind};
+use crate::mechanics::{Mechanism, RigidPart, in_words, parts};
 use crate::scene::{Joint, Scene, Side};
-
-/// Relative motion, as a fraction of the scene's largest corner velocity, below which two blocks
-/// move alike and a joint neither slides nor opens. It is larger for what was observed in a pushover, whose displacements
-/// include the compression of its contacts.
-pub fn threshold(method: &str) -> f64 {
-    match kind(method) {
-        Kind::Observed => 1e-2,
-        _ => 1e-4,
-    }
-}
 
 /// Bodies that move from which on tints say nothing any more: blocks are coloured by how far they move.
 const MANY: usize = 20;
@@ -62,12 +50,12 @@ pub struct Occurring {
 }
 
 impl<'a> DrawnMechanism<'a> {
-    /// The mechanism that a method found, or the wall at rest.
-    pub fn new(scene: &'a Scene, mechanism: Option<&'a Mechanism>, method: &str) -> Self {
+    /// A mechanism, or the wall at rest. `threshold` is the relative motion, as a part of the fastest,
+    /// below which nothing moves.
+    pub fn new(scene: &'a Scene, mechanism: Option<&'a Mechanism>, threshold: f64) -> Self {
         let still = Mechanism {
             motions: vec![Default::default(); scene.blocks().len()],
         };
-        let threshold = threshold(method);
         let moved = mechanism.unwrap_or(&still);
         let parts = parts(scene, moved, threshold);
         let count = parts.iter().filter(|part| part.moves).count();

@@ -50,7 +50,6 @@ pub(crate) use replay::{Replay, replay};
 
 pub use dxf::dxf;
 pub use figure::figure;
-pub use mechanism::threshold;
 #[cfg(feature = "print")]
 pub(crate) use print::{PrintError, pdf, png};
 pub use view::{Options, View};

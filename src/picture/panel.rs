@@ -46,7 +46,7 @@ impl<'a> Panel<'a> {
             Contents::Mechanism => outcome.evidence.mechanism(),
             Contents::Forces => None,
         };
-        let drawn = DrawnMechanism::new(scene, mechanism, &view.row.method);
+        let drawn = DrawnMechanism::new(scene, mechanism, outcome.evidence.still());
         let (mut low, mut high) = drawn.displacement.bounds();
         if view.is_macro_block() {
             let reach = crack::TURN * scene.height();

@@ -53,7 +53,8 @@ pub struct Poses {
 
 /// The replay of an answer about a scene; `None` where it holds no recording.
 pub fn replay(scene: &Scene, row: &Row, title: &str) -> Option<Replay> {
-    let recording = row.outcome.evidence.observed()?.recording.as_ref()?;
+    let evidence = &row.outcome.evidence;
+    let recording = evidence.observed()?.recording.as_ref()?;
     let kept = thinned(recording.frames.len());
     let frames: Vec<&Mechanism> = kept.iter().map(|&at| &recording.frames[at]).collect();
     let farthest = frames.iter().map(|frame| farthest(scene, frame));
@@ -67,7 +68,7 @@ pub fn replay(scene: &Scene, row: &Row, title: &str) -> Option<Replay> {
         scale,
         corner: (low, [left, height - BORDER]),
     };
-    let drawn = DrawnMechanism::new(scene, row.outcome.evidence.mechanism(), &row.method);
+    let drawn = DrawnMechanism::new(scene, evidence.mechanism(), evidence.still());
     let times = kept.iter().map(|&at| at as f64 * recording.interval);
     Some(Replay {
         svg: as_laid(scene, &frame, &drawn.fills(), (low, high)).document([WIDTH, height], title),

@@ -3,9 +3,6 @@
 use crate::mechanics::RigidPart;
 use crate::scene::{Scene, Side};
 
-/// Steps of the search for tints; real walls take hundreds.
-const STEPS: usize = 100_000;
-
 /// Gap between blocks that count as neighbours, as a part of the smaller one's smaller side.
 const NEAR: f64 = 0.05;
 
@@ -24,38 +21,14 @@ pub fn tints(scene: &Scene, parts: &[RigidPart], tints: usize) -> Option<Vec<Opt
     }
     // The part with the most neighbours first: it is the hardest to please.
     order.sort_by_key(|&part| std::cmp::Reverse(beside[part].len()));
-    let mut steps = STEPS;
-    give(&order, 0, &beside, tints, &mut given, &mut steps).then_some(given)
-}
-
-/// Gives tints to the parts from `at` on, going round the palette so that all of it is used.
-fn give(
-    order: &[usize],
-    at: usize,
-    beside: &[Vec<usize>],
-    tints: usize,
-    given: &mut Vec<Option<usize>>,
-    steps: &mut usize,
-) -> bool {
-    let Some(&part) = order.get(at) else {
-        return true;
-    };
-    for step in 0..tints - 1 {
-        if *steps == 0 {
-            return false;
-        }
-        *steps -= 1;
-        let tint = Some(1 + (at + step) % (tints - 1));
-        if beside[part].iter().any(|&other| given[other] == tint) {
-            continue;
-        }
-        given[part] = tint;
-        if give(order, at + 1, beside, tints, given, steps) {
-            return true;
-        }
-        given[part] = None;
+    // Going round the palette, so that all of it is used.
+    for (at, &part) in order.iter().enumerate() {
+        let palette = (0..tints - 1).map(|step| Some(1 + (at + step) % (tints - 1)));
+        let is_free =
+            |tint: &Option<usize>| beside[part].iter().all(|&other| given[other] != *tint);
+        given[part] = palette.into_iter().find(is_free)?;
     }
-    false
+    Some(given)
 }
 
 /// The parts beside each part: those with a joint between them, and those of blocks that are near each

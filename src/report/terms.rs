@@ -8,7 +8,6 @@ use crate::judge::Conclusion;
 use crate::mechanics::Mechanism;
 use crate::mechanics::{RigidPart, parts};
 use crate::number::short;
-use crate::picture::threshold;
 use crate::run::{CaseResult, Row};
 use crate::scene::{Joint, JointClass, Point, Push, Scene, Side, Vector};
 
@@ -87,7 +86,7 @@ struct Moved<'a> {
 
 impl<'a> Moved<'a> {
     fn new(scene: &'a Scene, mechanism: &'a Mechanism, row: &Row) -> Self {
-        let parts = parts(scene, mechanism, threshold(&row.method));
+        let parts = parts(scene, mechanism, row.outcome.evidence.still());
         let mut part_of = vec![0; scene.blocks().len()];
         for (index, part) in parts.iter().enumerate() {
             part.blocks.iter().for_each(|&block| part_of[block] = index);

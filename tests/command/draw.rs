@@ -5,7 +5,7 @@ use crate::scenes;
 use trilith::answer::{Outcome, Status};
 use trilith::case::find;
 use trilith::inside::parts;
-use trilith::inside::{Options, View, figure, threshold};
+use trilith::inside::{Options, View, figure};
 use trilith::method::limit::{Associative, Interval};
 use trilith::method::{MacroBlock, Method, Settings};
 use trilith::run::{Row, answer};
@@ -198,11 +198,7 @@ fn captions_say_what_was_found() {
 fn rigid_parts_hold_every_block_once() {
     let scene = paper_1();
     let outcome = row(&scene, &Interval).outcome;
-    let found = parts(
-        &scene,
-        outcome.evidence.mechanism().unwrap(),
-        threshold("interval"),
-    );
+    let found = parts(&scene, outcome.evidence.mechanism().unwrap(), 1e-4);
     let mut blocks: Vec<usize> = found.iter().flat_map(|part| part.blocks.clone()).collect();
     blocks.sort_unstable();
     assert_eq!(blocks, (0..33).collect::<Vec<_>>());
