@@ -166,8 +166,11 @@ fn percent(error: f64) -> String {
     number(100.0 * error, 2)
 }
 
+/// What is counted of rows, in words, and which rows.
+type Count = (&'static str, fn(&Row) -> bool);
+
 /// What is counted of a method over all cases.
-const COUNTS: [(&str, fn(&Row) -> bool); 11] = [
+const COUNTS: [Count; 11] = [
     ("scenes", |_| true),
     ("numbers", |row| row.bracket().is_some()),
     ("verified", |row| row.status() == Status::Verified),
@@ -195,7 +198,7 @@ fn methods(results: &[CaseResult], layout: Layout) -> String {
     for (_, row) in rows(results) {
         of_methods.entry(&row.method).or_default().push(row);
     }
-    let part = |shown: &[(&'static str, fn(&Row) -> bool)]| {
+    let part = |shown: &[Count]| {
         let headings = shown.iter().map(|(heading, _)| numbers(heading));
         let headings: Vec<_> = std::iter::once(words("method")).chain(headings).collect();
         let lines = of_methods.iter().map(|(name, own)| {

@@ -29,7 +29,7 @@ fn assert_falls(scene: &Scene) {
         );
         assert!(outcome.bracket().is_none());
         let mechanism = outcome.evidence.mechanism().expect("with a mechanism");
-        assert!(falling_violation(scene, &mechanism) <= 1e-8);
+        assert!(falling_violation(scene, mechanism) <= 1e-8);
     }
 }
 

@@ -138,8 +138,8 @@ proptest! {
         let outcome = Associative.solve(&scene, &Settings::default());
         let bracket = outcome.bracket().expect("a wall on level ground collapses");
         let forces = outcome.evidence.forces().expect("with forces").1;
-        prop_assert!(StaticResidual::of(&scene, &forces, bracket.lower).largest() <= 1e-8);
-        let upper = kinematic_multiplier(&scene, &outcome.evidence.mechanism().expect("with a mechanism"));
+        prop_assert!(StaticResidual::of(&scene, forces, bracket.lower).largest() <= 1e-8);
+        let upper = kinematic_multiplier(&scene, outcome.evidence.mechanism().expect("with a mechanism"));
         prop_assert!((upper - bracket.upper).abs() < 1e-12 && bracket.lower <= upper + 1e-9);
     }
 }

@@ -215,7 +215,7 @@ fn thrust_runs_inside_the_arch_and_adds_up_in_a_pier() {
     let scene = arch.scene(HeadJoints::Contact);
     let line = thrust(
         &scene,
-        &outcome.evidence.forces().expect("forces prove it").1,
+        outcome.evidence.forces().expect("forces prove it").1,
     )
     .lines;
     assert_eq!(line.len(), 1);
@@ -236,7 +236,7 @@ fn thrust_runs_inside_the_arch_and_adds_up_in_a_pier() {
     let scene = pier.scene(HeadJoints::Contact);
     let way = thrust(
         &scene,
-        &outcome.evidence.forces().expect("forces prove it").1,
+        outcome.evidence.forces().expect("forces prove it").1,
     );
     assert_eq!(way.courses.len(), 4);
     for (course, of) in way.courses.iter().enumerate() {

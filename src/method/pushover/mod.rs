@@ -18,6 +18,7 @@ mod levels;
 mod mass;
 mod measure;
 mod model;
+mod observing;
 pub(crate) mod parameters;
 mod parts;
 mod physics;
@@ -33,11 +34,12 @@ mod verify;
 
 pub(crate) use parameters::Parameters;
 
-use crate::answer::{Observed, Outcome, PushoverFact, Status};
+use crate::answer::{Outcome, PushoverFact, Status};
 use crate::method::{Collapse, Method, PushoverSettings, Settings};
 use crate::scene::Scene;
 use levels::by_levels;
 use model::Model;
+use observing::observing;
 use parameters::{Asked, FIRST_SLIP};
 use parts::weakest;
 use portion::{Portion, beyond_stagger};
@@ -67,16 +69,8 @@ impl Method for Pushover {
             _ if is_coarser(settings) => without_calibration(outcome),
             _ => outcome,
         };
-        seen(outcome, |_| ())
+        observing(outcome, |_| ())
     }
-}
-
-/// The outcome with a change of what was seen.
-fn seen(mut outcome: Outcome, change: impl FnOnce(&mut Observed)) -> Outcome {
-    let mut observed = outcome.evidence.into_observed();
-    change(&mut observed);
-    outcome.evidence = observed.into();
-    outcome
 }
 
 /// The answer of one connected part: levels whose differences tell the error, or a range where there
@@ -101,7 +95,7 @@ fn answer(scene: &Scene, part: &Portion, asked: Asked) -> Outcome {
     }
     let levels = by_levels(scene, part, asked);
     if let Some(agreed) = levels.agreed {
-        return seen(levels.last, |observed| {
+        return observing(levels.last, |observed| {
             observed.bracket = Some(agreed.bracket);
             observed.stated_error = Some(agreed.error);
         });
@@ -147,7 +141,7 @@ fn qualified(outcome: Outcome, status: Status, fact: PushoverFact) -> Outcome {
         facts,
         ..outcome
     };
-    seen(outcome, |observed| observed.stated_error = None)
+    observing(outcome, |observed| observed.stated_error = None)
 }
 
 /// Every parameter with its unit, one a line, as the pushover of this scene begins with them.

@@ -1,7 +1,7 @@
 //! Scenes of several connected parts: the part that collapses first decides.
 
+use super::observing::observing;
 use super::portion::Portion;
-use super::seen;
 use crate::answer::{Bracket, Fact, Outcome, PushoverFact, Status};
 use crate::scene::Scene;
 
@@ -31,7 +31,7 @@ pub fn weakest(scene: &Scene, answer: impl Fn(&Portion) -> Outcome) -> Outcome {
     let checks = checks.collect();
     let mut outcome = decisive(scene, answers);
     outcome.work.block_steps = block_steps;
-    seen(outcome, |observed| observed.checks = checks)
+    observing(outcome, |observed| observed.checks = checks)
 }
 
 /// The answer of the part that decides.
@@ -73,7 +73,7 @@ fn beside(outcome: Outcome, bracket: Bracket, others: &[(&Portion, Outcome)]) ->
         lower = lower.min(other);
         most = most.map(|most| most.max(error));
     }
-    seen(outcome, |observed| {
+    observing(outcome, |observed| {
         observed.bracket = Some(Bracket { lower, ..bracket });
         observed.stated_error = most;
     })

@@ -3,6 +3,7 @@
 use super::checks::{self, AtRest, check};
 use super::measure;
 use super::model::{GRID, Model};
+use super::observing::observing;
 use super::parameters::{Asked, Parameters};
 use super::physics::{BodyState, Physics};
 use super::portion::{Portion, beyond_stagger};
@@ -127,7 +128,7 @@ fn judged(
     if let Some(failed) = failed.filter(|_| parameters.self_checks) {
         let fact = PushoverFact::SelfCheckFailed(failed.clone());
         let undecided = Outcome::without_number(Status::Undecided, fact);
-        return super::seen(undecided, |observed| observed.checks = checks);
+        return observing(undecided, |observed| observed.checks = checks);
     }
     let moved = |frame: &Vec<BodyState>| mechanism(scene, model, &seen.settled.states, frame);
     let mechanism = mechanism(scene, model, &seen.rest.states, &seen.collapsed);

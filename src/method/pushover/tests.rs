@@ -195,7 +195,8 @@ fn verification_passes_on_a_column_and_fails_on_a_foreign_bracket() {
             .iter()
             .all(|check| check.passed())
     );
-    outcome = super::seen(outcome, |seen| seen.bracket = Some(Bracket::point(0.41)));
+    outcome =
+        super::observing::observing(outcome, |seen| seen.bracket = Some(Bracket::point(0.41)));
     assert!(
         verify(&scene, &PushoverSettings::default(), &outcome)
             .iter()

@@ -1,8 +1,8 @@
 //! Checks that cost further runs: half the substep, the mirrored scene, no kinetic damping.
 
 use super::checks::repetition_agrees;
+use super::observing::observing;
 use super::parameters::Parameters;
-use super::seen;
 use super::single::solve_with;
 use crate::answer::{Fact, Outcome, PushoverFact, Repetition, SelfCheck, Status};
 use crate::method::PushoverSettings;
@@ -22,14 +22,14 @@ pub fn confirmed(scene: &Scene, settings: &PushoverSettings, outcome: Outcome) -
             work: outcome.work,
             ..Outcome::without_number(Status::Undecided, fact)
         };
-        return seen(refused, |observed| observed.checks = checks);
+        return observing(refused, |observed| observed.checks = checks);
     }
     let facts = repeated.into_iter().map(PushoverFact::Checked);
     let confirmed = Outcome {
         facts: facts.map(Fact::from).collect(),
         ..outcome
     };
-    seen(confirmed, |observed| observed.checks = checks)
+    observing(confirmed, |observed| observed.checks = checks)
 }
 
 /// Repeats a bracketed pushover with half the substep, on the mirrored scene and without kinetic

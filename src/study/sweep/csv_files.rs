@@ -2,17 +2,8 @@
 
 use indexmap::IndexSet;
 
-use super::points::SweepTable;
+use super::points::{ANSWER, SCENE, SweepTable};
 use crate::run::{COLUMNS, Column, ColumnKind, Partial, Row, Value, csv, values};
-
-/// Columns of `sweep.csv` before those of what varies: the contract's without the time.
-pub(super) const ANSWER: [&str; 10] = [
-    "case", "method", "status", "lower", "upper", "tan_beta", "c", "e", "residual", "reason",
-];
-
-/// Columns of `sweep.csv` behind those of what varies: the scene's, and last the worst of what the
-/// methods say about each other.
-pub(super) const SCENE: [&str; 5] = ["blocks", "joints", "friction", "push", "verdict"];
 
 /// Columns of `times.csv` behind the id and before those of what varies; the effort stands last.
 const TASK: [&str; 2] = ["case", "method"];

@@ -5,9 +5,17 @@ use std::path::Path;
 
 use indexmap::IndexSet;
 
-use super::csv_files::{ANSWER, SCENE};
 use crate::files::{Input, read_input};
 use crate::run::{PARTIAL_MARK, Value};
+
+/// Columns of `sweep.csv` before those of what varies: the contract's without the time.
+pub(super) const ANSWER: [&str; 10] = [
+    "case", "method", "status", "lower", "upper", "tan_beta", "c", "e", "residual", "reason",
+];
+
+/// Columns of `sweep.csv` behind those of what varies: the scene's, and last the worst of what the
+/// methods say about each other.
+pub(super) const SCENE: [&str; 5] = ["blocks", "joints", "friction", "push", "verdict"];
 
 /// A sweep's points.
 pub struct SweepTable {

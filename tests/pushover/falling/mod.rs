@@ -23,7 +23,7 @@ fn letter(scene: &Scene) -> char {
     match outcome.status {
         Status::Falls => {
             let mechanism = outcome.evidence.mechanism().expect("with a mechanism");
-            assert!(falling_violation(scene, &mechanism) <= 1e-8);
+            assert!(falling_violation(scene, mechanism) <= 1e-8);
             'f'
         }
         Status::Verified | Status::Bracketed | Status::Stands => 's',

@@ -18,7 +18,7 @@ fn proofs_do_not_hang_on_tuned_numbers() {
                 let outcome = solve_with(&scene, &Settings::default(), parameters);
                 let bracket = outcome.bracket().expect("there is a bound and a state");
                 let certificate = outcome.evidence.certificate().expect("it is certified");
-                let proved = prove(&scene, &certificate);
+                let proved = prove(&scene, certificate);
                 println!("{name}: {bracket:?}");
                 let is_proved = proved.is_ok_and(|proved| proved.lower >= bracket.lower);
                 if !is_proved || bracket.lower > LOWEST || bracket.lower < 0.99 * LOWEST {

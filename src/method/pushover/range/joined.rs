@@ -1,7 +1,7 @@
 //! One outcome of all pushovers of a range.
 
 use super::super::levels::rounded_up;
-use super::super::seen as seen_by;
+use super::super::observing::observing;
 use crate::answer::{
     Bracket, Fact, Observed, Outcome, PushoverFact, SelfCheck, Status, Variation, magnitude,
 };
@@ -75,7 +75,7 @@ pub fn joined(runs: Runs, spent: usize, error: Option<f64>, facts: Vec<Fact>) ->
         },
     };
     outcome.work.block_steps = block_steps;
-    seen_by(outcome, |observed| observed.checks = checks)
+    observing(outcome, |observed| observed.checks = checks)
 }
 
 /// A scene that falls however it is varied falls.

@@ -1,7 +1,7 @@
 //! The range of a scene on whose multiplier the levels disagree.
 
 use super::super::levels::Levels;
-use super::super::seen;
+use super::super::observing::observing;
 use super::joined::{covered, hull, joined, moved};
 use super::{Conditions, End, STIFFNESSES, Varied};
 use crate::answer::{Bracket, Outcome, PushoverFact, Status};
@@ -56,7 +56,7 @@ impl Varied<'_> {
         let coarse = last_two.iter().copied().fold(coarse, hull);
         let error = moved(coarse, &runs, self.unit());
         let outcome = joined(runs, spent, error, vec![fact.into()]);
-        seen(outcome, |observed| {
+        observing(outcome, |observed| {
             observed.bracket = observed.bracket.map(|range| hull(range, coarse));
         })
     }
