@@ -12,7 +12,7 @@ use crate::number::short;
 use crate::scene::{HeadJoints, Push};
 
 /// The judged answer of one task. Files keep what its task and method say of it; what its case says is
-/// found again, see [`Row::compare`].
+/// found again when it is compared.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Row {
