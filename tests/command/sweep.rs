@@ -488,7 +488,10 @@ fn arguments_that_make_no_sense_are_refused() {
             "write K/N",
         ),
         (&["sweep", "small.sweep.toml", "--slurm", "0"], "1..=1000"),
-        (&["merge", "small.sweep.toml"], "run the shards of the sweep first"),
+        (
+            &["merge", "small.sweep.toml"],
+            "run the shards of the sweep first",
+        ),
         (&["run", "small.sweep.toml"], "a sweep and not a case"),
     ] {
         let output = trilith(folder.path(), arguments);

@@ -9,9 +9,8 @@ use trilith::judge::Verdict;
 use trilith::method::{Settings, defaults};
 use trilith::run::{CaseResult, Plan};
 
-/// Walls of more blocks than this have the record of their pushover in an ignored test: it takes
-/// more than about 5 s.
-const QUICK_PUSHOVER: usize = 300;
+/// Walls of more blocks than this have their records in ignored tests: they take minutes unoptimised.
+const QUICK: usize = 300;
 
 /// The one case of a file.
 pub fn read(path: &Path) -> Case {
@@ -21,12 +20,10 @@ pub fn read(path: &Path) -> Case {
     cases.remove(0)
 }
 
-/// Whether the case's pushover belongs to the long records.
+/// Whether the case belongs to the long records.
 pub fn is_long(case: &Case) -> bool {
     let blocks = |head| case.scene(head).blocks().len();
-    case.head_joints
-        .iter()
-        .any(|&head| blocks(head) > QUICK_PUSHOVER)
+    case.head_joints.iter().any(|&head| blocks(head) > QUICK)
 }
 
 /// Runs the methods that `wanted` names, compares the record with the snapshot `name`, and asserts

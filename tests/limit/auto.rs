@@ -65,6 +65,7 @@ fn holds_on_the_library(blocks: std::ops::Range<usize>, least: usize) {
 }
 
 #[test]
+#[ignore = "the whole library: in release"]
 fn auto_is_right_or_undecided_on_the_library() {
     holds_on_the_library(0..300, 80);
 }

@@ -155,17 +155,21 @@ fn mirrored_scenes_give_the_same_multiplier() {
     }
 }
 
-/// Pushed both ways, the weaker side answers, with its own mechanism; pushed one way, that side.
 #[test]
 fn the_weaker_of_both_sides_is_the_answer() {
+    the_weaker_side_answers(&["triangle-both", "slope-both", "eccentric-load-both"]);
+}
+
+#[test]
+#[ignore = "long walls, pushed six times: in release"]
+fn the_weaker_of_both_sides_is_the_answer_on_walls() {
+    the_weaker_side_answers(&["running-third", "running-quarter"]);
+}
+
+/// Pushed both ways, the weaker side answers, with its own mechanism; pushed one way, that side.
+fn the_weaker_side_answers(names: &[&str]) {
     let settings = Settings::default();
-    for name in [
-        "triangle-both",
-        "slope-both",
-        "eccentric-load-both",
-        "running-third",
-        "running-quarter",
-    ] {
+    for &name in names {
         let case = case(name);
         for method in [&Associative as &dyn Method, &Interval] {
             for &head_joints in &case.head_joints {
