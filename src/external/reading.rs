@@ -97,25 +97,14 @@ fn evidence(scene: &Scene, answer: &AnswerFile) -> Result<Evidence, ProgramFailu
                 crack,
             }
         }
-        AnswerKind::Estimate => {
-            let lower = lambda()?;
-            let upper = answer.upper.unwrap_or(lower);
-            // Written so that a NaN is refused.
-            let ordered = lower <= upper;
-            if !ordered {
-                return Err(ProgramFailure::EndsCross { lower, upper });
-            }
-            Evidence::Number {
-                bracket: Bracket { lower, upper },
-                stated_error: answer.stated_error,
-                forces: forces.map(|forces| ForceState {
-                    lambda: lower,
-                    forces,
-                }),
-                mechanism: velocities,
-                crack,
-            }
-        }
+        AnswerKind::Estimate => Evidence::Number {
+            bracket: range(lambda()?, answer.upper)?,
+            stated_error: answer.stated_error,
+            forces: (forces.zip(answer.lambda))
+                .map(|(forces, lambda)| ForceState { lambda, forces }),
+            mechanism: velocities,
+            crack,
+        },
         AnswerKind::Falls => {
             velocities.map_or(Evidence::Nothing, |mechanism| Evidence::Falls { mechanism })
         }
@@ -153,6 +142,16 @@ fn status(kind: AnswerKind) -> Status {
         AnswerKind::Falls => Status::Falls,
         AnswerKind::Undecided => Status::Undecided,
         AnswerKind::NotApplicable => Status::NotApplicable,
+    }
+}
+
+/// An estimate, or the range of one.
+fn range(lower: f64, upper: Option<f64>) -> Result<Bracket, ProgramFailure> {
+    let upper = upper.unwrap_or(lower);
+    if lower <= upper {
+        Ok(Bracket { lower, upper })
+    } else {
+        Err(ProgramFailure::EndsCross { lower, upper })
     }
 }
 

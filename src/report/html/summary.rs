@@ -22,26 +22,7 @@ pub fn summary(results: &[CaseResult]) -> Markup {
     };
     let bad = verdicts(Verdict::Violated) + statuses(Status::Failed);
     let undecided = statuses(Status::Undecided);
-    let headline = match bad {
-        0 => "Nothing is violated",
-        _ => "Something is violated or failed: see below",
-    };
-    let open_ends = [
-        (undecided, "undecided"),
-        (verdicts(Verdict::NotDecided), "not decided"),
-    ];
-    let open_ends = open_ends.iter().zip(["result", "check"]);
-    let open_ends: Vec<String> = open_ends
-        .filter(|((count, _), _)| *count > 0)
-        .map(|((count, word), of)| match count {
-            1 => format!("1 {of} is {word}"),
-            _ => format!("{count} {of}s are {word}"),
-        })
-        .collect();
-    let headline = match open_ends.as_slice() {
-        [] => format!("{headline}."),
-        all => format!("{headline}; {}.", all.join(", ")),
-    };
+    let headline = headline(bad, undecided, verdicts(Verdict::NotDecided));
     // Every result is in one tile of the first list, every check in one of the second.
     let of_status = |status: &Status| {
         let class = match status {
@@ -106,5 +87,28 @@ pub fn summary(results: &[CaseResult]) -> Markup {
                 &open,
             ))
         }
+    }
+}
+
+/// Whether all is well, and how much is left open.
+fn headline(bad: usize, undecided: usize, not_decided: usize) -> String {
+    let headline = match bad {
+        0 => "Nothing is violated",
+        _ => "Something is violated or failed: see below",
+    };
+    let open_ends = [
+        (undecided, "undecided", "result"),
+        (not_decided, "not decided", "check"),
+    ];
+    let open_ends = open_ends.iter().filter(|(count, ..)| *count > 0);
+    let open_ends: Vec<String> = open_ends
+        .map(|(count, word, of)| match count {
+            1 => format!("1 {of} is {word}"),
+            _ => format!("{count} {of}s are {word}"),
+        })
+        .collect();
+    match open_ends.as_slice() {
+        [] => format!("{headline}."),
+        all => format!("{headline}; {}.", all.join(", ")),
     }
 }
