@@ -12,6 +12,30 @@ pub fn number(value: f64, decimals: usize) -> String {
     }
 }
 
+/// `value` with fixed decimals, never more than it is: how the lower end of a proof is printed.
+pub fn below(value: f64, decimals: usize) -> String {
+    rounded_to(value, decimals, -1.0)
+}
+
+/// `value` with fixed decimals, never less than it is: how the upper end of a proof is printed.
+pub fn above(value: f64, decimals: usize) -> String {
+    rounded_to(value, decimals, 1.0)
+}
+
+/// Rounded to the nearest, and by one in the last digit towards `sign` where that lies on the wrong side.
+fn rounded_to(value: f64, decimals: usize, sign: f64) -> String {
+    let nearest = number(value, decimals);
+    let is_wrong = |text: &str| {
+        text.parse::<f64>()
+            .is_ok_and(|near| sign * near < sign * value)
+    };
+    if !is_wrong(&nearest) {
+        return nearest;
+    }
+    let step = 10f64.powi(-(decimals as i32));
+    number(value + sign * step / 2.0, decimals)
+}
+
 /// As [`number`], without trailing zeros.
 pub fn short(value: f64, decimals: usize) -> String {
     let text = number(value, decimals);
@@ -36,6 +60,18 @@ pub fn nine_digits(value: f64) -> String {
     }
 }
 
+/// `value` with 9 significant digits, rounded towards `sign` where the nearest lies on the other side.
+pub fn nine_outwards(value: f64, sign: f64) -> f64 {
+    let nearest: f64 = nine_digits(value).parse().unwrap_or(value);
+    if sign * nearest >= sign * value {
+        return nearest;
+    }
+    let step = 10f64.powi(value.abs().log10().floor() as i32 - 8);
+    nine_digits(value + sign * step / 2.0)
+        .parse()
+        .unwrap_or(value)
+}
+
 /// A relative amount as a percentage: one decimal, and two below 0.1 %.
 pub fn percent(relative: f64) -> String {
     let percent = 100.0 * relative;
@@ -46,6 +82,30 @@ pub fn percent(relative: f64) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn ends_of_proofs_are_rounded_outwards() {
+        assert_eq!(below(0.289_523_821, 6), "0.289523");
+        assert_eq!(above(0.289_523_821, 6), "0.289524");
+        assert_eq!(above(0.289_523_121, 6), "0.289524");
+        assert_eq!(
+            (below(0.5, 5), above(0.5, 5)),
+            ("0.50000".into(), "0.50000".into())
+        );
+        assert_eq!(
+            (below(-0.000_001, 5), above(-0.000_001, 5)),
+            ("-0.00001".into(), "0.00000".into())
+        );
+        assert_eq!(
+            (below(0.999_999_9, 3), above(0.999_999_9, 3)),
+            ("0.999".into(), "1.000".into())
+        );
+        assert_eq!(above(f64::NAN, 2), "-");
+        assert_eq!(nine_outwards(0.123_456_789_4, 1.0), 0.123_456_79);
+        assert_eq!(nine_outwards(0.123_456_789_4, -1.0), 0.123_456_789);
+        assert_eq!(nine_outwards(99.999_999_99, -1.0), 99.999_999_9);
+        assert_eq!(nine_outwards(0.0, 1.0), 0.0);
+    }
 
     #[test]
     fn no_negative_zero_and_no_non_finite_number() {

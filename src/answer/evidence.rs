@@ -149,6 +149,39 @@ impl Evidence {
         }
     }
 
+    /// Whether the lower and the upper end are bounds rather than multipliers of a state, or numbers.
+    pub fn bounds(&self) -> [bool; 2] {
+        match self {
+            Evidence::Bounds { .. } => [true, true],
+            Evidence::Enclosed { .. } => [false, true],
+            Evidence::Bounded { .. } => [true, false],
+            Evidence::Nothing
+            | Evidence::ClosedForm { .. }
+            | Evidence::Number { .. }
+            | Evidence::State { .. }
+            | Evidence::States { .. }
+            | Evidence::Observed(_)
+            | Evidence::Falls { .. }
+            | Evidence::Stands { .. } => [false, false],
+        }
+    }
+
+    /// The least multiplier at which the evidence has a collapse: that of the lowest state, of what
+    /// bounds λ_A alone the upper end, else the lower end.
+    pub fn collapse_known(&self) -> Option<f64> {
+        match self {
+            Evidence::Bounds { .. } => Some(self.bracket()?.upper),
+            Evidence::States { .. }
+            | Evidence::State { .. }
+            | Evidence::Enclosed { .. }
+            | Evidence::Bounded { .. } => Some(self.states().first()?.lambda),
+            Evidence::ClosedForm { .. } | Evidence::Number { .. } | Evidence::Observed(_) => {
+                Some(self.bracket()?.lower)
+            }
+            Evidence::Nothing | Evidence::Falls { .. } | Evidence::Stands { .. } => None,
+        }
+    }
+
     /// The crack, where there is one.
     pub fn crack(&self) -> Option<&Crack> {
         match self {

@@ -22,7 +22,7 @@ pub(crate) use fact::{
     AutoFact, BoundFact, CeilingSlack, Coverage, InapplicableForm, Invalid, JudgedFact, LimitFact,
     ProgramEnding, ProgramFailure, PushoverFact, Residuals, SearchEnding, SearchFacts,
     SearchFailure, SearchStart, SequentialEnding, SequentialFacts, SideFact, SolverEnding,
-    StartEnding, Uniqueness,
+    StartEnding, Uniqueness, sentence, write_floor,
 };
 pub use outcome::Outcome;
 pub use recording::Recording;

@@ -4,9 +4,10 @@ use serde::{Deserialize, Serialize};
 
 use super::bracket::Bracket;
 use super::evidence::Evidence;
-use super::fact::{self, Fact, JudgedFact, SearchFacts};
+use super::fact::{BoundFact, Fact, JudgedFact, SearchFacts, sentence};
 use super::status::Status;
 use super::work::Work;
+use crate::certificate::Proved;
 
 /// The answer of one method for one scene.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -55,14 +56,7 @@ impl Outcome {
 
     /// The facts as one text; empty where there is nothing to say.
     pub fn reason(&self) -> String {
-        fact::sentence(&self.facts)
-    }
-
-    /// The same without what a search counts, which may differ between machines.
-    pub fn settled_reason(&self) -> String {
-        let settled = |fact: &&Fact| !matches!(fact, Fact::Search(_));
-        let facts: Vec<Fact> = self.facts.iter().filter(settled).cloned().collect();
-        fact::sentence(&facts)
+        sentence(&self.facts)
     }
 
     /// Whether the judge found that forces and mechanism do not prove what they are put forward as.
@@ -78,6 +72,14 @@ impl Outcome {
             )
         };
         self.facts.iter().any(refuted)
+    }
+
+    /// What a lower bound proves, where there is one.
+    pub(crate) fn proved(&self) -> Option<&Proved> {
+        self.facts.iter().find_map(|fact| match fact {
+            Fact::Bound(BoundFact::Proved(proved)) => Some(proved),
+            _ => None,
+        })
     }
 
     /// How the starts of a search for collapse states ended, where there was one.

@@ -117,6 +117,19 @@ pub struct Proved {
     pub rounding: f64,
 }
 
+impl Proved {
+    /// What is proved of both sides of a push: the lower of the bounds, for the motions that both speak
+    /// of. A state that moves farther than the smaller cap is excluded for one side only.
+    pub fn and(&self, other: &Proved) -> Proved {
+        Proved {
+            lower: self.lower.min(other.lower),
+            cap: self.cap.into_iter().chain(other.cap).reduce(f64::min),
+            slices: self.slices + other.slices,
+            rounding: self.rounding.max(other.rounding),
+        }
+    }
+}
+
 /// Why a certificate proves nothing.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub enum Refusal {

@@ -186,10 +186,13 @@ fn views<'a>(result: &'a CaseResult, methods: &[String]) -> Vec<View<'a>> {
     let slope = closed.and_then(|row| row.outcome.evidence.crack().copied());
     let row = |name: &String| result.rows.iter().find(|row| row.method == *name);
     let rows = methods.iter().filter_map(row);
-    rows.map(|row| View {
-        scene: result.scene(row),
-        row,
-        macro_slope: slope.map(|crack| crack.tan_beta),
+    rows.map(|row| {
+        let (scene, row) = result.governing(row);
+        View {
+            scene,
+            row,
+            macro_slope: slope.map(|crack| crack.tan_beta),
+        }
     })
     .collect()
 }

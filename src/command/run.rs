@@ -209,11 +209,7 @@ pub(super) fn files(
 
 /// Whether a result failed or a reference or relation is violated.
 pub(super) fn refuted(results: &[CaseResult]) -> bool {
-    let failed = |r: &CaseResult| {
-        r.rows
-            .iter()
-            .any(|row| row.outcome.status == Status::Failed)
-    };
+    let failed = |r: &CaseResult| r.rows.iter().any(|row| row.status() == Status::Failed);
     let violated = |r: &CaseResult| r.checks.iter().any(|c| c.verdict == Verdict::Violated);
     results
         .iter()

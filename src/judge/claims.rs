@@ -4,7 +4,7 @@
 use crate::answer::{Bracket, Evidence, Outcome, Status, magnitude};
 use crate::mechanics::VERIFIED_RESIDUAL;
 use crate::method::{Kind, kind};
-use crate::scene::{HeadJoints, JointClass, Scene};
+use crate::scene::{HeadJoints, JointClass, Push, Scene};
 
 /// Outcomes of one scene by method name.
 pub type Answers<'a> = [(&'a str, &'a Outcome)];
@@ -68,6 +68,7 @@ pub(super) struct Claims<'a> {
     /// Those with a multiplier, in their order.
     pub answered: Vec<Answered<'a>>,
     pub head_joints: HeadJoints,
+    pub push: Push,
     /// Whether there are head joints in contact.
     pub heads_touch: bool,
     /// [`Scene::multiplier_unit`]: λ = `unit` · λ*.
@@ -95,6 +96,7 @@ impl<'a> Claims<'a> {
             answers,
             answered: answered.collect(),
             head_joints: scene.head_joints(),
+            push: scene.push(),
             heads_touch: scene.joints().iter().any(|j| j.class == JointClass::Head),
             unit: scene.multiplier_unit(),
         }
@@ -104,6 +106,11 @@ impl<'a> Claims<'a> {
     pub fn of_role(&self, role: Role) -> Vec<Answered<'a>> {
         let of_role = self.answered.iter().filter(|answer| answer.role == role);
         of_role.copied().collect()
+    }
+
+    /// The scene's unit of λ.
+    pub fn unit(&self) -> f64 {
+        self.unit
     }
 
     /// λ without dimensions.

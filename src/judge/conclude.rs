@@ -4,7 +4,7 @@ use super::claims::{Answered, Answers, Claims, Role};
 use super::conclusion::{ALIKE, Basis, Conclusion, Difference, Doubt, Explanation, Floor};
 use super::heard::{UNSTATED_ERROR, lower_states};
 use super::outside::is_impossible;
-use crate::answer::{BoundFact, Bracket, Fact, Outcome, Status};
+use crate::answer::{Bracket, Outcome, Status};
 use crate::scene::Scene;
 
 /// The conclusion from the answers about one scene: of a multiplier that is proved; else that it
@@ -57,6 +57,9 @@ fn without_multiplier(
 ) -> Conclusion {
     Conclusion {
         head_joints: claims.head_joints,
+        push: claims.push,
+        other: None,
+        multiplier_unit: claims.unit(),
         basis,
         methods,
         status,
@@ -71,16 +74,16 @@ fn without_multiplier(
 /// The largest proved lower bound.
 fn floor(claims: &Claims) -> Option<Floor> {
     let floors = claims.answered.iter().filter_map(|answer| {
-        let proved = answer.outcome.facts.iter().find_map(|fact| match fact {
-            Fact::Bound(BoundFact::Proved(proved)) => Some(proved),
-            _ => None,
-        });
+        let proved = answer.outcome.proved();
         Some(Floor {
             by: answer.name.to_owned(),
             lower: answer.floor?,
             cap: proved.and_then(|proved| proved.cap),
+            push: None,
         })
     });
+    // One at 0 says nothing.
+    let floors = floors.filter(|floor| claims.dimensionless(floor.lower) > 0.0);
     floors.max_by(|a, b| a.lower.total_cmp(&b.lower))
 }
 

@@ -4,15 +4,21 @@
 use std::fmt;
 
 use super::heard::LowerState;
-use crate::answer::{Bracket, Status};
-use crate::number::{number, percent};
-use crate::scene::HeadJoints;
+use crate::answer::{Bracket, Status, is_same_multiplier, magnitude, write_floor};
+use crate::number::{above, below, number, percent};
+use crate::scene::{HeadJoints, Push};
 
 /// What the harness answers for one scene.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Conclusion {
     /// Head joints of the scene.
     pub head_joints: HeadJoints,
+    /// Direction of the push that it is about.
+    pub push: Push,
+    /// Of a wall that is pushed both ways, the conclusion about the side that does not govern.
+    pub other: Option<Box<Conclusion>>,
+    /// The scene's unit of λ, which tells what a small difference is.
+    pub multiplier_unit: f64,
     /// The best answer.
     pub basis: Basis,
     /// Whose it is; several where they say the same without a number; where there is none, who was
@@ -39,27 +45,21 @@ pub struct Conclusion {
 pub struct Floor {
     /// Whose proof it is.
     pub by: String,
-    /// No collapse state in which the push does work lies below this.
+    /// No collapse state with 0 ≤ λ below this exists in which the push does work.
     pub lower: f64,
-    /// How large openings and slips are at most in the states that it speaks of, over the push's own
+    /// What openings and slips add up to at most in the states that it speaks of, over the push's own
     /// motion; `None` where that has no limit.
     pub cap: Option<f64>,
+    /// The one side of the push that it speaks of, where the wall has another.
+    pub push: Option<Push>,
 }
 
 impl fmt::Display for Floor {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let lower = number(self.lower, 5);
-        write!(
-            f,
-            "no collapse state in which the push does work lies below {lower}"
-        )?;
-        match self.cap {
-            Some(cap) => write!(
-                f,
-                " where openings and slips are at most {cap:.0e} times its motion"
-            ),
-            None => Ok(()),
+        if let Some(push) = self.push {
+            write!(f, "pushed to the {}, ", push.name())?;
         }
+        write_floor(f, &below(self.lower, 5), self.cap)
     }
 }
 
@@ -173,7 +173,57 @@ pub enum Doubt {
 impl Conclusion {
     /// Whether nothing speaks against the best answer but what is explained.
     pub fn is_explained(&self) -> bool {
-        self.doubts.is_empty()
+        let other = self.other.as_ref();
+        self.doubts.is_empty() && other.is_none_or(|other| other.is_explained())
+    }
+
+    /// The multiplier at which a collapse is known: of an upper bound alone that bound, else the lower
+    /// end.
+    pub(crate) fn collapse_known(&self) -> Option<f64> {
+        self.bracket.map(|bracket| match self.basis {
+            Basis::UpperBound => bracket.upper,
+            _ => bracket.lower,
+        })
+    }
+
+    /// λ with the digits that the status vouches for.
+    fn lambda(&self) -> String {
+        self.bracket.map_or_else(String::new, |bracket| {
+            let proved = self.status != Status::Estimate;
+            let decimals = if proved { 5 } else { 4 };
+            let [low, high] = [bracket.lower, bracket.upper].map(|end| number(end, decimals));
+            if low == high {
+                low
+            } else {
+                format!("{low} - {high}")
+            }
+        })
+    }
+
+    /// What the side that does not govern comes to, and by how much this one governs.
+    fn write_other(&self, f: &mut fmt::Formatter<'_>, other: &Conclusion) -> fmt::Result {
+        let [push, to] = [self.push, other.push].map(Push::name);
+        let (by, status) = (other.methods.join(", "), other.status.name());
+        if let Some((least, next)) = self.collapse_known().zip(other.collapse_known()) {
+            if is_same_multiplier(least, next, self.multiplier_unit) {
+                return write!(f, "; pushed to the {to}, λ is the same ({status}, {by})");
+            }
+            let share = percent((next - least) / magnitude(next, self.multiplier_unit));
+            let at = match other.basis {
+                Basis::UpperBound => format!("λ is at most {}", above(next, 5)),
+                _ => format!("λ = {}", other.lambda()),
+            };
+            return write!(
+                f,
+                "; that is the push to the {push}, which governs by {share}: to the {to} {at} ({status}, {by})"
+            );
+        }
+        write!(f, "; that is the push to the {push}, and to the {to} ")?;
+        match other.basis {
+            Basis::Stands => write!(f, "it stands ({by})"),
+            Basis::Falls => write!(f, "it falls under its own weight ({by})"),
+            _ => write!(f, "there is no answer, so that the wall may be weaker"),
+        }
     }
 }
 
@@ -184,16 +234,7 @@ impl fmt::Display for Conclusion {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let by = self.methods.join(", ");
         let status = self.status.name();
-        let lambda = self.bracket.map_or_else(String::new, |bracket| {
-            let proved = self.status != Status::Estimate;
-            let decimals = if proved { 5 } else { 4 };
-            let [low, high] = [bracket.lower, bracket.upper].map(|end| number(end, decimals));
-            if low == high {
-                low
-            } else {
-                format!("{low} - {high}")
-            }
-        });
+        let lambda = self.lambda();
         match self.basis {
             Basis::Falls => write!(f, "it falls under its own weight ({by})"),
             Basis::LowestState => {
@@ -212,7 +253,7 @@ impl fmt::Display for Conclusion {
             Basis::Stands => write!(f, "it stands: no push is too large for it ({by})"),
             Basis::UpperBound => {
                 let upper = self.bracket.map_or(f64::NAN, |bracket| bracket.upper);
-                let upper = number(upper, 5);
+                let upper = above(upper, 5);
                 write!(
                     f,
                     "λ is at most {upper}, which is {status} ({by}); no collapse state is verified"
@@ -232,13 +273,21 @@ impl fmt::Display for Conclusion {
         if let Some(difference) = &self.difference {
             write!(f, "; {difference}")?;
         }
-        for (place, doubt) in self.doubts.iter().enumerate() {
-            let lead = if place == 0 {
-                "; NOT EXPLAINED: "
-            } else {
-                ", "
-            };
+        let other = self.other.as_deref().filter(|_| self.basis != Basis::Falls);
+        if let Some(other) = other {
+            self.write_other(f, other)?;
+        }
+        let mut lead = "; NOT EXPLAINED: ";
+        for doubt in &self.doubts {
             write!(f, "{lead}{doubt}")?;
+            lead = ", ";
+        }
+        // Sides alike have the same doubts.
+        let others = other.iter().flat_map(|other| &other.doubts);
+        for doubt in others.filter(|doubt| !self.doubts.contains(doubt)) {
+            let push = other.map_or(self.push, |other| other.push).name();
+            write!(f, "{lead}pushed to the {push}, {doubt}")?;
+            lead = ", ";
         }
         Ok(())
     }
@@ -300,7 +349,7 @@ impl fmt::Display for Doubt {
                 write!(f, "{by} gives {lambda:.1e}, which can be no multiplier")
             }
             Doubt::Bound { by, lambda } => {
-                write!(f, "{by} proves that none is above {}", number(*lambda, 5))
+                write!(f, "{by} proves that none is above {}", above(*lambda, 5))
             }
             Doubt::Stands { by } => write!(f, "{by} says that it stands"),
             Doubt::Falls { by } => write!(f, "{by} says that it falls under its own weight"),

@@ -1,6 +1,7 @@
 //! The judge: recomputes every residual from forces and mechanism, outside the methods, and says
 //! what holds between methods and against published values.
 
+mod both;
 mod check;
 mod claims;
 mod conclude;
@@ -12,6 +13,7 @@ mod outside;
 mod proof;
 mod references;
 
+pub(crate) use both::of_wall;
 pub use check::{Check, Verdict};
 pub(crate) use conclude::conclude;
 pub use conclusion::{Basis, Conclusion, Difference, Doubt, Explanation, Floor};
@@ -20,6 +22,7 @@ pub use heard::LowerState;
 pub(crate) use judgement::largest;
 pub use judgement::{Judgement, Recomputed};
 pub use proof::judge;
+pub use references::Computed;
 pub(crate) use references::{comparisons, computed, reference_checks};
 
 #[cfg(test)]

@@ -1,25 +1,37 @@
 //! What must hold against the references of a case.
 
 use super::check::{Check, Verdict};
-use super::claims::Answers;
-use crate::answer::{Bracket, Outcome, Status};
+use crate::answer::{Bracket, Status};
 use crate::case::{Case, Quantity, Reference, nearest};
+use crate::mechanics::Crack;
 use crate::method::{Kind, kind};
 use crate::scene::HeadJoints;
 
+/// What a method computed of a wall, as references speak of it.
+#[derive(Clone, Copy, Debug)]
+pub struct Computed<'a> {
+    /// What it is worth.
+    pub status: Status,
+    /// Lower end of the range of λ.
+    pub lower: Option<f64>,
+    /// Upper end.
+    pub upper: Option<f64>,
+    /// The crack.
+    pub crack: Option<&'a Crack>,
+}
+
 /// The computed value that a reference is about, as a bracket.
-pub fn computed(outcome: &Outcome, quantity: Quantity) -> Option<Bracket> {
-    let crack = |value: fn(&crate::mechanics::Crack) -> Option<f64>| {
-        outcome.evidence.crack().and_then(value).map(Bracket::point)
-    };
+pub fn computed(of: &Computed, quantity: Quantity) -> Option<Bracket> {
+    let crack = |value: fn(&Crack) -> Option<f64>| of.crack.and_then(value).map(Bracket::point);
+    let both = of.lower.zip(of.upper);
     match quantity {
-        Quantity::Lambda => outcome.bracket(),
-        Quantity::Lower => outcome.bracket().map(|b| Bracket::point(b.lower)),
-        Quantity::Upper => outcome.bracket().map(|b| Bracket::point(b.upper)),
+        Quantity::Lambda => both.map(|(lower, upper)| Bracket { lower, upper }),
+        Quantity::Lower => of.lower.map(Bracket::point),
+        Quantity::Upper => of.upper.map(Bracket::point),
         Quantity::TanBeta => crack(|c| Some(c.tan_beta)),
         Quantity::C => crack(|c| c.c),
         Quantity::E => crack(|c| c.e),
-        Quantity::AtRest => match (outcome.status, outcome.bracket()) {
+        Quantity::AtRest => match (of.status, both) {
             (Status::Falls, _) => Some(Bracket::point(0.0)),
             (Status::Stands, _) | (_, Some(_)) => Some(Bracket::point(1.0)),
             _ => None,
@@ -47,22 +59,22 @@ pub fn comparisons<'a>(
     case: &'a Case,
     head_joints: HeadJoints,
     method: &str,
-    outcome: &Outcome,
+    of: &Computed,
     unit: f64,
 ) -> Vec<Comparison<'a>> {
     let about = |reference: &&Reference| {
         reference.method == method && reference.head_joints.is_none_or(|only| only == head_joints)
     };
     let references = case.references.iter().filter(about);
-    references.map(|r| compare(r, outcome, unit)).collect()
+    references.map(|r| compare(r, of, unit)).collect()
 }
 
-fn compare<'a>(reference: &'a Reference, outcome: &Outcome, unit: f64) -> Comparison<'a> {
+fn compare<'a>(reference: &'a Reference, of: &Computed, unit: f64) -> Comparison<'a> {
     let unit = match reference.quantity {
         Quantity::Lambda | Quantity::Lower | Quantity::Upper => unit,
         Quantity::TanBeta | Quantity::C | Quantity::E | Quantity::AtRest => 1.0,
     };
-    let computed = computed(outcome, reference.quantity);
+    let computed = computed(of, reference.quantity);
     Comparison {
         reference,
         computed,
@@ -70,7 +82,7 @@ fn compare<'a>(reference: &'a Reference, outcome: &Outcome, unit: f64) -> Compar
         verdict: match computed {
             Some(value) => verdict(reference, value),
             // A method that declines or cannot decide contradicts nothing; one that broke does.
-            None => match outcome.status {
+            None => match of.status {
                 Status::Failed | Status::Falls | Status::Stands => Verdict::Violated,
                 _ => Verdict::NotDecided,
             },
@@ -96,7 +108,7 @@ fn verdict(reference: &Reference, value: Bracket) -> Verdict {
 pub fn reference_checks(
     case: &Case,
     head_joints: HeadJoints,
-    answers: &Answers,
+    answers: &[(&str, Computed)],
     unit: f64,
 ) -> Vec<Check> {
     let mut checks = Vec::new();
@@ -107,7 +119,7 @@ pub fn reference_checks(
         {
             continue;
         }
-        let Some((_, outcome)) = answers.iter().find(|(name, _)| *name == reference.method) else {
+        let Some((_, of)) = answers.iter().find(|(name, _)| *name == reference.method) else {
             if kind(&reference.method) == Kind::Outside {
                 checks.push(Check {
                     head_joints,
@@ -118,11 +130,11 @@ pub fn reference_checks(
             }
             continue;
         };
-        let comparison = compare(reference, outcome, unit);
+        let comparison = compare(reference, of, unit);
         checks.push(Check {
             head_joints,
             method: reference.method.clone(),
-            text: in_words(&comparison, outcome.status),
+            text: in_words(&comparison, of.status),
             verdict: comparison.verdict,
         });
     }
@@ -130,7 +142,7 @@ pub fn reference_checks(
 }
 
 /// Why the reference of an outside program stands beside nothing, and what to do about it.
-fn not_compared(reference: &Reference, answers: &Answers) -> String {
+fn not_compared(reference: &Reference, answers: &[(&str, Computed)]) -> String {
     let name = &reference.method;
     let outside = answers.iter().map(|(name, _)| *name);
     let outside = outside.filter(|name| kind(name) == Kind::Outside);

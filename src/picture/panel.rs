@@ -129,7 +129,7 @@ impl<'a> Panel<'a> {
 
     /// Heading, with its baseline at `heading`, and the caption below the picture.
     pub fn words(&self, svg: &mut Svg, [x, heading]: Pixel, caption: &[String], below: f64) {
-        let row = self.view.row;
+        let row = &self.view.row;
         let what = match self.contents {
             Contents::Mechanism => row.method.clone(),
             Contents::Forces => format!("{}, contact forces", row.method),
@@ -172,7 +172,7 @@ impl<'a> Panel<'a> {
 
     /// The method and what became of it, for what is not drawn.
     pub fn in_a_line(&self) -> String {
-        let row = self.view.row;
+        let row = &self.view.row;
         format!(
             "{}, {}: {}",
             row.method,
@@ -226,7 +226,7 @@ impl<'a> Panel<'a> {
     }
 
     fn sentences(&self) -> Vec<String> {
-        let (row, outcome) = (self.view.row, &self.view.row.outcome);
+        let (row, outcome) = (&*self.view.row, &self.view.row.outcome);
         let status = outcome.status.name();
         if self.contents == Contents::Forces {
             let (lambda, forces) = outcome.evidence.forces().unzip();

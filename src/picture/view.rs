@@ -1,16 +1,18 @@
 //! What a drawing is asked to show.
 
+use std::borrow::Cow;
+
 use crate::method::Kind;
 use crate::run::Row;
 use crate::scene::Scene;
 
 /// One method's answer for one scene.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub struct View<'a> {
     /// The scene that the answer is about.
     pub scene: &'a Scene,
-    /// The answer.
-    pub row: &'a Row,
+    /// The answer for that scene alone.
+    pub row: Cow<'a, Row>,
     /// tan β of the macro-block model, where it has one for this scene.
     pub macro_slope: Option<f64>,
 }

@@ -105,7 +105,7 @@ fn against(result: &CaseResult, row: &Row) -> Vec<Vec<String>> {
             vec![
                 row.method.clone(),
                 row.head_joints.name().to_owned(),
-                row.outcome.status.name().to_owned(),
+                row.status().name().to_owned(),
                 computed,
                 quantity,
                 reference,
@@ -115,7 +115,7 @@ fn against(result: &CaseResult, row: &Row) -> Vec<Vec<String>> {
             ]
         };
     let (joints, method) = (row.head_joints, &row.method);
-    let compared = comparisons(&result.case, joints, method, &row.outcome, unit);
+    let compared = comparisons(&result.case, joints, method, &row.computed(), unit);
     if compared.is_empty() {
         let none = ["lambda", "-", "-", "-"].map(str::to_owned);
         let worst = row.verdict.map_or("-", Verdict::name);
@@ -242,9 +242,9 @@ fn unsettled(results: &[CaseResult], layout: Layout) -> String {
         section(&mut text, layout.painted(title, of_verdict(verdict)), lines);
     }
     for status in [Status::Failed, Status::Undecided] {
-        let rows = rows(results).filter(|(_, row)| row.outcome.status == status);
+        let rows = rows(results).filter(|(_, row)| row.status() == status);
         let lines = rows.map(|(result, row)| {
-            let (joints, reason) = (row.head_joints.name(), row.outcome.reason());
+            let (joints, reason) = (row.head_joints.name(), row.reason());
             remark(layout, [&result.case.name, joints, &row.method], &reason)
         });
         let title = status.name();
@@ -282,7 +282,7 @@ fn closing(results: &[CaseResult], layout: Layout) -> String {
         .filter(|check| check.verdict == Verdict::Violated)
         .count();
     let failed = rows(results)
-        .filter(|(_, row)| row.outcome.status == Status::Failed)
+        .filter(|(_, row)| row.status() == Status::Failed)
         .count();
     let values: usize = results
         .iter()

@@ -3,10 +3,12 @@
 use serde_json::json;
 
 use super::terms::terms;
+use crate::answer::Outcome;
 use crate::external::{SceneFile, answers};
 use crate::judge::Conclusion;
 use crate::mechanics::{Mechanism, Thrust, thrust};
 use crate::run::{self, COLUMNS, CaseResult, Column, Partial, Row, Value};
+use crate::scene::Push;
 
 fn for_programs() -> impl Iterator<Item = &'static Column> {
     COLUMNS.iter().filter(|column| column.is_for_programs())
@@ -116,6 +118,15 @@ fn object(result: &CaseResult, row: &Row) -> JsonObject {
             }),
         );
     }
+    if row.other.is_some() {
+        let sides = row
+            .sides()
+            .map(|(push, outcome)| side(push, outcome).into());
+        object.insert(
+            "sides".to_owned(),
+            serde_json::Value::Array(sides.collect()),
+        );
+    }
     let mut conclusions = result.conclusions.iter();
     let of_row = conclusions.find(|conclusion| conclusion.head_joints == row.head_joints);
     object.insert(
@@ -160,6 +171,8 @@ fn conclusion(result: &CaseResult, of: &Conclusion) -> serde_json::Value {
     let difference = of.difference.as_ref();
     let doubts = of.doubts.iter().map(ToString::to_string);
     json!({
+        "push": of.push.name(),
+        "other_side": of.other.as_deref().map(|other| conclusion(result, other)),
         "basis": of.basis.name(),
         "methods": of.methods,
         "status": of.status.name(),
@@ -180,19 +193,31 @@ fn conclusion(result: &CaseResult, of: &Conclusion) -> serde_json::Value {
     })
 }
 
+/// One side of the push: what its answer is worth, and its range in full digits.
+fn side(push: Push, outcome: &Outcome) -> JsonObject {
+    let bracket = outcome.bracket();
+    let side = [
+        ("push", push.name().into()),
+        ("status", outcome.status.name().into()),
+        ("lower", bracket.map(|bracket| bracket.lower).into()),
+        ("upper", bracket.map(|bracket| bracket.upper).into()),
+        ("reason", outcome.reason().into()),
+    ];
+    side.into_iter()
+        .map(|(name, value)| (name.to_owned(), value))
+        .collect()
+}
+
 fn sides(result: &CaseResult, row: &Row) -> Result<serde_json::Value, serde_json::Error> {
-    let own = (row.push, &row.outcome);
-    let other = row.stronger.iter();
-    let other = other.map(|stronger| (stronger.push, &*stronger.outcome));
-    let sides = std::iter::once(own).chain(other).map(|(push, outcome)| {
-        Ok(json!({
-            "push": push.name(),
-            "status": outcome.status.name(),
-            "lower": outcome.bracket().map(|bracket| bracket.lower),
-            "upper": outcome.bracket().map(|bracket| bracket.upper),
-            "scene": serde_json::to_value(SceneFile::from(result.side(row.head_joints, push)))?,
-            "answers": serde_json::to_value(answers(outcome))?,
-        }))
+    let sides = row.sides().map(|(push, outcome)| {
+        let mut side = side(push, outcome);
+        let scene = SceneFile::from(result.side(row.head_joints, push));
+        side.insert("scene".to_owned(), serde_json::to_value(scene)?);
+        side.insert(
+            "answers".to_owned(),
+            serde_json::to_value(answers(outcome))?,
+        );
+        Ok(serde_json::Value::Object(side))
     });
     sides.collect()
 }

@@ -41,7 +41,10 @@ pub(crate) fn terms(result: &CaseResult, conclusion: &Conclusion) -> Option<Term
     let rows = result.rows.iter();
     let mut rows = rows.filter(|row| row.head_joints == conclusion.head_joints);
     let first = conclusion.methods.first()?;
-    let row = rows.find(|row| row.method == *first)?;
+    let row = rows
+        .find(|row| row.method == *first)?
+        .of_side(conclusion.push);
+    let row = &*row;
     let scene = result.scene(row);
     let lambda = conclusion.bracket.map(|bracket| bracket.lower);
     let live: f64 = scene.blocks().iter().map(|block| block.live()[0]).sum();

@@ -2,7 +2,8 @@
 //! it; a new one is one entry.
 
 use super::row::Row;
-use crate::answer::{Bracket, Coverage, Status, magnitude};
+use super::sides::{End, Ends};
+use crate::answer::{Coverage, Status, magnitude};
 use crate::case::{Quantity, Reference, SourceKind};
 use crate::method::Kind;
 use crate::number::{nine_digits, number, short};
@@ -159,14 +160,14 @@ pub static COLUMNS: &[Column] = &[
     data("case", |row| Value::Text(row.scene_name())).headed("case", "Case"),
     data("method", |row| row.method.as_str().into()).headed("method", "Method"),
     data("status", |row| row.status().name().into()).headed("status", "Status"),
-    data("lower", |row| row.bracket().map(|b| b.lower).into()),
-    data("upper", |row| row.bracket().map(|b| b.upper).into()),
+    data("lower", |row| row.ends().lower.map(End::written).into()),
+    data("upper", |row| row.ends().upper.map(End::written).into()),
     data("tan_beta", |row| row.crack().map(|c| c.tan_beta).into()),
     data("c", |row| row.crack().and_then(|c| c.c).into()),
     data("e", |row| row.crack().and_then(|c| c.e).into()),
     data("residual", |row| row.residual().into()),
     effort("seconds", |row| Value::Number(row.seconds)),
-    data("reason", |row| Value::Text(row.outcome.reason())),
+    data("reason", |row| Value::Text(row.reason())),
     data("blocks", |row| Value::Count(row.blocks)),
     data("joints", |row| Value::Count(row.joints)),
     effort("modelled", |row| Value::Count(row.outcome.work.modelled)),
@@ -177,9 +178,7 @@ pub static COLUMNS: &[Column] = &[
     effort("block_steps", |row| {
         Value::Count(row.outcome.work.block_steps)
     }),
-    data("stated_error", |row| {
-        row.outcome.evidence.stated_error().into()
-    }),
+    data("stated_error", |row| row.stated_error().into()),
     data("reference", |row| reference_end(row, 0)),
     data("reference_upper", |row| reference_end(row, 1)),
     data("error", |row| row.error().into()),
@@ -196,6 +195,8 @@ pub static COLUMNS: &[Column] = &[
         let search = row.outcome.search();
         search.map(|search| search.coverage().unseen).into()
     }),
+    data("lower_push", |row| push_of(row.ends().lower)),
+    data("upper_push", |row| push_of(row.ends().upper)),
     effort("fallbacks", |row| Value::Count(row.outcome.work.fallbacks)),
     words("head_joints", |row| row.head_joints.name().into()).headed("joints", "Joints"),
     words("lambda", multiplier).headed("λ", "λ"),
@@ -255,20 +256,31 @@ fn reference_end(row: &Row, end: usize) -> Value {
     references.get(end).map(|reference| reference.value).into()
 }
 
-/// λ with the digits that its status vouches for.
+/// The direction of the push that an end belongs to.
+fn push_of(end: Option<End>) -> Value {
+    end.map(|end| end.push.name().to_owned()).into()
+}
+
+/// λ with the digits that its status vouches for; proved bounds are rounded outwards.
 fn multiplier(row: &Row) -> Value {
-    let Some(Bracket { lower, upper }) = row.bracket() else {
-        return Value::Nothing;
-    };
+    let Ends { lower, upper } = row.ends();
     // The closed form and the pushover's grid are exact in 5 decimals, and so is a proof to 1e-6.
     let exact = row.status() != Status::Estimate || row.kind() == Kind::ClosedForm;
     let decimals = if exact { 5 } else { 4 };
-    let [lower_end, upper_end] = [lower, upper].map(|end| number(end, decimals));
-    let one = upper - lower <= 2e-6 * magnitude(upper, row.multiplier_unit);
-    Value::Text(if one {
-        lower_end
-    } else {
-        format!("{lower_end} - {upper_end}")
+    let nearest = |end: End| number(end.lambda, decimals);
+    Value::Text(match (lower, upper) {
+        (None, None) => return Value::Nothing,
+        (None, Some(end)) => format!("≤ {}", end.outwards(decimals)),
+        (Some(end), None) => format!("≥ {}", end.outwards(decimals)),
+        (Some(low), Some(high)) => {
+            let unit = magnitude(high.lambda, row.multiplier_unit);
+            if high.lambda - low.lambda <= 2e-6 * unit {
+                nearest(low)
+            } else {
+                let [low, high] = [low, high].map(|end| end.outwards(decimals));
+                format!("{low} - {high}")
+            }
+        }
     })
 }
 
@@ -312,7 +324,7 @@ fn width(value: Option<f64>) -> Value {
 
 /// The reason, and the residual where it fails what `verified` asks for.
 fn note(row: &Row) -> String {
-    let mut note = row.outcome.settled_reason();
+    let mut note = row.settled_reason();
     let fails = row
         .residual()
         .is_some_and(|r| r > crate::mechanics::VERIFIED_RESIDUAL);

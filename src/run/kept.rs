@@ -2,14 +2,16 @@
 
 use super::columns::COLUMNS;
 use super::row::Row;
+use super::sides::{OtherSide, facts};
 use crate::answer::{Fact, Outcome};
 use crate::fingerprint::Fingerprint;
+use crate::judge::Recomputed;
 
 /// How much of a row a journal keeps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Keeps {
-    /// What tables of many rows need: the answer without forces, mechanisms and the other side, and its
-    /// facts in words.
+    /// What tables of many rows need: the answers without forces and mechanisms, and their facts in
+    /// words.
     Numbers,
     /// The whole answer: what a record, a drawing and the judge need.
     Everything,
@@ -66,29 +68,46 @@ pub(crate) fn lines(rows: &[Row]) -> serde_json::Result<String> {
 }
 
 /// The row without what takes room, as [`Keeps::Numbers`] says.
-fn thinned(row: Row) -> Row {
-    let reason = row.outcome.reason();
-    let fact = match row.outcome.is_refuted() {
-        true => Fact::KeptRefutation(reason),
-        false => Fact::Words(reason),
-    };
-    let mut residuals = row.residuals;
-    residuals.sort_by(|a, b| b.largest().total_cmp(&a.largest()));
-    residuals.truncate(1);
-    // JSON has no infinite numbers.
-    residuals.retain(|of| of.largest().is_finite());
+fn thinned(mut row: Row) -> Row {
+    if let Some(other) = &row.other {
+        // In words, facts of one side would not be told from those of the wall any more.
+        let (own, other) = ((row.push, &row.outcome), (other.push, &*other.outcome));
+        row.outcome.facts = facts(own, other);
+    }
     Row {
-        outcome: Outcome {
-            evidence: row.outcome.evidence.thinned(),
-            facts: vec![fact],
-            ..row.outcome
-        },
-        stronger: None,
-        residuals,
+        outcome: told(row.outcome),
+        other: row.other.map(|other| OtherSide {
+            push: other.push,
+            outcome: Box::new(told(*other.outcome)),
+            residuals: worst(other.residuals),
+        }),
+        residuals: worst(row.residuals),
         references: Vec::new(),
         verdict: None,
         ..row
     }
+}
+
+/// The answer without forces and motions, its facts in words.
+fn told(outcome: Outcome) -> Outcome {
+    let reason = outcome.reason();
+    let fact = match outcome.is_refuted() {
+        true => Fact::KeptRefutation(reason),
+        false => Fact::Words(reason),
+    };
+    Outcome {
+        evidence: outcome.evidence.thinned(),
+        facts: vec![fact],
+        ..outcome
+    }
+}
+
+/// The largest residual alone; none where it is infinite, as JSON has no such number.
+fn worst(mut residuals: Vec<Recomputed>) -> Vec<Recomputed> {
+    residuals.sort_by(|a, b| b.largest().total_cmp(&a.largest()));
+    residuals.truncate(1);
+    residuals.retain(|of| of.largest().is_finite());
+    residuals
 }
 
 impl Row {

@@ -1,9 +1,13 @@
 //! Cases: every method of a plan on every scene, as rows with the checks about them.
 
+use std::borrow::Cow;
+
 use super::row::Row;
 use crate::answer::{Fact, LimitFact, Outcome};
 use crate::case::Case;
-use crate::judge::{Check, Conclusion, conclude, cross_check, open_never_raises, reference_checks};
+use crate::judge::{
+    Check, Conclusion, conclude, cross_check, of_wall, open_never_raises, reference_checks,
+};
 use crate::method::{Method, Settings};
 use crate::scene::{HeadJoints, Push, Scene};
 
@@ -34,6 +38,19 @@ impl CaseResult {
         self.side(row.head_joints, row.push)
     }
 
+    /// A row and its scene for the push that governs the wall, whichever governs the row itself, so that
+    /// methods are drawn side by side for the same push.
+    pub fn governing<'a>(&'a self, row: &'a Row) -> (&'a Scene, Cow<'a, Row>) {
+        let mut conclusions = self.conclusions.iter();
+        let of_row = conclusions.find(|conclusion| conclusion.head_joints == row.head_joints);
+        let push = of_row.map_or(row.push, |conclusion| conclusion.push);
+        let row = match row.side(push) {
+            Some(_) => row.of_side(push),
+            None => Cow::Borrowed(row),
+        };
+        (self.side(row.head_joints, row.push), row)
+    }
+
     /// The scene of a head-joint setting and a direction of the push.
     ///
     /// # Panics
@@ -61,13 +78,14 @@ impl CaseResult {
     ) -> Self {
         let checks = checks(&case, &scenes, &rows);
         rows.iter_mut().for_each(|row| row.compare(&case, &checks));
-        let conclusions = conclusions(&scenes, &rows);
-        for conclusion in &conclusions {
+        let of_sides = conclusions(&scenes, &rows);
+        for conclusion in of_sides.iter().flatten() {
             let of_setting = |row: &&mut Row| row.head_joints == conclusion.head_joints;
             for row in rows.iter_mut().filter(of_setting) {
-                name_bound(&mut row.outcome, conclusion);
+                row.change_side(conclusion.push, |outcome| name_bound(outcome, conclusion));
             }
         }
+        let conclusions = of_sides.into_iter().map(of_wall).collect();
         Self {
             case,
             scenes,
@@ -109,11 +127,13 @@ impl Plan<'_> {
 /// The scenes of a case: one a direction of the push for each head-joint setting.
 pub type CaseScenes = Vec<(HeadJoints, Vec<Scene>)>;
 
-/// The answers of a head-joint setting.
-fn answers(rows: &[Row], head_joints: HeadJoints) -> Vec<(&str, &Outcome)> {
-    let of_setting = rows.iter().filter(|row| row.head_joints == head_joints);
+/// The answers for one side of the push.
+fn answers<'a>(rows: &'a [Row], scene: &Scene) -> Vec<(&'a str, &'a Outcome)> {
+    let of_setting = rows
+        .iter()
+        .filter(|row| row.head_joints == scene.head_joints());
     of_setting
-        .map(|row| (row.method.as_str(), &row.outcome))
+        .filter_map(|row| Some((row.method.as_str(), row.side(scene.push())?)))
         .collect()
 }
 
@@ -138,38 +158,51 @@ fn checks(case: &Case, scenes: &[(HeadJoints, Vec<Scene>)], rows: &[Row]) -> Vec
     for (head_joints, sides) in scenes {
         // What holds between methods holds for one and the same scene.
         for scene in sides {
-            let of_side = rows
-                .iter()
-                .filter(|row| row.head_joints == *head_joints && row.push == scene.push());
-            let of_side: Vec<_> = of_side
-                .map(|row| (row.method.as_str(), &row.outcome))
-                .collect();
-            checks.extend(cross_check(scene, &of_side));
+            let of_side = cross_check(scene, &answers(rows, scene));
+            checks.extend(of_side.into_iter().map(|check| named(check, scene, sides)));
         }
         let unit = sides.first().map_or(1.0, Scene::multiplier_unit);
-        let answers = answers(rows, *head_joints);
-        checks.extend(reference_checks(case, *head_joints, &answers, unit));
+        let of_setting = rows.iter().filter(|row| row.head_joints == *head_joints);
+        let computed = of_setting.map(|row| (row.method.as_str(), row.computed()));
+        let computed: Vec<_> = computed.collect();
+        checks.extend(reference_checks(case, *head_joints, &computed, unit));
     }
-    let scene = |wanted| {
-        let found = scenes
-            .iter()
-            .find(|(head_joints, _)| *head_joints == wanted);
-        found.and_then(|(_, sides)| sides.first())
+    let sides = |wanted| {
+        let found = scenes.iter().find(|(setting, _)| *setting == wanted);
+        found.map_or(&[][..], |(_, sides)| sides)
     };
-    let both = scene(HeadJoints::Contact).zip(scene(HeadJoints::Open));
-    if let Some((contact, open)) = both {
-        checks.extend(open_never_raises(
-            (contact, &answers(rows, HeadJoints::Contact)),
-            (open, &answers(rows, HeadJoints::Open)),
-        ));
+    let open = sides(HeadJoints::Open);
+    for (contact, open_scene) in sides(HeadJoints::Contact).iter().zip(open) {
+        let of_side = open_never_raises(
+            (contact, &answers(rows, contact)),
+            (open_scene, &answers(rows, open_scene)),
+        );
+        checks.extend(
+            of_side
+                .into_iter()
+                .map(|check| named(check, open_scene, open)),
+        );
     }
     checks
 }
 
-fn conclusions(scenes: &[(HeadJoints, Vec<Scene>)], rows: &[Row]) -> Vec<Conclusion> {
-    let with_sides = scenes.iter().filter_map(|(head_joints, sides)| {
-        let scene = sides.first()?;
-        Some(conclude(scene, &answers(rows, *head_joints)))
-    });
-    with_sides.collect()
+/// A check about one side, which names it where there are two.
+pub(crate) fn named(check: Check, scene: &Scene, sides: &[Scene]) -> Check {
+    if sides.len() < 2 {
+        return check;
+    }
+    let text = format!("pushed to the {}, {}", scene.push().name(), check.text);
+    Check { text, ..check }
+}
+
+/// The conclusions about every side, by head-joint setting.
+fn conclusions(scenes: &[(HeadJoints, Vec<Scene>)], rows: &[Row]) -> Vec<Vec<Conclusion>> {
+    let of_sides = |sides: &Vec<Scene>| {
+        let sides = sides.iter();
+        sides
+            .map(|scene| conclude(scene, &answers(rows, scene)))
+            .collect()
+    };
+    let with_sides = scenes.iter().filter(|(_, sides)| !sides.is_empty());
+    with_sides.map(|(_, sides)| of_sides(sides)).collect()
 }

@@ -1,11 +1,14 @@
 //! The one row: a method's judged answer on a scene, with everything that tables, files, plots and
 //! studies tell of it.
 
+use std::borrow::Cow;
+
 use serde::{Deserialize, Serialize};
 
-use crate::answer::{Bracket, Outcome, Status};
+use super::sides::{self, Ends, OtherSide};
+use crate::answer::{Bracket, Fact, Outcome, Status, sentence};
 use crate::case::{Case, Quantity, Reference};
-use crate::judge::{Check, Recomputed, Verdict, computed, largest};
+use crate::judge::{Check, Computed, Recomputed, Verdict, computed, largest};
 use crate::mechanics::Crack;
 use crate::method::{Kind, kind};
 use crate::number::short;
@@ -22,7 +25,7 @@ pub struct Row {
     pub case: String,
     /// Head joints of the scene.
     pub head_joints: HeadJoints,
-    /// Direction of the push that the answer is about.
+    /// Direction of the push that governs, where the wall is pushed both ways.
     pub push: Push,
     /// Name of the method.
     pub method: String,
@@ -37,10 +40,10 @@ pub struct Row {
     /// The scene's unit of λ ([`Scene::multiplier_unit`](crate::scene::Scene::multiplier_unit)),
     /// which tells what a small λ is.
     pub multiplier_unit: f64,
-    /// The answer, its status set by the judge.
+    /// The answer for that direction, its status set by the judge.
     pub outcome: Outcome,
     /// The answer for the other direction of a wall that is pushed both ways.
-    pub stronger: Option<StrongerSide>,
+    pub other: Option<OtherSide>,
     /// Residuals that the judge computed, where there was something to judge.
     pub residuals: Vec<Recomputed>,
     /// CPU time of the method over all sides, seconds. The only thing here that is not the same in
@@ -52,15 +55,6 @@ pub struct Row {
     /// The worst verdict about this row; `None` where there is nothing to compare it with.
     #[serde(skip)]
     pub verdict: Option<Verdict>,
-}
-
-/// Of a wall that is pushed both ways, the side that does not count.
-#[derive(Clone, Debug, Serialize, Deserialize)]
-pub struct StrongerSide {
-    /// Direction of its push.
-    pub push: Push,
-    /// The judged answer.
-    pub outcome: Box<Outcome>,
 }
 
 impl Row {
@@ -82,19 +76,114 @@ impl Row {
         scene_name(&self.case, self.head_joints)
     }
 
-    /// What the answer is worth.
+    /// The answers by direction of the push, that of the side that governs first.
+    pub fn sides(&self) -> impl Iterator<Item = (Push, &Outcome)> {
+        let other = self.other.iter().map(|other| (other.push, &*other.outcome));
+        std::iter::once((self.push, &self.outcome)).chain(other)
+    }
+
+    /// The answer for one direction of the push.
+    pub fn side(&self, push: Push) -> Option<&Outcome> {
+        self.sides().find(|side| side.0 == push).map(|side| side.1)
+    }
+
+    /// Changes the answer for one direction of the push, where there is one.
+    pub(super) fn change_side(&mut self, push: Push, change: impl FnOnce(&mut Outcome)) {
+        match &mut self.other {
+            Some(other) if other.push == push => change(&mut other.outcome),
+            _ if self.push == push => change(&mut self.outcome),
+            _ => {}
+        }
+    }
+
+    /// The row as if the wall had been pushed this way only, where it was; else as it is.
+    pub fn of_side(&self, push: Push) -> Cow<'_, Row> {
+        match &self.other {
+            Some(other) if other.push == push => Cow::Owned(Row {
+                push,
+                outcome: (*other.outcome).clone(),
+                residuals: other.residuals.clone(),
+                other: None,
+                ..self.clone()
+            }),
+            _ => Cow::Borrowed(self),
+        }
+    }
+
+    fn two_sides(&self) -> (sides::Side<'_>, Option<sides::Side<'_>>) {
+        let mut sides = self.sides();
+        let governing = sides.next().expect("there is one");
+        (governing, sides.next())
+    }
+
+    /// What the answer is worth: of a wall that is pushed both ways, what its whole range is.
     pub fn status(&self) -> Status {
-        self.outcome.status
+        let (governing, other) = self.two_sides();
+        sides::status(governing, other, self.multiplier_unit)
+    }
+
+    /// The ends of the range of λ, each with the push that it belongs to.
+    pub fn ends(&self) -> Ends {
+        let (governing, other) = self.two_sides();
+        sides::ends(governing, other)
     }
 
     /// The multiplier, where there is one to vouch for.
     pub fn bracket(&self) -> Option<Bracket> {
-        self.outcome.bracket()
+        self.ends().bracket()
+    }
+
+    /// Error that the method states for its range, relative to λ: of both sides the larger.
+    pub fn stated_error(&self) -> Option<f64> {
+        let errors = self
+            .sides()
+            .filter_map(|(_, outcome)| outcome.evidence.stated_error());
+        errors.reduce(f64::max)
     }
 
     /// The largest residual; `None` where there was nothing to judge.
     pub fn residual(&self) -> Option<f64> {
+        let others = self
+            .other
+            .iter()
+            .filter_map(|other| largest(&other.residuals));
         largest(&self.residuals)
+            .into_iter()
+            .chain(others)
+            .reduce(f64::max)
+    }
+
+    /// What references are compared with.
+    pub fn computed(&self) -> Computed<'_> {
+        let ends = self.ends();
+        Computed {
+            status: self.status(),
+            lower: ends.lower.map(|end| end.lambda),
+            upper: ends.upper.map(|end| end.lambda),
+            crack: self.crack(),
+        }
+    }
+
+    /// What is to be said of the answer: of a wall that is pushed both ways, of its sides first.
+    pub fn facts(&self) -> Cow<'_, [Fact]> {
+        let (own, Some(other)) = self.two_sides() else {
+            return Cow::Borrowed(&self.outcome.facts);
+        };
+        let compared = sides::compared(own, other, self.multiplier_unit).into_iter();
+        let compared = compared.map(Fact::from);
+        compared.chain(sides::facts(own, other)).collect()
+    }
+
+    /// The facts as one text; empty where there is nothing to say.
+    pub fn reason(&self) -> String {
+        sentence(&self.facts())
+    }
+
+    /// The same without what a search counts, which may differ between machines.
+    pub fn settled_reason(&self) -> String {
+        let mut facts = self.facts().into_owned();
+        facts.retain(|fact| !matches!(fact, Fact::Search(_)));
+        sentence(&facts)
     }
 
     /// The crack, where there is one.
@@ -130,7 +219,7 @@ impl Row {
     /// Error of the multiplier against those references, relative: the farther end counts.
     pub fn error(&self) -> Option<f64> {
         let errors = self.multiplier_references().into_iter().filter_map(|r| {
-            let value = computed(&self.outcome, r.quantity)?;
+            let value = computed(&self.computed(), r.quantity)?;
             Some(value.error(r.value, self.multiplier_unit))
         });
         errors.reduce(f64::max)

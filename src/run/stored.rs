@@ -40,8 +40,7 @@ fn file_name(case: &str, head_joints: HeadJoints, push: Push) -> String {
 pub fn certificates(result: &CaseResult) -> Vec<(String, Vec<u8>)> {
     let mut files = Vec::new();
     for row in &result.rows {
-        let stronger = row.stronger.iter().map(|side| (side.push, &*side.outcome));
-        for (push, outcome) in [(row.push, &row.outcome)].into_iter().chain(stronger) {
+        for (push, outcome) in row.sides() {
             let certificate = outcome.evidence.certificate();
             if let Some(certificate) = certificate.filter(|_| is_proved(outcome)) {
                 let name = file_name(&row.case, row.head_joints, push);
@@ -73,10 +72,13 @@ pub fn stored(result: &CaseResult, folder: &Path) -> Vec<Stored> {
     found
 }
 
-/// The verified collapse states of a search.
-fn verified(row: &Row) -> &[CollapseState] {
-    match &row.outcome.evidence {
-        Evidence::States { states, .. } => states,
+/// The verified collapse states of a search for one side of the push.
+fn verified(row: &Row, push: Push) -> &[CollapseState] {
+    let outcome = row
+        .side(push)
+        .filter(|outcome| outcome.status == Status::Verified);
+    match outcome.map(|outcome| &outcome.evidence) {
+        Some(Evidence::States { states, .. }) => states,
         _ => &[],
     }
 }
@@ -92,12 +94,13 @@ fn verdict(
     let certificate = Certificate::from_bytes(&bytes).map_err(|why| why.to_string())?;
     let proved = prove(scene, &certificate).map_err(|why| why.to_string())?;
     let rows = result.rows.iter();
-    let of_scene = rows.filter(|row| row.head_joints == head_joints && row.push == scene.push());
-    let states = of_scene.flat_map(|row| verified(row).iter().map(move |s| (row, s.lambda)));
-    let margin = 1e-6 * magnitude(proved.lower, scene.multiplier_unit());
-    let mut below = states.filter(|(row, lambda)| {
-        row.outcome.status == Status::Verified && *lambda < proved.lower - margin
+    let of_scene = rows.filter(|row| row.head_joints == head_joints);
+    let states = of_scene.flat_map(|row| {
+        let states = verified(row, scene.push()).iter();
+        states.map(move |state| (row, state.lambda))
     });
+    let margin = 1e-6 * magnitude(proved.lower, scene.multiplier_unit());
+    let mut below = states.filter(|(_, lambda)| *lambda < proved.lower - margin);
     match below.next() {
         None => Ok(proved),
         Some((row, lambda)) => Err(format!(

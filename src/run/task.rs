@@ -8,8 +8,8 @@ use std::time::Duration;
 
 use cpu_time::ThreadTime;
 
-use super::row::{Row, StrongerSide, scene_name};
-use super::weaker::{Answer, weaker};
+use super::row::{Row, scene_name};
+use super::sides::{Answer, OtherSide, governing};
 use crate::answer::{Outcome, Status};
 use crate::fingerprint::Fingerprint;
 use crate::judge::judge;
@@ -32,7 +32,7 @@ pub struct Subject<'a> {
     pub parameters: Vec<(String, String)>,
     /// Number of blocks: long tasks are begun first. It decides nothing else.
     pub blocks: usize,
-    /// The scenes. Where there are two, the weaker side counts.
+    /// The scenes. One a direction of the push.
     pub sides: Sides<'a>,
     /// Texts that determine these scenes: that of a case, or of the scenes themselves.
     pub determined_by: Vec<String>,
@@ -134,7 +134,7 @@ impl<'a> Task<'a> {
             .seconds_alone(self.subject.blocks, self.subject.head_joints)
     }
 
-    /// Runs and judges the method on every side of the push; the side that gives way first answers.
+    /// Runs and judges the method on every side of the push; the side that governs answers.
     /// A method that panics has failed.
     ///
     /// # Panics
@@ -142,7 +142,7 @@ impl<'a> Task<'a> {
     pub fn run(&self) -> Row {
         let sides = (self.subject.sides)();
         let answers = sides.iter().map(|scene| self.answer(scene)).collect();
-        self.row(weaker(answers))
+        self.row(governing(answers))
     }
 
     fn row(&self, answer: Answer) -> Row {
@@ -159,9 +159,10 @@ impl<'a> Task<'a> {
             joints: scene.joints().len(),
             multiplier_unit: scene.multiplier_unit(),
             outcome: answer.outcome,
-            stronger: answer.stronger.map(|stronger| StrongerSide {
-                push: stronger.scene.push(),
-                outcome: Box::new(stronger.outcome),
+            other: answer.other.map(|other| OtherSide {
+                push: other.scene.push(),
+                outcome: Box::new(other.outcome),
+                residuals: other.residuals,
             }),
             residuals: answer.residuals,
             seconds: answer.seconds,
@@ -191,13 +192,13 @@ impl<'a> Task<'a> {
             outcome,
             residuals,
             seconds: spent.as_secs_f64(),
-            stronger: None,
+            other: None,
         }
     }
 }
 
 /// A method's judged answer on scenes of no case: one scene, or one a direction of the push, of which
-/// the weaker answers.
+/// the one that governs answers.
 ///
 /// # Panics
 /// Where there is no scene.

@@ -18,7 +18,7 @@ fn row(scene: &Scene, method: &dyn Method) -> Row {
 fn drawn(scene: &Scene, row: &Row, macro_slope: Option<f64>) -> String {
     let view = View {
         scene,
-        row,
+        row: std::borrow::Cow::Borrowed(row),
         macro_slope,
     };
     figure("a wall", &[view], &Options::for_pictures(1))
@@ -121,7 +121,7 @@ fn drawings_at_a_given_scale_show_a_wall_in_the_same_size() {
         let row = row(&scene, method);
         let view = View {
             scene: &scene,
-            row: &row,
+            row: std::borrow::Cow::Borrowed(&row),
             macro_slope: None,
         };
         let before = all(&figure("a wall", &[view], &options), "before").concat();
@@ -170,7 +170,7 @@ fn captions_say_what_was_found() {
     let rows = [&closed, &interval, &undecided];
     let views = rows.map(|row| View {
         scene: &scene,
-        row,
+        row: std::borrow::Cow::Borrowed(row),
         macro_slope: Some(0.6597),
     });
     let options = Options {

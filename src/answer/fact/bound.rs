@@ -5,7 +5,7 @@ use std::fmt;
 use serde::{Deserialize, Serialize};
 
 use crate::certificate::Proved;
-use crate::number::number;
+use crate::number::below;
 
 /// What a lifted program proves, or why it proves nothing.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -57,17 +57,29 @@ impl fmt::Display for BoundFact {
 
 impl fmt::Display for Proved {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let lower = number(self.lower, 6);
-        write!(
-            f,
-            "it is proved that no collapse state with 0 ≤ λ < {lower} exists in which the push does work"
-        )?;
-        if let Some(cap) = self.cap {
-            write!(
-                f,
-                " and openings and slips are at most {cap:.0e} times the push's own motion"
-            )?;
+        if self.lower <= 0.0 {
+            return write!(f, "nothing is proved of lower states");
         }
-        Ok(())
+        write!(f, "it is proved that ")?;
+        write_floor(f, &below(self.lower, 6), self.cap)
+    }
+}
+
+/// What a lower bound says that is proved for motions up to a cap, where it needs one.
+pub(crate) fn write_floor(
+    f: &mut fmt::Formatter<'_>,
+    lower: &str,
+    cap: Option<f64>,
+) -> fmt::Result {
+    write!(
+        f,
+        "no collapse state with 0 ≤ λ < {lower} exists in which the push does work"
+    )?;
+    match cap {
+        Some(cap) => write!(
+            f,
+            " and openings and slips add up to no more than {cap:.0e} times the push's own motion"
+        ),
+        None => Ok(()),
     }
 }

@@ -18,6 +18,7 @@ use std::fmt;
 
 pub use auto::{AutoFact, Uniqueness};
 pub use bound::BoundFact;
+pub(crate) use bound::write_floor;
 pub use closed_form::{InapplicableForm, Invalid};
 pub use judged::{CeilingSlack, JudgedFact, Residuals};
 pub use limit::{LimitFact, SolverEnding};
@@ -126,7 +127,7 @@ impl From<&str> for Fact {
 }
 
 /// Facts as one text, parted by semicolons; empty where there is nothing to say.
-pub(super) fn sentence(facts: &[Fact]) -> String {
+pub(crate) fn sentence(facts: &[Fact]) -> String {
     let mut text = String::new();
     let mut separator = "";
     for fact in facts {

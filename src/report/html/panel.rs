@@ -101,8 +101,9 @@ fn view<'a>(result: &'a CaseResult, row: &'a Row) -> View<'a> {
     let same =
         |other: &&Row| other.kind() == Kind::ClosedForm && other.head_joints == row.head_joints;
     let closed = result.rows.iter().find(same);
+    let (scene, row) = result.governing(row);
     View {
-        scene: result.scene(row),
+        scene,
         row,
         macro_slope: closed
             .and_then(|row| row.crack())

@@ -96,7 +96,6 @@ fn is_shown(row: &Row) -> bool {
 
 fn mark(row: &Row, both: bool) -> RangeMark {
     let ends = row
-        .outcome
         .bracket()
         .map_or([0.0; 2], |ends| [ends.lower, ends.upper]);
     let known = row.references.iter().filter(|reference| {

@@ -15,11 +15,7 @@ pub fn summary(results: &[CaseResult]) -> Markup {
         .collect();
     let rows: Vec<_> = results.iter().flat_map(|result| &result.rows).collect();
     let verdicts = |verdict| checks.iter().filter(|(_, c)| c.verdict == verdict).count();
-    let statuses = |status| {
-        rows.iter()
-            .filter(|row| row.outcome.status == status)
-            .count()
-    };
+    let statuses = |status| rows.iter().filter(|row| row.status() == status).count();
     let bad = verdicts(Verdict::Violated) + statuses(Status::Failed);
     let undecided = statuses(Status::Undecided);
     let headline = headline(bad, undecided, verdicts(Verdict::NotDecided));

@@ -71,7 +71,7 @@ impl Cell {
         let known = &place.known;
         let kind = kind(&row.method);
         let unit = row.multiplier_unit;
-        let stated = row.outcome.evidence.stated_error().unwrap_or(0.0);
+        let stated = row.stated_error().unwrap_or(0.0);
         let answer = row.bracket();
         let error = answer.map(|answer| known.error(kind, answer, unit));
         let holds = answer.is_none_or(|answer| known.allows(kind, answer, stated, unit));

@@ -100,6 +100,6 @@ fn tooltip(cell: &Cell) -> String {
         cell.verdict.name(),
         cell.row.status().name(),
         between(cell.reference),
-        cell.row.outcome.reason()
+        cell.row.reason()
     )
 }

@@ -5,7 +5,7 @@ use indexmap::IndexMap;
 
 use crate::answer::Outcome;
 use crate::judge::{Check, cross_check};
-use crate::run::{Row, Task};
+use crate::run::{Row, Task, named};
 
 /// A check, and the wall that it is about.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,13 +33,12 @@ pub fn compare(tasks: &[Task], rows: &mut [Row]) -> Vec<SweepCheck> {
         let wall = format!("{scene_name} {parameters}").trim_end().to_owned();
         let sides = (tasks[indices[0]].subject().sides)();
         for scene in sides.iter() {
-            let of_side = indices.iter().map(|&index| &rows[index]);
-            let of_side = of_side.filter(|row| row.push == scene.push());
-            let answers: Vec<(&str, &Outcome)> = of_side
-                .map(|row| (row.method.as_str(), &row.outcome))
+            let rows = indices.iter().map(|&index| &rows[index]);
+            let answers: Vec<(&str, &Outcome)> = rows
+                .filter_map(|row| Some((row.method.as_str(), row.side(scene.push())?)))
                 .collect();
             checks.extend(cross_check(scene, &answers).into_iter().map(|check| {
-                let wall = wall.clone();
+                let (wall, check) = (wall.clone(), named(check, scene, &sides));
                 (indices.clone(), SweepCheck { wall, check })
             }));
         }

@@ -1,0 +1,461 @@
+//! Of a wall that is pushed both ways: the side that governs, and what both sides say of the wall.
+
+use serde::{Deserialize, Serialize};
+
+use crate::answer::{BoundFact, Bracket, Evidence, Fact, Outcome, SideFact, Status, magnitude};
+use crate::judge::Recomputed;
+use crate::number::{above, below, nine_digits, nine_outwards, number};
+use crate::scene::{Push, Scene};
+
+/// The judged answer of a method for one side of the push.
+pub(super) struct Answer<'a> {
+    /// The scene that it is about.
+    pub scene: &'a Scene,
+    /// The answer, its status set by the judge.
+    pub outcome: Outcome,
+    /// Residuals that the judge computed, where there was something to judge.
+    pub residuals: Vec<Recomputed>,
+    /// CPU time of the method, seconds.
+    pub seconds: f64,
+    /// The answer of the other side, where the wall is pushed both ways.
+    pub other: Option<Box<Answer<'a>>>,
+}
+
+/// Of a wall that is pushed both ways, the side that does not govern.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct OtherSide {
+    /// Direction of its push.
+    pub push: Push,
+    /// The judged answer.
+    pub outcome: Box<Outcome>,
+    /// Residuals that the judge computed.
+    pub residuals: Vec<Recomputed>,
+}
+
+/// One end of a wall's range of λ.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct End {
+    /// The multiplier.
+    pub lambda: f64,
+    /// Direction of the push that has this end.
+    pub push: Push,
+    /// Which way it is rounded, +1 up and -1 down, where it is a proved bound and the other end is
+    /// another number: printed digits must not claim more than the proof.
+    pub outwards: Option<f64>,
+}
+
+impl End {
+    /// With fixed decimals, rounded as it may be.
+    pub fn outwards(self, decimals: usize) -> String {
+        match self.outwards {
+            Some(sign) if sign < 0.0 => below(self.lambda, decimals),
+            Some(_) => above(self.lambda, decimals),
+            None => number(self.lambda, decimals),
+        }
+    }
+
+    /// As files have it: with nine digits, rounded as it may be.
+    pub fn written(self) -> f64 {
+        self.outwards
+            .map_or(self.lambda, |sign| nine_outwards(self.lambda, sign))
+    }
+}
+
+/// Lower and upper end of a wall's range of λ; `None` where nothing is known of it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Ends {
+    /// The least of the sides' lower ends, where every side has one.
+    pub lower: Option<End>,
+    /// The least of the upper ends: it holds for the wall whatever the other side does.
+    pub upper: Option<End>,
+}
+
+impl Ends {
+    /// The range, where it has both ends.
+    pub fn bracket(&self) -> Option<Bracket> {
+        let (lower, upper) = (self.lower?.lambda, self.upper?.lambda);
+        Some(Bracket { lower, upper })
+    }
+}
+
+/// One side's direction and answer.
+pub(super) type Side<'a> = (Push, &'a Outcome);
+
+/// Multipliers nearer than this, relative to the larger, are those of sides alike.
+const ALIKE: f64 = 1e-6;
+
+/// The answer of the side that governs: a side without an answer, as it may be the weaker; else the
+/// one at whose λ a collapse is known first. It carries the other side's, and says first what the two
+/// come to.
+///
+/// # Panics
+/// Where there is no answer.
+pub(super) fn governing(mut answers: Vec<Answer>) -> Answer {
+    if answers.len() == 1 {
+        return answers.remove(0);
+    }
+    let seconds = answers.iter().map(|answer| answer.seconds).sum();
+    let work = answers.iter().map(|answer| answer.outcome.work);
+    let work = work.fold(Default::default(), |a, b| a + b);
+    let mut first = 0;
+    let unit = answers[0].scene.multiplier_unit();
+    for side in 1..answers.len() {
+        if gives_way_before(&answers[side].outcome, &answers[first].outcome, unit) {
+            first = side;
+        }
+    }
+    let mut answer = answers.swap_remove(first);
+    let other = answers.pop().map(Box::new);
+    answer.outcome.work = work;
+    Answer {
+        seconds,
+        other,
+        ..answer
+    }
+}
+
+/// Whether a side gives way before another. Of sides that differ by rounding alone neither does: it
+/// must not depend on the machine.
+fn gives_way_before(a: &Outcome, b: &Outcome, unit: f64) -> bool {
+    let ((a, x), (b, y)) = (rank(a), rank(b));
+    a < b || a == b && x < y - ALIKE * magnitude(y, unit)
+}
+
+/// How early a side gives way: first by what there is to say of it, then by the multiplier.
+fn rank(outcome: &Outcome) -> (u8, f64) {
+    match (outcome.status, outcome.evidence.collapse_known()) {
+        (Status::Falls, _) => (0, 0.0),
+        (Status::Failed, _) => (1, 0.0),
+        (Status::Stands, _) => (4, 0.0),
+        (_, Some(lambda)) if outcome.bracket().is_some() => (3, lambda),
+        _ => (2, 0.0),
+    }
+}
+
+/// Whether a side leaves the wall without a lower end: it has no answer, and may be the weaker.
+fn is_unanswered(outcome: &Outcome) -> bool {
+    outcome.bracket().is_none() && !matches!(outcome.status, Status::Stands | Status::Falls)
+}
+
+/// The wall's range: the least of the lower ends, and the least of the upper ends.
+pub(super) fn ends((push, outcome): Side, other: Option<Side>) -> Ends {
+    // It falls whichever way it is pushed.
+    if outcome.status == Status::Falls {
+        return Ends::default();
+    }
+    let of = |(push, outcome): Side| {
+        let bracket = outcome.bracket();
+        let bounds = outcome.evidence.bounds();
+        let bounds = bounds.map(|is_bound| is_bound && outcome.status != Status::Estimate);
+        let end = |lambda: f64, is_bound: bool, sign: f64| End {
+            lambda,
+            push,
+            outwards: is_bound.then_some(sign),
+        };
+        [
+            bracket.map(|b| end(b.lower, bounds[0], -1.0)),
+            bracket.map(|b| end(b.upper, bounds[1], 1.0)),
+        ]
+    };
+    let own = of((push, outcome));
+    let [lower, upper] = match other {
+        None => own,
+        Some(other) => {
+            let others = of(other);
+            let unknown = [outcome, other.1].into_iter().any(is_unanswered);
+            let ends = [0, 1].map(|place| least(own[place], others[place]));
+            [ends[0].filter(|_| !unknown), ends[1]]
+        }
+    };
+    let nine = |end: Option<End>| end.map(|end| nine_digits(end.lambda));
+    if nine(lower) == nine(upper) {
+        // One number to the printed digits, which stands for both ends: to the nearest.
+        let nearest = |end: End| End {
+            outwards: None,
+            ..end
+        };
+        return Ends {
+            lower: lower.map(nearest),
+            upper: upper.map(nearest),
+        };
+    }
+    Ends { lower, upper }
+}
+
+/// The least of two ends, of equal ones the first.
+fn least(one: Option<End>, other: Option<End>) -> Option<End> {
+    match (one, other) {
+        (Some(a), Some(b)) if b.lambda < a.lambda => Some(b),
+        (Some(a), _) => Some(a),
+        (None, b) => b,
+    }
+}
+
+/// What the wall's range is worth: no more than either side's that it needs, and one number only where
+/// its own ends are.
+pub(super) fn status(governing: Side, other: Option<Side>, unit: f64) -> Status {
+    let own = governing.1.status;
+    let Some((_, other_outcome)) = other else {
+        return own;
+    };
+    let Some(bracket) = ends(governing, other).bracket() else {
+        return own;
+    };
+    let either = |status| own == status || other_outcome.status == status;
+    if either(Status::Undecided) {
+        return Status::Undecided;
+    }
+    if either(Status::Estimate) {
+        return Status::Estimate;
+    }
+    let proves_both_ends = matches!(
+        governing.1.evidence,
+        Evidence::Bounds { .. } | Evidence::Bounded { .. } | Evidence::Enclosed { .. }
+    );
+    match proves_both_ends {
+        true if bracket.is_one_number(unit) => Status::Verified,
+        true => Status::Bracketed,
+        false => own,
+    }
+}
+
+/// The facts of the side that governs, beside another: what it proves is proved of the wall, or names
+/// the side.
+pub(super) fn facts(own: Side, other: Side) -> Vec<Fact> {
+    let mut facts = Vec::new();
+    for fact in &own.1.facts {
+        let Fact::Bound(BoundFact::Proved(proved)) = fact else {
+            facts.push(fact.clone());
+            continue;
+        };
+        match other.1.proved() {
+            Some(others) => facts.push(BoundFact::Proved(proved.and(others)).into()),
+            None if other.1.status == Status::Stands => facts.push(fact.clone()),
+            None => facts.extend([SideFact::For(own.0).into(), fact.clone()]),
+        }
+    }
+    facts
+}
+
+/// How the two sides compare, the one that governs first.
+pub(super) fn compared(own: Side, other: Side, unit: f64) -> Vec<SideFact> {
+    let (push, outcome) = own;
+    if outcome.status == Status::Falls {
+        return Vec::new();
+    }
+    let answered = outcome.bracket();
+    if answered.is_none() && outcome.reason() == other.1.reason() {
+        return vec![SideFact::Either];
+    }
+    if is_unanswered(outcome) {
+        let said = other.1.bracket().map(|bracket| SideFact::AtMost {
+            push: other.0,
+            lambda: bracket.upper,
+            status: other.1.status,
+        });
+        return said
+            .into_iter()
+            .chain([SideFact::Unanswered(push)])
+            .collect();
+    }
+    let (Some(one), Some(two)) = (answered, other.1.bracket()) else {
+        return vec![SideFact::Only(push)];
+    };
+    let known = |of: &Outcome| of.evidence.collapse_known().unwrap_or(f64::NAN);
+    let (least, next) = (known(outcome), known(other.1));
+    let is_alike = |a: f64, b: f64| (a - b).abs() <= ALIKE * magnitude(b, unit);
+    if is_alike(one.lower, two.lower) && is_alike(one.upper, two.upper) {
+        return vec![SideFact::Alike];
+    }
+    let by = (next - least) / magnitude(next, unit);
+    let first = match is_alike(least, next) {
+        true => SideFact::SameLowest,
+        false if one.upper < two.lower => SideFact::Weaker { push, by },
+        false => SideFact::Lowest { push, by },
+    };
+    let lower = ends(own, Some(other)).lower;
+    let elsewhere = lower.map(|end| end.push).filter(|&side| side != push);
+    [first]
+        .into_iter()
+        .chain(elsewhere.map(SideFact::LowerEnd))
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::answer::{CollapseState, Mechanism, sentence};
+    use crate::scene::{HeadJoints, Wall};
+
+    fn scenes() -> [Scene; 2] {
+        let side = |push| Wall::of_cubes(1, push).scene(HeadJoints::Open).unwrap();
+        [Push::Right, Push::Left].map(side)
+    }
+
+    fn number(lower: f64, upper: f64) -> Outcome {
+        let evidence = Evidence::Number {
+            bracket: Bracket { lower, upper },
+            stated_error: None,
+            forces: None,
+            mechanism: None,
+            crack: None,
+        };
+        Outcome {
+            evidence,
+            ..Outcome::without_number(Status::Estimate, "told")
+        }
+    }
+
+    fn bounded(lower: f64, upper: f64, status: Status) -> Outcome {
+        let state = CollapseState {
+            lambda: upper,
+            forces: Vec::new(),
+            mechanism: Mechanism::default(),
+        };
+        let evidence = Evidence::Bounded {
+            lower: Some(lower),
+            certificate: None,
+            state,
+            crack: None,
+        };
+        Outcome::with(status, evidence)
+    }
+
+    /// The wall from the answers to a push to the right and to the left: the side that governs, what is
+    /// said of it, its ends and status.
+    fn of(outcomes: [Outcome; 2]) -> (Push, String, Ends, Status) {
+        let scenes = scenes();
+        let answers = outcomes.into_iter().zip(&scenes);
+        let answers = answers.map(|(outcome, scene)| Answer {
+            scene,
+            outcome,
+            residuals: Vec::new(),
+            seconds: 1.0,
+            other: None,
+        });
+        let answer = governing(answers.collect());
+        assert_eq!(answer.seconds, 2.0);
+        let own = (answer.scene.push(), &answer.outcome);
+        let other = answer.other.as_ref();
+        let other = other.map(|other| (other.scene.push(), &other.outcome));
+        let (ends, unit) = (ends(own, other), answer.scene.multiplier_unit());
+        let other_side = other.unwrap();
+        let said = compared(own, other_side, unit).into_iter().map(Fact::from);
+        let said: Vec<Fact> = said.chain(facts(own, other_side)).collect();
+        (own.0, sentence(&said), ends, status(own, other, unit))
+    }
+
+    fn lambdas(ends: Ends) -> [Option<(f64, Push)>; 2] {
+        [ends.lower, ends.upper].map(|end| end.map(|end| (end.lambda, end.push)))
+    }
+
+    #[test]
+    fn the_weaker_side_answers_and_is_named() {
+        let (push, reason, ends, _) = of([number(0.5, 0.5), number(0.4, 0.4)]);
+        assert_eq!(ends.bracket(), Some(Bracket::point(0.4)));
+        assert_eq!(push, Push::Left);
+        let expected = "the wall is weaker when pushed to the left, by 20.0 %; told";
+        assert_eq!(reason, expected);
+    }
+
+    #[test]
+    fn rounding_does_not_choose_a_side() {
+        let (push, reason, ..) = of([number(0.5, 0.5), number(0.5 - 1e-12, 0.5 - 1e-12)]);
+        assert_eq!(push, Push::Right);
+        let expected = "the wall is as strong when pushed to the right as to the left; told";
+        assert_eq!(reason, expected);
+    }
+
+    /// Left [0.3, 0.9] and right [0.4, 0.5]: the right governs, but only 0.3 is proved.
+    #[test]
+    fn each_end_names_its_side() {
+        let right = bounded(0.4, 0.5, Status::Bracketed);
+        let left = bounded(0.3, 0.9, Status::Bracketed);
+        let (push, reason, ends, status) = of([right, left]);
+        assert_eq!(push, Push::Right);
+        let expected = [Some((0.3, Push::Left)), Some((0.5, Push::Right))];
+        assert_eq!(lambdas(ends), expected);
+        assert_eq!(status, Status::Bracketed);
+        assert_eq!(
+            reason,
+            "the lowest collapse known is that of the push to the right, by 44.4 %, and the ranges of the \
+             two sides overlap; the lower end is that of the push to the left"
+        );
+    }
+
+    /// A proof at 0 on both sides makes them alike no more than the states above it do.
+    #[test]
+    fn sides_with_the_same_lower_end_are_not_alike() {
+        let right = bounded(0.0, 0.53, Status::Bracketed);
+        let left = bounded(0.0, 0.36, Status::Bracketed);
+        let (push, _, ends, _) = of([right, left]);
+        assert_eq!(push, Push::Left);
+        assert_eq!(
+            ends.bracket(),
+            Some(Bracket {
+                lower: 0.0,
+                upper: 0.36
+            })
+        );
+    }
+
+    #[test]
+    fn a_wall_is_one_number_where_its_own_ends_are() {
+        let right = bounded(0.4, 0.4, Status::Verified);
+        let (.., status) = of([right.clone(), bounded(0.5, 0.9, Status::Bracketed)]);
+        assert_eq!(status, Status::Verified);
+        let (.., status) = of([right, bounded(0.3, 0.9, Status::Bracketed)]);
+        assert_eq!(status, Status::Bracketed);
+        let right = bounded(0.4, 0.4, Status::Verified);
+        let (.., status) = of([right, bounded(0.5, 0.9, Status::Estimate)]);
+        assert_eq!(status, Status::Estimate);
+    }
+
+    #[test]
+    fn a_side_that_falls_is_the_weaker_and_one_that_stands_the_stronger() {
+        let falls = Outcome::without_number(Status::Falls, "why");
+        let (push, _, ends, status) = of([number(0.5, 0.5), falls]);
+        assert_eq!(
+            (push, ends.bracket(), status),
+            (Push::Left, None, Status::Falls)
+        );
+        let stands = Outcome::without_number(Status::Stands, "why");
+        let (push, reason, ends, _) = of([stands.clone(), number(0.5, 0.5)]);
+        assert_eq!(ends.bracket(), Some(Bracket::point(0.5)));
+        assert_eq!(
+            (push, &*reason),
+            (Push::Left, "only the push to the left has a limit; told")
+        );
+        let (.., reason, ends, status) = of([stands.clone(), stands]);
+        assert_eq!((ends.bracket(), status), (None, Status::Stands));
+        assert_eq!(reason, "for a push to either side: why");
+    }
+
+    #[test]
+    fn a_side_without_an_answer_leaves_the_wall_without_a_lower_end() {
+        let unknown = Outcome::without_number(Status::Undecided, "why");
+        let (_, reason, ends, status) = of([number(0.4, 0.5), unknown]);
+        assert_eq!(status, Status::Undecided);
+        assert_eq!(lambdas(ends), [None, Some((0.5, Push::Right))]);
+        assert_eq!(
+            reason,
+            "pushed to the right, λ is at most 0.50000 (estimate); there is no answer when pushed to the \
+             left: why"
+        );
+    }
+
+    /// What is proved is never printed as more than that.
+    #[test]
+    fn bounds_are_rounded_outwards() {
+        let (.., ends, _) = of([
+            bounded(0.289_523_821_6, 0.3, Status::Bracketed),
+            bounded(0.4, 0.4, Status::Verified),
+        ]);
+        let lower = ends.lower.unwrap();
+        assert_eq!(
+            (lower.outwards(6), lower.written()),
+            ("0.289523".into(), 0.289_523_821)
+        );
+        assert_eq!(ends.upper.unwrap().outwards(5), "0.30000");
+    }
+}
