@@ -56,7 +56,8 @@ fn files_below(folder: &Path) -> Vec<String> {
     files
 }
 
-/// What is proved of cases, which is no part of them: it is read where it lies.
+/// What is proved of cases, which is no part of them: it is read where it lies, and the program knows
+/// the names.
 const CERTIFICATES: &str = "cases/certificates/";
 
 /// What comes first among the cases. All others follow by path.
@@ -71,8 +72,13 @@ const FIRST: [&str; 6] = [
 
 /// Lists the cases, the sweeps, and the files that cases may name.
 fn embed() {
-    let mut files = files_below(Path::new("cases"));
-    files.retain(|path| !path.starts_with(CERTIFICATES));
+    let files = files_below(Path::new("cases"));
+    let (mut certified, mut files): (Vec<_>, Vec<_>) = files
+        .into_iter()
+        .partition(|path| path.starts_with(CERTIFICATES));
+    certified.sort();
+    let names = certified.iter().map(|path| &path[CERTIFICATES.len()..]);
+    write_out("certified.rs", &format!("&{:?}", names.collect::<Vec<_>>()));
     files.retain(|path| !path.split('/').any(|part| part.starts_with('.')));
     files.sort_by(|a, b| {
         let key = |path: &str| {
@@ -102,8 +108,13 @@ fn write_list(name: &str, paths: &[String]) {
         let _ = writeln!(list, "    ({path:?}, include_str!({file})),");
     }
     list.push_str("]\n");
+    write_out(name, &list);
+}
+
+/// Writes a file that the sources include.
+fn write_out(name: &str, text: &str) {
     let folder = PathBuf::from(env::var_os("OUT_DIR").expect("cargo names a folder"));
-    fs::write(folder.join(name), list).expect("cargo's folder can be written to");
+    fs::write(folder.join(name), text).expect("cargo's folder can be written to");
 }
 
 /// The characters of a path, every number in it as one: `column-2` is before `column-10`.

@@ -19,10 +19,10 @@ pub(crate) use bracket::{VERIFIED_WIDTH, is_same_multiplier, magnitude};
 pub use evidence::{Evidence, Observed};
 pub use fact::Fact;
 pub(crate) use fact::{
-    AutoFact, BoundFact, CeilingSlack, Coverage, InapplicableForm, Invalid, JudgedFact, LimitFact,
-    ProgramEnding, ProgramFailure, PushoverFact, Residuals, SearchEnding, SearchFacts,
-    SearchFailure, SearchStart, SequentialEnding, SequentialFacts, SideFact, SolverEnding,
-    StartEnding, Uniqueness, sentence, write_floor,
+    AT_REST, AutoFact, BoundFact, Budget, CeilingSlack, Coverage, InapplicableForm, Invalid,
+    JudgedFact, LimitFact, ProgramEnding, ProgramFailure, PushoverFact, Residuals, SearchEnding,
+    SearchFacts, SearchFailure, SearchStart, SequentialEnding, SequentialFacts, SideFact,
+    SolverEnding, StartEnding, Uniqueness, sentence, write_floor,
 };
 pub use outcome::Outcome;
 pub use recording::Recording;

@@ -35,8 +35,15 @@ pub fn prove(scene: &Scene, certificate: &Certificate) -> Result<Proved, Refusal
     if certificate.scene != scene_fingerprint(&conditions) {
         return Err(Refusal::OtherScene);
     }
-    if !(certificate.cap.is_finite() && certificate.lower.is_finite() && certificate.cap >= 0.0) {
+    let (lower, cap) = (certificate.lower, certificate.cap);
+    if !(cap.is_finite() && lower.is_finite()) {
         return Err(Refusal::NotFinite);
+    }
+    if lower <= 0.0 {
+        return Err(Refusal::Nothing { claimed: lower });
+    }
+    if cap < 1.0 {
+        return Err(Refusal::Capped { cap });
     }
     let conditions = conditions.with_slip_bounds(scene);
     let prover = Prover::new(scene, conditions, &certificate.opening)?;

@@ -4,6 +4,8 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
+use crate::number::nine_digits;
+
 /// Multipliers of one slice; all numbers without dimension: λ over its unit, forces over the total
 /// weight, lengths over the height.
 #[derive(Clone, Debug, PartialEq)]
@@ -141,6 +143,16 @@ pub enum Refusal {
     Size,
     /// One of its numbers is none.
     NotFinite,
+    /// It claims no λ above 0, which every push meets.
+    Nothing {
+        /// λ that it claims.
+        claimed: f64,
+    },
+    /// It speaks of motions that are smaller than the push's own alone.
+    Capped {
+        /// Its cap.
+        cap: f64,
+    },
     /// A multiplier that must not be negative is.
     Negative {
         /// Slice, from 0.
@@ -179,6 +191,16 @@ impl fmt::Display for Refusal {
             Refusal::OtherScene => write!(f, "it is about another scene"),
             Refusal::Size => write!(f, "its size does not match the scene"),
             Refusal::NotFinite => write!(f, "one of its numbers is not finite"),
+            Refusal::Nothing { claimed } => write!(
+                f,
+                "it claims that no state has 0 ≤ λ < {}, which says nothing",
+                nine_digits(*claimed)
+            ),
+            Refusal::Capped { cap } => write!(
+                f,
+                "it speaks of no motion but those whose openings and slips add up to {cap:.0e} times the push's \
+                 own"
+            ),
             Refusal::Negative { slice } => {
                 write!(f, "slice {} has a negative multiplier", slice + 1)
             }

@@ -1,11 +1,11 @@
 //! `trilith check`.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use crate::case;
+use crate::case::{self, Case};
 use crate::report;
-use crate::run::{CaseResult, Partial, stored};
+use crate::run::{CaseResult, Partial, Stored, stored, strays};
 use clap::Args;
 
 use super::plan::PlanArguments;
@@ -38,10 +38,15 @@ pub(super) fn check(arguments: &CheckArguments) -> Result<u8, Stop> {
     arguments.kept.test()?;
     let stored_in = stored_in(arguments)?;
     let refused = AtomicBool::new(false);
+    // Whoever names cases and a folder says that their certificates are there.
+    let all = arguments.certificates.is_some() && !arguments.cases.is_empty();
     print(&report::library_heading(layout()))?;
     let show = |result: &CaseResult| {
         print(&report::library_case(result, layout()))?;
-        for stored in stored_in.iter().flat_map(|folder| stored(result, folder)) {
+        for stored in stored_in
+            .iter()
+            .flat_map(|folder| stored(result, folder, all))
+        {
             if stored.verdict.is_err() {
                 refused.store(true, Ordering::SeqCst);
             }
@@ -49,6 +54,10 @@ pub(super) fn check(arguments: &CheckArguments) -> Result<u8, Stop> {
         }
         Ok(())
     };
+    for stray in strays_in(stored_in.as_deref(), &cases)? {
+        refused.store(true, Ordering::SeqCst);
+        print_lines(&format!("{stray}\n"))?;
+    }
     let kept = arguments.kept.journal("check.journal");
     let results = solve(&cases, &plan, kept, show, |results, partial| {
         hand_out(arguments, results, partial)
@@ -68,6 +77,20 @@ fn hand_out(
     ));
     arguments.kept.write(results, arguments.states, partial)?;
     printed
+}
+
+/// The certificates in the folder that are of no case that is checked or built in.
+fn strays_in(folder: Option<&Path>, cases: &[Case]) -> Result<Vec<Stored>, Stop> {
+    let Some(folder) = folder else {
+        return Ok(Vec::new());
+    };
+    let known = [cases.to_vec(), case::library()].concat();
+    strays(&known, folder).map_err(|error| {
+        let folder = folder.display();
+        Stop::bad_input(format!(
+            "error: cannot read {folder}: {error}\nhelp: name a folder that can be read"
+        ))
+    })
 }
 
 /// Where certificates lie unless a user says otherwise.

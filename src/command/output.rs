@@ -58,7 +58,7 @@ pub(super) fn write_certificates(folder: &Path, results: &[CaseResult]) -> Resul
         }
         for row in &result.rows {
             if kind(&row.method) == Kind::LowerBound
-                && row.bracket().is_some()
+                && row.bracket().is_some_and(|bracket| bracket.lower > 0.0)
                 && row.outcome.evidence.certificate().is_none()
             {
                 tell!(

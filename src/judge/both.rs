@@ -36,7 +36,8 @@ fn rank(basis: Basis) -> u8 {
         Basis::Falls => 0,
         Basis::LowestState | Basis::UpperBound | Basis::Observed | Basis::Estimate => 1,
         Basis::Nothing => 2,
-        Basis::Stands => 3,
+        Basis::NoneFound => 3,
+        Basis::Stands => 4,
     }
 }
 

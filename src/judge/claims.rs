@@ -1,7 +1,7 @@
 //! What the answers about one scene claim, whoever gives them: outside programs say it themselves,
 //! of our own methods the table does.
 
-use crate::answer::{Bracket, Evidence, Outcome, Status, magnitude};
+use crate::answer::{BoundFact, Bracket, Evidence, Fact, Outcome, Status, magnitude};
 use crate::mechanics::VERIFIED_RESIDUAL;
 use crate::method::{Kind, kind};
 use crate::scene::{HeadJoints, JointClass, Push, Scene};
@@ -38,6 +38,8 @@ pub(super) struct Answered<'a> {
     pub bracket: Bracket,
     /// Proved lower bound of every collapse state; `bracket` is then the state above it.
     pub floor: Option<f64>,
+    /// Whether that holds of every collapse, however far it moves and whatever the push does.
+    pub is_whole: bool,
     pub outcome: &'a Outcome,
 }
 
@@ -89,6 +91,7 @@ impl<'a> Claims<'a> {
                     bracket
                 },
                 floor: (is_floor && outcome.status != Status::Estimate).then_some(bracket.lower),
+                is_whole: is_whole(outcome),
                 outcome,
             })
         });
@@ -139,6 +142,14 @@ impl<'a> Claims<'a> {
     pub fn proof_slack(&self, lambda: f64) -> f64 {
         1e-6 + VERIFIED_RESIDUAL * self.unit / magnitude(lambda, self.unit)
     }
+}
+
+/// Whether a lower bound is proved of every collapse: without a cap, and where nothing falls on which
+/// the push does no work.
+fn is_whole(outcome: &Outcome) -> bool {
+    let uncapped = outcome.proved().is_some_and(|proved| proved.cap.is_none());
+    let push_moves = Fact::from(BoundFact::PushMoves);
+    uncapped && outcome.facts.contains(&push_moves)
 }
 
 fn role(name: &str, outcome: &Outcome) -> Role {

@@ -3,8 +3,8 @@
 use super::claims::{Answered, Answers, Claims, Role};
 use super::conclusion::{ALIKE, Basis, Conclusion, Difference, Doubt, Explanation, Floor};
 use super::heard::{UNSTATED_ERROR, lower_states};
-use super::outside::is_impossible;
-use crate::answer::{Bracket, Outcome, Status};
+use super::outside::{excluding, is_impossible};
+use crate::answer::{Bracket, Fact, LimitFact, Outcome, Status};
 use crate::scene::Scene;
 
 /// The conclusion from the answers about one scene: of a multiplier that is proved; else that it
@@ -26,6 +26,23 @@ pub(crate) fn conclude(scene: &Scene, answers: &Answers) -> Conclusion {
     }
     if let Some((basis, answer)) = unproved(&claims) {
         return of_answer(&claims, basis, &answer);
+    }
+    // A search that ended without a state, and what else looked for one and has no answer.
+    let none_found = Fact::from(LimitFact::NoneFoundWithoutBound);
+    if answers
+        .iter()
+        .any(|(_, outcome)| outcome.facts.contains(&none_found))
+    {
+        let searched = with_status(&claims, Status::Undecided);
+        return Conclusion {
+            difference: without_bound(&claims),
+            ..without_multiplier(
+                &claims,
+                Basis::NoneFound,
+                Status::Undecided,
+                names(searched),
+            )
+        };
     }
     let asked = answers.iter().copied();
     let asked = asked.filter(|(_, outcome)| outcome.status != Status::NotApplicable);
@@ -183,6 +200,11 @@ fn difference(claims: &Claims, lowest: &Answered) -> Option<Difference> {
             },
         });
     }
+    without_bound(claims)
+}
+
+/// That with associative friction nothing collapses, where somebody proves it.
+fn without_bound(claims: &Claims) -> Option<Difference> {
     let mut stands = with_status(claims, Status::Stands);
     let stands = stands.find(|answer| !without_dilatancy(answer));
     stands.map(|(name, _)| Difference {
@@ -217,11 +239,25 @@ fn against_any(claims: &Claims) -> Vec<Doubt> {
         by: answer.name.to_owned(),
         lambda: answer.bracket.lower,
     });
+    let outside = claims
+        .answered
+        .iter()
+        .filter(|answer| answer.role == Role::Number);
+    let excluded = outside.filter_map(|answer| {
+        let (floor, least) = excluding(claims, answer)?;
+        Some(Doubt::Excluded {
+            by: answer.name.to_owned(),
+            lambda: answer.bracket.upper,
+            floor: floor.name.to_owned(),
+            least,
+        })
+    });
     let falls = with_status(claims, Status::Falls);
     let falls = falls.map(|(by, _)| Doubt::Falls { by: by.to_owned() });
     above(claims)
         .into_iter()
         .chain(impossible)
+        .chain(excluded)
         .chain(falls)
         .collect()
 }

@@ -4,7 +4,7 @@
 use std::fmt;
 
 use super::heard::LowerState;
-use crate::answer::{Bracket, Status, is_same_multiplier, magnitude, write_floor};
+use crate::answer::{AT_REST, Bracket, Status, is_same_multiplier, magnitude, write_floor};
 use crate::number::{above, below, number, percent};
 use crate::scene::{HeadJoints, Push};
 
@@ -78,6 +78,8 @@ pub enum Basis {
     Observed,
     /// A number without a proof.
     Estimate,
+    /// No collapse state was found where with associative friction none exists, which proves nothing.
+    NoneFound,
     /// Nothing.
     Nothing,
 }
@@ -92,6 +94,7 @@ impl Basis {
             Basis::UpperBound => "upper-bound",
             Basis::Observed => "observed",
             Basis::Estimate => "estimate",
+            Basis::NoneFound => "no-state-found",
             Basis::Nothing => "nothing",
         }
     }
@@ -150,6 +153,17 @@ pub enum Doubt {
         lambda: f64,
         /// How far above, relative to the bound.
         above: f64,
+    },
+    /// Somebody lies below what is proved of every collapse.
+    Excluded {
+        /// Who.
+        by: String,
+        /// The multiplier.
+        lambda: f64,
+        /// Whose proof it is.
+        floor: String,
+        /// The lower bound.
+        least: f64,
     },
     /// Somebody gives what no multiplier can be.
     Impossible {
@@ -222,6 +236,7 @@ impl Conclusion {
         match other.basis {
             Basis::Stands => write!(f, "it stands ({by})"),
             Basis::Falls => write!(f, "it falls under its own weight ({by})"),
+            Basis::NoneFound => write!(f, "no collapse state was found ({by})"),
             _ => write!(f, "there is no answer, so that the wall may be weaker"),
         }
     }
@@ -242,12 +257,13 @@ impl fmt::Display for Conclusion {
                     f,
                     "λ = {lambda} is {status}: it is the lowest collapse state found ({by})"
                 )?;
-                match self.highest_state {
-                    Some(highest) => {
-                        let highest = number(highest, 5);
-                        write!(f, ", and others were found up to {highest}")
-                    }
-                    None => Ok(()),
+                if let Some(highest) = self.highest_state {
+                    let highest = number(highest, 5);
+                    write!(f, ", and others were found up to {highest}")?;
+                }
+                match self.bracket {
+                    Some(bracket) if bracket.lower == 0.0 => write!(f, "; {AT_REST}"),
+                    _ => Ok(()),
                 }
             }
             Basis::Stands => write!(f, "it stands: no push is too large for it ({by})"),
@@ -264,6 +280,10 @@ impl fmt::Display for Conclusion {
                 "λ = {lambda} is {status}, as the simulation shows ({by}); nothing is proved"
             ),
             Basis::Estimate => write!(f, "λ = {lambda} is an {status} ({by}); nothing is proved"),
+            Basis::NoneFound => write!(
+                f,
+                "no collapse state was found ({by}), which does not prove that none exists"
+            ),
             Basis::Nothing if self.methods.is_empty() => write!(f, "there is no answer"),
             Basis::Nothing => write!(f, "there is no answer ({by})"),
         }?;
@@ -303,7 +323,10 @@ impl fmt::Display for Difference {
             return write!(f, "{method} gives the same");
         }
         let lambda = number(lambda, 5);
-        if relative > 0.0 {
+        if relative > 10.0 {
+            // Beside a state at 0, say, a percentage says nothing.
+            write!(f, "{method} gives {lambda}, which is {}", self.explanation)
+        } else if relative > 0.0 {
             let above = percent(relative);
             write!(
                 f,
@@ -343,6 +366,18 @@ impl fmt::Display for Doubt {
                 write!(
                     f,
                     "{by} gives {lambda}, which is {above} above what no collapse multiplier exceeds"
+                )
+            }
+            Doubt::Excluded {
+                by,
+                lambda,
+                floor,
+                least,
+            } => {
+                let (lambda, least) = (number(*lambda, 4), below(*least, 5));
+                write!(
+                    f,
+                    "{by} gives {lambda}, and {floor} proves that no collapse is below {least}"
                 )
             }
             Doubt::Impossible { by, lambda } => {

@@ -4,7 +4,7 @@
 use super::check::{Check, Verdict};
 use super::claims::{Answered, Answers, Claims, Role};
 use super::heard::{CONVERGED_ERROR, LowerState, UNSTATED_ERROR, lower_states};
-use super::outside::{claims_without_proof, plausible};
+use super::outside::{below_floor, claims_without_proof, excluding, plausible};
 use crate::answer::{Bracket, Outcome, Status};
 use crate::number::{number, percent, short};
 use crate::scene::{HeadJoints, Scene};
@@ -80,8 +80,8 @@ pub fn cross_check(scene: &Scene, answers: &Answers) -> Vec<Check> {
         }
     }
     for answer in &claims.answered {
-        if let Some(check) = plausible(&claims, answer) {
-            add(answer.name, check);
+        for check in [plausible(&claims, answer), below_floor(&claims, answer)] {
+            check.into_iter().for_each(|check| add(answer.name, check));
         }
     }
     for (name, outcome) in answers {
@@ -296,7 +296,7 @@ fn seen_among_known(claims: &Claims, seen: &Answered) -> Option<(String, Verdict
         number(high, 4),
         bound.name,
         short(100.0 * error, 2),
-        if below {
+        if below && excluding(claims, seen).is_none() {
             ": a lower state may exist"
         } else {
             ""

@@ -2,7 +2,7 @@
 //! lower state may exist wherever somebody says so.
 
 use super::claims::{Answered, Claims, Role};
-use super::outside::is_impossible;
+use super::outside::{excluding, is_impossible};
 
 /// An answer below the lowest state that another verifies.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,7 +31,8 @@ pub(super) fn lower_states(claims: &Claims, lowest: &Answered) -> Vec<LowerState
     let others = claims.answered.iter();
     let others = others.filter(|other| other.name != lowest.name);
     // What no multiplier can be tells of no state.
-    let others = others.filter(|other| !is_impossible(claims, other));
+    let others =
+        others.filter(|other| !is_impossible(claims, other) && excluding(claims, other).is_none());
     let heard = others.filter_map(|other| {
         let (lambda, error) = heard(claims, other)?;
         let least = lowest.bracket.lower;

@@ -249,6 +249,8 @@ fn bounded(
         refuted(JudgedFact::Refuted(of.residuals()))
     } else if status == Status::Estimate {
         Ruling::Stays
+    } else if lower < 0.0 {
+        refuted(JudgedFact::Uncertified(Refusal::Nothing { claimed: lower }))
     } else if let Err(refusal) = certified(scene, lower, certificate) {
         refuted(JudgedFact::Uncertified(refusal))
     } else if !of.blocks.is_small() {
@@ -264,8 +266,11 @@ fn bounded(
     }
 }
 
-/// Whether the certificate proves the lower end.
+/// Whether the certificate proves the lower end. One at 0 needs none: a push begins there.
 fn certified(scene: &Scene, lower: f64, certificate: Option<&Certificate>) -> Result<(), Refusal> {
+    if lower == 0.0 {
+        return Ok(());
+    }
     let proved = prove(scene, certificate.ok_or(Refusal::Missing)?)?.lower;
     if lower <= proved {
         Ok(())

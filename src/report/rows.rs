@@ -36,8 +36,9 @@ pub fn csv(results: &[CaseResult]) -> Result<String, csv::Error> {
 /// rotation in radians, counter-clockwise. `conclusion` has what all rows
 /// about the scene come to, the same in each of them: `difference` is how far λ_A is above the lowest
 /// state, relative to that, and `explained` whether nothing but that is to be explained.
-/// `tilt_degrees` is arctan λ where the live load is every weight sideways, `base_shear` λ times the
-/// live load; `first_blocks` and `first_joints` move fastest in the `mechanism`. `thrust` has the lines of
+/// `tilt_degrees` is arctan λ where the live load is every weight sideways, `base_shear` what
+/// the supports carry along x, in the direction of the push, and `base_shear_from_push` the part of it
+/// that is λ times the live load; `first_blocks` and `first_joints` move fastest in the `mechanism`. `thrust` has the lines of
 /// thrust of a row's forces, and the resultant on each level of bed joints: the force on what is above,
 /// and where it acts.
 /// Where results are partial, a last object says so in `partial`, and its columns are `null`.
@@ -187,6 +188,7 @@ fn conclusion(result: &CaseResult, of: &Conclusion) -> serde_json::Value {
         "line": of.to_string(),
         "tilt_degrees": digits(terms.and_then(|terms| terms.tilt)),
         "base_shear": digits(terms.and_then(|terms| terms.base_shear)),
+        "base_shear_from_push": digits(terms.and_then(|terms| terms.push_shear)),
         "mechanism": terms.and_then(|terms| terms.mechanism.clone()),
         "first_blocks": terms.map(|terms| terms.first_blocks.clone()),
         "first_joints": terms.map(|terms| terms.first_joints.clone()),

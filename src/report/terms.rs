@@ -9,15 +9,18 @@ use crate::mechanics::Mechanism;
 use crate::mechanics::{RigidPart, parts};
 use crate::number::short;
 use crate::run::{CaseResult, Row};
-use crate::scene::{Joint, JointClass, Point, Push, Scene, Side, Vector};
+use crate::scene::{Block, Joint, JointClass, Point, Push, Scene, Side, Vector};
 
 /// The best answer about a scene in these terms.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Terms {
     /// The ground may be tilted by arctan λ, in degrees, where the live load is every weight sideways.
     pub tilt: Option<f64>,
-    /// λ times the live load: the horizontal force on the supports, in the case's unit of force.
+    /// What the supports carry along x, positive in the direction of the live load, in the case's unit of
+    /// force: the dead loads' part and λ times the live load.
     pub base_shear: Option<f64>,
+    /// The part of it that comes from the push.
+    pub push_shear: Option<f64>,
     /// The blocks that move fastest.
     pub first_blocks: Vec<String>,
     /// The joints that open or slip fastest.
@@ -47,13 +50,20 @@ pub(crate) fn terms(result: &CaseResult, conclusion: &Conclusion) -> Option<Term
     let row = &*row;
     let scene = result.scene(row);
     let lambda = conclusion.bracket.map(|bracket| bracket.lower);
-    let live: f64 = scene.blocks().iter().map(|block| block.live()[0]).sum();
+    let along = |load: fn(&Block) -> [f64; 3]| -> f64 {
+        let blocks = scene.blocks().iter();
+        blocks.map(|block| load(block)[0]).sum()
+    };
+    // In the direction of the live load, whatever the case calls its push.
+    let sign = if along(Block::live) < 0.0 { -1.0 } else { 1.0 };
+    let push_shear = lambda.map(|lambda| sign * lambda * along(Block::live));
     let moved = mechanism(row).map(|mechanism| Moved::new(scene, mechanism, row));
     Some(Terms {
         tilt: lambda
             .filter(|_| weights_push(scene))
             .map(|lambda| lambda.atan().to_degrees()),
-        base_shear: lambda.map(|lambda| (lambda * live).abs()),
+        base_shear: push_shear.map(|push| sign * along(Block::dead) + push),
+        push_shear,
         first_blocks: moved.as_ref().map_or(Vec::new(), Moved::first_blocks),
         first_joints: moved.as_ref().map_or(Vec::new(), Moved::first_joints),
         mechanism: moved.as_ref().and_then(Moved::words),
@@ -329,9 +339,13 @@ impl fmt::Display for Terms {
         let tilt = self
             .tilt
             .map(|tilt| format!("the ground may tilt by {tilt:.2} degrees"));
-        let shear = self
-            .base_shear
-            .map(|shear| format!("the base shear is {}", short(shear, 4)));
+        let shear = self.base_shear.zip(self.push_shear).map(|(all, push)| {
+            let [all, push] = [all, push].map(|shear| short(shear, 4));
+            match all == push {
+                true => format!("the base shear is {all}"),
+                false => format!("the base shear is {all}, of which {push} comes from the push"),
+            }
+        });
         let first = match self.first_blocks.as_slice() {
             [] => None,
             [one] => Some(format!("{one} moves first")),

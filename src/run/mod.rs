@@ -33,6 +33,6 @@ pub(crate) use results::named;
 pub use results::{CaseResult, Plan};
 pub use row::Row;
 pub use sides::{End, Ends, OtherSide};
-pub(crate) use stored::{certificates, stored};
+pub(crate) use stored::{Stored, certificates, stored, strays};
 pub use task::answer;
 pub(crate) use task::{Subject, Task, fingerprint};

@@ -1,11 +1,13 @@
 //! Certificates in files: which belong to a result, and what they prove of its scenes.
 
-use std::fmt;
+use std::collections::HashSet;
 use std::path::Path;
+use std::{fmt, fs, io};
 
 use super::results::CaseResult;
 use super::row::{Row, scene_name};
 use crate::answer::{Evidence, Outcome, Status, magnitude};
+use crate::case::Case;
 use crate::certificate::{Certificate, Proved, prove};
 use crate::files::{Input, read_input};
 use crate::mechanics::CollapseState;
@@ -55,9 +57,13 @@ fn is_proved(outcome: &Outcome) -> bool {
     matches!(outcome.status, Status::Verified | Status::Bracketed)
 }
 
+/// Names of the certificates that the repository has of the library.
+const CERTIFIED: &[&str] = include!(concat!(env!("OUT_DIR"), "/certified.rs"));
+
 /// What the certificates in a folder prove of a result's scenes, each by sparse products and without
-/// a solver. One that a verified state of the same scene contradicts is refused too.
-pub fn stored(result: &CaseResult, folder: &Path) -> Vec<Stored> {
+/// a solver. One that a verified state of the same scene contradicts is refused too, and so is one that
+/// is not there: of every scene where `all` are to be, else of those that the repository has one of.
+pub fn stored(result: &CaseResult, folder: &Path, all: bool) -> Vec<Stored> {
     let mut found = Vec::new();
     for (head_joints, sides) in &result.scenes {
         for scene in sides {
@@ -66,10 +72,38 @@ pub fn stored(result: &CaseResult, folder: &Path) -> Vec<Stored> {
             if path.exists() {
                 let verdict = verdict(result, *head_joints, scene, &path);
                 found.push(Stored { file, verdict });
+            } else if all || CERTIFIED.contains(&file.as_str()) {
+                let verdict = Err("it is missing".to_owned());
+                found.push(Stored { file, verdict });
             }
         }
     }
     found
+}
+
+/// The files in a folder that are certificates of no scene of these cases.
+///
+/// # Errors
+/// Where the folder cannot be read.
+pub fn strays(cases: &[Case], folder: &Path) -> io::Result<Vec<Stored>> {
+    let of_case = |case: &Case| -> Vec<String> {
+        let settings = [HeadJoints::Contact, HeadJoints::Open].into_iter();
+        let scenes = settings.flat_map(|head| case.pushes.iter().map(move |&push| (head, push)));
+        scenes
+            .map(|(head, push)| file_name(&case.name, head, push))
+            .collect()
+    };
+    let known: HashSet<String> = cases.iter().flat_map(of_case).collect();
+    let mut strays = Vec::new();
+    for entry in fs::read_dir(folder)? {
+        let file = entry?.file_name().to_string_lossy().into_owned();
+        if !known.contains(&file) {
+            let verdict = Err("it is of no scene of a case that is checked or built in".to_owned());
+            strays.push(Stored { file, verdict });
+        }
+    }
+    strays.sort_by(|a, b| a.file.cmp(&b.file));
+    Ok(strays)
 }
 
 /// The verified collapse states of a search for one side of the push.

@@ -22,13 +22,28 @@ pub enum BoundFact {
         /// Largest number of them that the settings allow.
         most: usize,
     },
-    /// It ended before the bound met the lowest state: so many programs, as the settings allow.
+    /// Nothing falls on which the push does no work: then what is proved is proved of every collapse.
+    PushMoves,
+    /// It ended before the bound met the lowest state.
     OutOfBudget {
-        /// Programs.
+        /// What it had no more of.
+        budget: Budget,
+        /// Programs that it solved.
         programs: usize,
     },
     /// No state is verified, so that there is nothing to bound.
     NoState,
+}
+
+/// What limits a proof.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Budget {
+    /// The number of lifted programs.
+    Programs,
+    /// Interior-point steps of all of them.
+    Steps,
+    /// Arithmetic of all of them.
+    Work,
 }
 
 impl fmt::Display for BoundFact {
@@ -44,11 +59,14 @@ impl fmt::Display for BoundFact {
                 "the lifted program was not solved: it would have {unknowns} unknowns, and `lift-unknowns` \
                  allows {most}"
             ),
-            BoundFact::OutOfBudget { programs } => {
-                write!(
-                    f,
-                    "the proof ended after {programs} programs, as many as the settings allow"
-                )
+            BoundFact::PushMoves => write!(f, "nothing falls on which the push does no work"),
+            BoundFact::OutOfBudget { budget, programs } => {
+                write!(f, "the proof ended after {programs} programs")?;
+                match budget {
+                    Budget::Programs => write!(f, ", as many as `lifts` allows"),
+                    Budget::Steps => write!(f, ", whose steps are as many as `lift-steps` allows"),
+                    Budget::Work => write!(f, ", whose work is as much as `lift-work` allows"),
+                }
             }
             BoundFact::NoState => write!(f, "no collapse state is verified that could be bounded"),
         }

@@ -5,7 +5,7 @@ use std::fmt;
 use serde::{Deserialize, Serialize};
 
 use crate::mechanics::BlockResidual;
-use crate::number::number;
+use crate::number::below;
 
 /// What a limit analysis proves, or fails to.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -55,10 +55,17 @@ pub enum LimitFact {
     },
     /// The interval is what was found, although with associative friction nothing collapses.
     FoundWithoutBound,
+    /// The lowest state found is at λ = 0: forces at rest are not determined, and with some of them the
+    /// scene falls.
+    AtRest,
     /// No state was found where with associative friction none exists, which proves nothing of
     /// friction without dilatancy.
     NoneFoundWithoutBound,
 }
+
+/// What a collapse state at λ = 0 says.
+pub(crate) const AT_REST: &str =
+    "it may fall without a push, as the forces of friction at rest are not determined";
 
 impl fmt::Display for LimitFact {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -102,7 +109,7 @@ impl fmt::Display for LimitFact {
                     f,
                     "the search may have missed other collapse states; proved bounds of them all are {} and the \
                      associative multiplier",
-                    number(*lambda, 5)
+                    below(*lambda, 5)
                 ),
                 None => write!(
                     f,
@@ -118,6 +125,7 @@ impl fmt::Display for LimitFact {
                 f,
                 "the search may have missed other collapse states; with associative friction none exists"
             ),
+            LimitFact::AtRest => f.write_str(AT_REST),
             LimitFact::NoneFoundWithoutBound => write!(
                 f,
                 "the search found no collapse state; with associative friction none exists"

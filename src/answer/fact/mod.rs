@@ -17,10 +17,11 @@ mod side;
 use std::fmt;
 
 pub use auto::{AutoFact, Uniqueness};
-pub use bound::BoundFact;
 pub(crate) use bound::write_floor;
+pub use bound::{BoundFact, Budget};
 pub use closed_form::{InapplicableForm, Invalid};
 pub use judged::{CeilingSlack, JudgedFact, Residuals};
+pub(crate) use limit::AT_REST;
 pub use limit::{LimitFact, SolverEnding};
 pub use outside::{ProgramEnding, ProgramFailure};
 pub use pushover::PushoverFact;

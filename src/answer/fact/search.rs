@@ -91,17 +91,20 @@ pub enum SearchFailure {
     PartOnly,
     /// The state found leaves residuals that prove nothing.
     Unproved,
+    /// All states of the mechanism lie below λ = 0, where a push begins.
+    BelowZero,
 }
 
 impl SearchFailure {
     /// Every failure, in the order in which they are counted.
-    pub const ALL: [SearchFailure; 6] = [
+    pub const ALL: [SearchFailure; 7] = [
         SearchFailure::GapOpen,
         SearchFailure::Infeasible,
         SearchFailure::Unbounded,
         SearchFailure::Unsolved,
         SearchFailure::PartOnly,
         SearchFailure::Unproved,
+        SearchFailure::BelowZero,
     ];
 }
 
@@ -114,6 +117,9 @@ impl fmt::Display for SearchFailure {
             SearchFailure::Unsolved => "met a linear program that the solver gave up",
             SearchFailure::PartOnly => "reached a state of a part that is none of the whole scene",
             SearchFailure::Unproved => "reached a state that is not proved",
+            SearchFailure::BelowZero => {
+                "reached a mechanism whose states lie below λ = 0, where a push begins"
+            }
         })
     }
 }

@@ -18,6 +18,8 @@ pub struct SequentialFacts {
 pub enum SequentialEnding {
     /// λ settled.
     Converged,
+    /// λ settled below 0, where a push begins.
+    BelowZero,
     /// λ repeats itself.
     Cycling {
         /// Steps after which it does.
@@ -39,6 +41,10 @@ impl fmt::Display for SequentialFacts {
         let steps = self.steps;
         match self.ending {
             Converged => write!(f, "the iteration converged"),
+            BelowZero => write!(
+                f,
+                "the iteration converged to a λ below 0, where a push begins"
+            ),
             Cycling { period } => write!(
                 f,
                 "the iteration repeats itself every {period} steps, which was seen at step {steps}"

@@ -134,6 +134,7 @@ pub(super) fn ray(scene: &Scene, work: &mut Work) -> Option<Vec<JointForce>> {
         length: scene.height(),
         multiplier: 1.0,
     };
+    let mut of_scene = None;
     for margins in [Some(Margins::OF_FORCES), None] {
         let mut program = Program::at_multiplier(&pushed, 0.0, scale);
         if let Some(margins) = margins {
@@ -141,10 +142,35 @@ pub(super) fn ray(scene: &Scene, work: &mut Work) -> Option<Vec<JointForce>> {
         }
         if let Ending::Solved(solution) = program.solve_counted(work) {
             let ray = scale.forces(&solution.forces);
-            if StaticResidual::of_ray(scene, &ray).largest() <= VERIFIED_RESIDUAL {
-                return Some(ray);
+            for ray in [without_noise(&ray), ray] {
+                if StaticResidual::of_ray(scene, &ray).largest() > VERIFIED_RESIDUAL {
+                    continue;
+                }
+                if BlockResidual::of_ray(scene, &ray).is_small() {
+                    return Some(ray);
+                }
+                of_scene.get_or_insert(ray);
             }
         }
     }
-    None
+    of_scene
+}
+
+/// Share of the largest force below which forces of a ray are what a program leaves where nothing
+/// pushes: of those, blocks would be out of balance by as much as they carry.
+const NOISE: f64 = 1e-9;
+
+/// A ray without the forces that are noise.
+fn without_noise(ray: &[JointForce]) -> Vec<JointForce> {
+    let size = |force: &JointForce| {
+        let [n1, n2] = force.normal.map(f64::abs);
+        n1.max(n2).max(force.shear.abs())
+    };
+    let largest = ray.iter().map(size).fold(0.0, f64::max);
+    let is_noise = |force: &JointForce| size(force) < NOISE * largest;
+    let cleaned = ray.iter().map(|force| match is_noise(force) {
+        true => JointForce::default(),
+        false => *force,
+    });
+    cleaned.collect()
 }

@@ -86,7 +86,10 @@ fn sequential(scene: &Scene, settings: &Settings) -> Outcome {
         last = Some(solution);
         let at_floor = alpha <= LAST_ALPHA;
         if at_floor && has_settled(&lambdas) {
-            break SequentialEnding::Converged;
+            break match lambdas.last() {
+                Some(lambda) if *lambda < 0.0 => SequentialEnding::BelowZero,
+                _ => SequentialEnding::Converged,
+            };
         }
         if at_floor && let Some(period) = cycle(&lambdas, SETTLED) {
             break SequentialEnding::Cycling { period };

@@ -88,6 +88,14 @@ impl Lift {
         self.conditions.joints.len()
     }
 
+    /// Products of numbers that a step of the interior point takes, roughly: those of the system's tiles
+    /// and of its factor.
+    pub(super) fn step_work(&self) -> f64 {
+        let (free, conditions) = (self.free() as f64, self.conditions.force_rows() as f64);
+        let rates = self.conditions.rate_rows() as f64;
+        free * free * (rates * conditions + free * self.pattern.cost())
+    }
+
     /// Unknowns that are all zero: one column an unknown of the motion.
     pub(super) fn zero(&self) -> DMatrix<f64> {
         DMatrix::zeros(self.free(), self.motion.unknowns)

@@ -63,7 +63,7 @@ use std::sync::Arc;
 use super::ending::Ending;
 use super::interval::{Interval, lowest};
 use super::program::Program;
-use crate::answer::{BoundFact, Evidence, Fact, Outcome, Status, Work, magnitude};
+use crate::answer::{BoundFact, Evidence, Fact, LimitFact, Outcome, Status, Work, magnitude};
 use crate::certificate::{Certificate, Conditions, Prover};
 use crate::mechanics::{CollapseState, VELOCITY_THRESHOLDS, crack_slope};
 use crate::method::settings::LP_TOLERANCE;
@@ -95,6 +95,10 @@ fn solve_with(scene: &Scene, settings: &Settings, parameters: Parameters) -> Out
         return without_state(found);
     };
     let mut work = found.work;
+    if state.lambda == 0.0 {
+        let bounded = Some((0.0, None));
+        return answer(scene, state, bounded, work, vec![LimitFact::AtRest.into()]);
+    }
     let conditions = Conditions::of(scene);
     let most = settings.bound.lift_unknowns;
     let unknowns = conditions.free_forces() * conditions.velocities();
@@ -146,22 +150,41 @@ fn solve_with(scene: &Scene, settings: &Settings, parameters: Parameters) -> Out
         (Some(opening), Some(prover)) => {
             let certificate = slices.certificate(scene, prover, settings.bound.lift_cap, opening);
             facts.push(BoundFact::Proved(certificate.1).into());
-            Some(certificate.0)
+            facts.extend(push_moves(&found).map(Fact::from));
+            // One at 0 says nothing.
+            Some(certificate.0).filter(|own| own.lower > 0.0)
         }
         _ => {
             facts.push(BoundFact::Uncertified.into());
             None
         }
     };
-    if slices.out_of_budget {
+    if let Some(budget) = slices.ended_by {
         let programs = slices.programs;
-        facts.push(BoundFact::OutOfBudget { programs }.into());
+        facts.push(BoundFact::OutOfBudget { budget, programs }.into());
     }
-    let lower = certificate
-        .as_ref()
-        .map_or(slices.lower * unit, |c| c.lower);
+    let lower = match (&certificate, &prover) {
+        (Some(certificate), _) => certificate.lower,
+        (None, Some(_)) => 0.0,
+        (None, None) => slices.lower * unit,
+    };
     let bounded = Some((lower, certificate.map(Arc::new)));
     answer(scene, state, bounded, work, facts)
+}
+
+/// That nothing falls on which the push does no work, where forces without friction at some λ prove it:
+/// by virtual work f_D·u ≤ −λ f_L·u = 0 for every motion that closes no joint.
+fn push_moves(found: &Outcome) -> Option<BoundFact> {
+    let frictionless = |fact: &Fact| {
+        matches!(
+            fact,
+            Fact::Limit(LimitFact::FoundNoBounds {
+                frictionless: Some(_)
+            })
+        )
+    };
+    let proves = found.facts.iter().any(frictionless);
+    proves.then_some(BoundFact::PushMoves)
 }
 
 /// The blocks from side to side and from below: orders in which neighbours are near to each other.
@@ -208,13 +231,11 @@ fn answer(
     work: Work,
     facts: Vec<Fact>,
 ) -> Outcome {
-    let certified = facts
-        .iter()
-        .any(|fact| matches!(fact, Fact::Bound(BoundFact::Proved(_))));
+    let uncertified = Fact::from(BoundFact::Uncertified);
     let status = match bounded {
         None => Status::Undecided,
-        Some(_) if certified => Status::Bracketed,
-        Some(_) => Status::Estimate,
+        Some(_) if facts.contains(&uncertified) => Status::Estimate,
+        Some(_) => Status::Bracketed,
     };
     let (lower, certificate) = bounded.unzip();
     Outcome {

@@ -9,6 +9,7 @@ use super::lifted::Request;
 use super::parameters::OTHER_MACHINE;
 use super::slice::best_proof;
 use super::vanishing::Vanishing;
+use crate::answer::Budget;
 use crate::certificate::{
     Assumption, Factor, Prover, SliceProof, Zeros, scene_fingerprint, together,
 };
@@ -40,8 +41,10 @@ pub(super) struct Slices {
     pub(super) small_programs: usize,
     /// Whether slices go on to the optimum: on some scenes rounding leaves nothing of others.
     exact: bool,
-    /// Whether the budget ended it.
-    pub(super) out_of_budget: bool,
+    /// Products of numbers that these steps took, roughly.
+    pub(super) work: f64,
+    /// What ended it, where that is what the settings allow.
+    pub(super) ended_by: Option<Budget>,
     /// Normal forces of the states of the last lift that had some, over the total weight.
     pub(super) normals: Vec<Vec<f64>>,
 }
@@ -61,14 +64,16 @@ impl Search<'_> {
     /// after one without states. Where short ones gain nothing either, the branch is divided.
     pub(super) fn run(&mut self, slices: &mut Slices, state: f64) {
         let own = &self.lift.parameters;
-        slices.out_of_budget = false;
+        slices.ended_by = None;
         let tolerance = self.settings.bound_gap * state.max(1e-3);
         while state - slices.lower > tolerance {
-            let steps_left = self.settings.lift_steps.saturating_sub(slices.steps);
-            if slices.programs >= self.settings.lifts || steps_left == 0 {
-                slices.out_of_budget = true;
-                return;
-            }
+            let steps_left = match self.steps_left(slices) {
+                Ok(steps) => steps,
+                Err(budget) => {
+                    slices.ended_by = Some(budget);
+                    return;
+                }
+            };
             let at = slices.leaves.lowest();
             if self.exclude(slices, at, state) {
                 slices.lower = slices.leaves.lower();
@@ -93,6 +98,22 @@ impl Search<'_> {
                 slices.leaves.divide(at, pair);
             }
             slices.lower = slices.leaves.lower();
+        }
+    }
+
+    /// How many further steps the settings allow, or which of them allows none.
+    fn steps_left(&self, slices: &Slices) -> Result<usize, Budget> {
+        let settings = self.settings;
+        if slices.programs >= settings.lifts {
+            return Err(Budget::Programs);
+        }
+        let by_steps = settings.lift_steps.saturating_sub(slices.steps);
+        let by_work = 1e9 * settings.lift_work - slices.work;
+        let by_work = (by_work / self.lift.step_work()).max(0.0) as usize;
+        match (by_steps, by_work) {
+            (0, _) => Err(Budget::Steps),
+            (_, 0) => Err(Budget::Work),
+            _ => Ok(by_steps.min(by_work)),
         }
     }
 
@@ -182,7 +203,7 @@ impl Search<'_> {
         let prove = |slice: &Slice| self.proof(slice);
         let mut multipliers = solve(self.lift, request, &zeros);
         found.programs += 1;
-        found.steps += multipliers.steps;
+        found.count(multipliers.steps, self.lift);
         let mut best = best_proof(self.lift, request, &assumed, &multipliers, prove);
         let least = |best: &Option<(Slice, SliceProof)>| {
             best.as_ref()
@@ -198,7 +219,7 @@ impl Search<'_> {
             };
             let again = solve(self.lift, exact, &zeros);
             found.programs += 1;
-            found.steps += again.steps;
+            found.count(again.steps, self.lift);
             let other = best_proof(self.lift, exact, &assumed, &again, prove);
             if least(&other) > least(&best) {
                 found.exact = true;
@@ -226,6 +247,11 @@ impl Search<'_> {
 }
 
 impl Slices {
+    fn count(&mut self, steps: usize, lift: &Lift) {
+        self.steps += steps;
+        self.work += steps as f64 * lift.step_work();
+    }
+
     /// The certificate and what it proves.
     pub(super) fn certificate(
         &self,

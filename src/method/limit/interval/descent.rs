@@ -77,6 +77,10 @@ impl Descent<'_, '_> {
                 Some(known) => (known.gap, known.normal),
                 None => match self.states_of(&above, &prices) {
                     Ok(Tested::Lowest(state)) => {
+                        let Some(state) = self.search.from_zero(state) else {
+                            failure = SearchFailure::BelowZero;
+                            break;
+                        };
                         let lower = branch
                             .as_ref()
                             .is_none_or(|branch| is_below(state.lambda, branch.lowest.lambda));

@@ -183,13 +183,17 @@ fn report(
     let found = LimitFact::FoundNoBounds {
         frictionless: outer::frictionless(scene, at_rest, work),
     };
+    let at_rest = (states[0].lambda == 0.0).then_some(LimitFact::AtRest.into());
+    let facts = at_rest
+        .into_iter()
+        .chain([found.into(), explored.facts.clone().into()]);
     Some(Outcome {
+        facts: facts.collect(),
         evidence: Evidence::States {
             crack: crack_slope(scene, lowest, VELOCITY_THRESHOLDS),
             states,
         },
         work: *work,
-        facts: vec![found.into(), explored.facts.clone().into()],
         ..Outcome::of(Status::Verified)
     })
 }

@@ -262,6 +262,38 @@ impl<'a> Search<'a> {
         higher.unwrap_or_else(|| state.clone())
     }
 
+    /// The lowest state of a mechanism from which a push begins: where its states reach below 0 the one
+    /// at 0, between its lowest and its highest, as the states of one mechanism are convex. `None` where
+    /// all of them lie below 0: then it is none of a push.
+    pub(super) fn from_zero(&mut self, lowest: State) -> Option<State> {
+        if lowest.lambda >= 0.0 {
+            return Some(lowest);
+        }
+        // What the solver leaves of a state at 0 is one.
+        if lowest.lambda > -self.tuned.closed {
+            return Some(State {
+                lambda: 0.0,
+                ..lowest
+            });
+        }
+        let highest = self.highest_of(&lowest);
+        if highest.lambda < 0.0 {
+            return None;
+        }
+        let share = -lowest.lambda / (highest.lambda - lowest.lambda);
+        let between = |low: f64, high: f64| low + share * (high - low);
+        let forces = lowest.forces.iter().zip(&highest.forces);
+        let forces = forces.map(|(low, high)| JointForce {
+            normal: [0, 1].map(|end| between(low.normal[end], high.normal[end])),
+            shear: between(low.shear, high.shear),
+        });
+        Some(State {
+            lambda: 0.0,
+            forces: forces.collect(),
+            ..lowest
+        })
+    }
+
     /// Normal forces of a Coulomb state at a given λ*, at random: those that a random cost of every
     /// force picks, a corner of all such states. Where forces have no limit, costs of one sign.
     pub(super) fn random_statics(
