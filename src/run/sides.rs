@@ -202,20 +202,25 @@ pub(super) fn status(governing: Side, other: Option<Side>, unit: f64) -> Status 
         return own;
     };
     let either = |status| own == status || other_outcome.status == status;
-    if either(Status::Undecided) {
-        return Status::Undecided;
-    }
-    if either(Status::Estimate) {
-        return Status::Estimate;
-    }
-    let proves_both_ends = matches!(
-        governing.1.evidence,
-        Evidence::Bounds { .. } | Evidence::Bounded { .. } | Evidence::Enclosed { .. }
-    );
-    match proves_both_ends {
-        true if bracket.is_one_number(unit) => Status::Verified,
-        true => Status::Bracketed,
-        false => own,
+    match governing.1.evidence {
+        // Both ends are proved, and so are the wall's where both sides are.
+        Evidence::Bounds { .. } | Evidence::Bounded { .. } | Evidence::Enclosed { .. } => {
+            match bracket.is_one_number(unit) {
+                _ if either(Status::Undecided) => Status::Undecided,
+                _ if either(Status::Estimate) => Status::Estimate,
+                true => Status::Verified,
+                false => Status::Bracketed,
+            }
+        }
+        // What was found or seen on one side stays that, whatever is known of the other.
+        Evidence::Nothing
+        | Evidence::ClosedForm { .. }
+        | Evidence::Number { .. }
+        | Evidence::State { .. }
+        | Evidence::States { .. }
+        | Evidence::Observed(_)
+        | Evidence::Falls { .. }
+        | Evidence::Stands { .. } => own,
     }
 }
 

@@ -210,7 +210,7 @@ fn what_the_search_may_have_missed_is_said_beside_a_proof() {
     assert!(interval("interval").contains("proved bounds of them all are 0.00000"));
     assert_eq!(
         interval("interval,bound"),
-        "the search may have missed other collapse states, but bound proves that no collapse state in which \
-         the push does work lies below 0.40000"
+        "the search may have missed other collapse states, but bound proves that no collapse state with \
+         0 ≤ λ < 0.39999 exists in which the push does work"
     );
 }

@@ -1,12 +1,16 @@
 #!/usr/bin/env python3
 """Random scenes as case files, from a fixed seed, for `judge.py`.
 
-    tests/reference/scenes.py FOLDER [COUNT] [SEED]
+    tests/reference/scenes.py FOLDER [COUNT] [SEED] [KIND ...]
 
 Walls in running bond, of irregular units, with openings, under overburden or a heavy cap; piles cut
 from a box at random, some of which fall; stacks; arches. Weights and sizes spread over decades, live
-loads small and large, friction from none to Heyman's. Shares nothing with the program.
+loads small and large, friction from none to Heyman's. Kinds that are made on request alone: `both`,
+any of these pushed both ways; `sideways`, with dead loads sideways; `below`, blocks on slopes, props
+and leaning piles, whose friction at rest is not determined; `one-stone`, a live load on one stone;
+`proof`, walls and piles of 12 to 20 blocks. Shares nothing with the program.
 """
+import json
 import sys
 from pathlib import Path
 
@@ -199,10 +203,120 @@ def arch(rng, kind):
         f"voussoirs = {int(rng.integers(3, 16))}", f"specific_weight = {spread(rng, -2, 3)!r}"]
 
 
+def both(rng, _kind):
+    """Any scene, pushed both ways."""
+    lines = of_kind(rng, str(rng.choice(KINDS)))
+    return ['push = "both"' if line.startswith("push =") else line for line in lines]
+
+
+def corners_of(lines):
+    """The outlines of a case's blocks, by name; none for courses and arches."""
+    found, name, block = {}, None, False
+    for line in lines:
+        block = line == "[[block]]" if line.startswith("[") else block
+        if line.startswith("name ="):
+            name = line.split('"')[1]
+        if line.startswith("corners =") and block:
+            found[name] = np.array(json.loads(line.split("=", 1)[1]))
+    return found
+
+
+def with_loads(rng, lines, count, load):
+    """The case with loads at the middle of some of its blocks."""
+    shapes = corners_of(lines)
+    for name in rng.choice(sorted(shapes), min(count, len(shapes)), replace=False):
+        x, y = shapes[name].mean(axis=0)
+        dead, live = load(rng)
+        lines = lines + ["[[load]]", f'block = "{name}"', f"at = [{float(x)!r}, {float(y)!r}]",
+                         f"dead = {dead}", f"live = {live}"]
+    return lines
+
+
+def sideways(rng, _kind):
+    """Dead loads sideways, small beside the weights and large."""
+    lines = of_kind(rng, str(rng.choice(["irregular", "pile", "stack"])))
+    push = lambda rng: ([rounded(rng.uniform(-0.4, 0.4)), rounded(rng.uniform(-1, 0))], [0.0, 0.0])
+    return with_loads(rng, lines, int(rng.integers(1, 4)), push)
+
+
+def one_stone(rng, _kind):
+    """A live load on one stone, which may or may not move the wall."""
+    lines = of_kind(rng, str(rng.choice(["irregular", "pile", "stack"])))
+    lines = ['live = "loads"' if line.startswith('live = "') else line for line in lines]
+    load = lambda rng: ([0.0, 0.0], [float(rng.choice([0.0, 0.0, 1.0, -1.0])), float(rng.choice([-1.0, -1.0, 0.5]))])
+    return with_loads(rng, lines, 1, load)
+
+
+def turned(shapes, angle):
+    c, s = np.cos(angle), np.sin(angle)
+    return [[(float(c * x - s * y), float(s * x + c * y)) for x, y in shape] for shape in shapes]
+
+
+def below(rng, _kind):
+    """Blocks on a slope, posts that a lintel presses beside loads sideways, and piles that lean."""
+    mu = rounded(rng.uniform(0.4, 1.0))
+    lines = [f"friction = {mu}", 'head_joints = "contact"', f'push = "{rng.choice(["right", "left", "both"])}"']
+    form = rng.choice(["slope", "props", "lean"])
+    if form == "slope":
+        # Between walls across the slope, friction may hold more than the weights need.
+        shapes, x = [], 0.0
+        for _ in range(int(rng.integers(1, 5))):
+            wide, tall = rng.uniform(0.6, 2, 2)
+            shapes.append(box(x, x + wide, 0.0, tall))
+            x += wide
+        angle = rng.uniform(-0.9, 0.9) * np.arctan(mu)
+        supports = [box(-10.0, 20.0, -1.0, 0.0)] + ([box(x, x + 1.0, 0.0, 3.0)] if rng.random() < 0.5 else [])
+        return shapes_file(lines, turned(shapes, angle), [None] * len(shapes), turned(supports, angle))
+    if form == "props":
+        count = int(rng.integers(2, 5))
+        shapes, x = [], 0.0
+        for _ in range(count):
+            wide = rng.uniform(0.6, 1.4)
+            shapes.append(box(x, x + wide, 0.0, 1.0))
+            x += wide + rng.uniform(0.5, 2)
+        shapes.append(box(0.0, shapes[-1][1][0], 1.0, 1.0 + rng.uniform(0.3, 1.2)))
+        lines = shapes_file(lines, shapes, [None] * len(shapes), [box(-5.0, x + 5, -1.0, 0.0)])
+        index = int(rng.integers(count))
+        at = np.mean(shapes[index], axis=0)
+        return lines + ["[[load]]", f'block = "b{index}"', f"at = [{float(at[0])!r}, {float(rng.uniform(0.1, 0.6))!r}]",
+                        f"dead = [{rounded(rng.uniform(-1.2, 1.2))}, 0.0]", "live = [0.0, 0.0]"]
+    # Cubes that hang over, held by a weight behind, as in a clamp.
+    over = rng.uniform(0.2, 0.75)
+    shapes = [box(-0.5, 0.5, 1.0, 2.0), box(-0.5 - over, 0.5 - over, 2.0, 3.0), box(-0.5, 0.5, 3.0, 4.0),
+              box(over, 1.0 + over, 2.0, 3.0)]
+    gap = shapes[3][0][0] - shapes[1][1][0]
+    if gap < 0.05:
+        shapes[3] = box(shapes[1][1][0] + 0.05, shapes[1][1][0] + 1.05, 2.0, 3.0)
+    supports = [box(-6.0, rng.uniform(-0.1, 0.4), 0.0, 1.0)]
+    kept = held(shapes, supports)
+    return shapes_file(lines, kept, [None] * len(kept), supports)
+
+
+def proof(rng, _kind):
+    """Walls and piles of 12 to 20 blocks: under overburden, of low friction, of unequal weights."""
+    for _ in range(1000):
+        kind = str(rng.choice(["overburden", "irregular", "pile", "running"]))
+        lines = coursed(rng, kind) if kind in ("overburden", "running") else of_kind(rng, kind)
+        if kind in ("overburden", "running"):
+            courses = next(line for line in lines if line.startswith("courses"))
+            count = sum(courses.count(piece) for piece in "1h") - courses.split("=")[0].count("h")
+        else:
+            count = len(corners_of(lines))
+        if 12 <= count <= 20:
+            low = rng.random() < 0.3
+            return [f"friction = {rounded(rng.uniform(0.08, 0.3))}" if low and line.startswith("friction") else line
+                    for line in lines]
+    raise RuntimeError("no scene of that size")
+
+
+def of_kind(rng, kind):
+    makers = {"irregular": irregular, "pile": pile, "stack": stack, "arch": arch, "both": both,
+              "sideways": sideways, "one-stone": one_stone, "below": below, "proof": proof}
+    return makers.get(kind, coursed)(rng, kind)
+
+
 def one(rng, kind):
-    makers = {"irregular": irregular, "pile": pile, "stack": stack, "arch": arch}
-    lines = makers.get(kind, coursed)(rng, kind)
-    return "\n".join(lines) + "\n"
+    return "\n".join(of_kind(rng, kind)) + "\n"
 
 
 KINDS = ["running", "openings", "overburden", "irregular", "pile", "pile", "stack", "arch"]
@@ -212,11 +326,12 @@ def main():
     folder = Path(sys.argv[1])
     count = int(sys.argv[2]) if len(sys.argv) > 2 else 500
     seed = int(sys.argv[3]) if len(sys.argv) > 3 else 12
+    kinds = sys.argv[4:] or KINDS
     folder.mkdir(parents=True, exist_ok=True)
     for index in range(count):
         # Each scene has a seed of its own, so that any of them can be made alone.
         rng = np.random.default_rng([seed, index])
-        kind = KINDS[index % len(KINDS)]
+        kind = kinds[index % len(kinds)]
         (folder / f"{kind}-{index:04d}.toml").write_text(one(rng, kind))
 
 

@@ -109,7 +109,7 @@ impl fmt::Display for LimitFact {
                     f,
                     "the search may have missed other collapse states; proved bounds of them all are {} and the \
                      associative multiplier",
-                    below(*lambda, 5)
+                    below(lambda.max(0.0), 5)
                 ),
                 None => write!(
                     f,

@@ -42,6 +42,7 @@ impl Method for Associative {
             {
                 answer.mechanism = part.extend(scene, &answer.mechanism);
                 answer.forces = forces;
+                answer.from_zero(&at_rest);
                 // What completes a part is as little proved by the solver's word as an optimum is.
                 if loose(settings) || proves(scene, &answer) {
                     work.modelled = part.scene.blocks().len();
@@ -51,7 +52,10 @@ impl Method for Associative {
         }
         work.modelled = scene.blocks().len();
         match optimum(scene, settings, &mut work) {
-            Ok(answer) => outcome(scene, answer, settings, work),
+            Ok(mut answer) => {
+                answer.from_zero(&at_rest);
+                outcome(scene, answer, settings, work)
+            }
             Err(ending) => without_optimum(scene, &ending, at_rest, &mut work),
         }
     }
@@ -63,6 +67,18 @@ struct Optimum {
     mechanism: Mechanism,
     bracket: Bracket,
     engine: Engine,
+}
+
+impl Optimum {
+    /// Puts ends that rounding leaves below 0 at 0, where a push begins and the forces at rest are.
+    fn from_zero(&mut self, at_rest: &[JointForce]) {
+        let Bracket { lower, upper } = &mut self.bracket;
+        if *lower < 0.0 {
+            *lower = 0.0;
+            self.forces = at_rest.to_vec();
+        }
+        *upper = upper.max(0.0);
+    }
 }
 
 /// The optimum, with the units of unequal blocks that there are until one proves it.
