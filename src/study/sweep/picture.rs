@@ -4,7 +4,7 @@ use super::curves::{KNOWN, curves};
 use super::fields::fields;
 use super::points::{SweepTable, Variable, VariableKind};
 use crate::picture::palette::INK;
-use crate::picture::{Filling, LegendEntry, Plot, dashed_line, plots};
+use crate::picture::{Filling, LegendEntry, Plot, Sample, dashed_line, plots};
 use crate::run::Value;
 
 /// Most plots of one sweep that anybody looks at.
@@ -98,19 +98,20 @@ fn drawn(table: &SweepTable) -> Result<Drawn, String> {
 /// What the marks of these curves mean.
 fn legend(panels: &[Plot]) -> Vec<LegendEntry> {
     let known = panels.iter().any(|panel| !panel.marks.is_empty());
-    let mut entries = vec![LegendEntry::shade(
-        INK,
-        0.22,
+    let mut entries = vec![LegendEntry::new(
+        Sample::Shade(INK, 0.22),
         "between the ends of a method's range",
     )];
     if known {
-        entries.push(LegendEntry::point(
-            KNOWN,
-            Filling::Open,
+        entries.push(LegendEntry::new(
+            Sample::Point(KNOWN, Filling::Open),
             "published or by another code",
         ));
     }
-    entries.push(LegendEntry::line(dashed_line(INK), "lower end"));
+    entries.push(LegendEntry::new(
+        Sample::Line(dashed_line(INK)),
+        "lower end",
+    ));
     entries
 }
 
