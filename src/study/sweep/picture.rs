@@ -25,9 +25,6 @@ pub fn sweep_picture(table: &SweepTable) -> Result<String, String> {
 }
 
 /// The plots of a sweep, an SVG each.
-///
-/// # Errors
-/// As [`sweep_picture`].
 pub fn sweep_pictures(table: &SweepTable) -> Result<Vec<String>, String> {
     let one = |panel: Plot| {
         let panel = [panel];
