@@ -106,7 +106,7 @@ fn functions(text: &str) -> Vec<(&str, usize)> {
             let is_at_depth = before.trim().is_empty() && !from.starts_with(' ');
             is_at_depth && from.ends_with(['}', ';'])
         };
-        let end = lines[start..].iter().position(|line| ends(&line));
+        let end = lines[start..].iter().position(ends);
         (lines[start], end.expect("a function ends") + 1)
     });
     measured.collect()
