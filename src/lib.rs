@@ -92,9 +92,7 @@ pub mod inside {
     pub use crate::picture::{Options, View, dxf, figure};
     pub use crate::record::record;
     pub use crate::report::html::{Report, manual, page};
-    pub use crate::report::{
-        case_table, csv, json_with_states, library_case, library_closing, table,
-    };
+    pub use crate::report::{case_table, csv, json_with_states, library_case, library_closing};
     pub use crate::run::execute::run_rows;
     pub use crate::run::task::{Subject, Task};
     pub use crate::text::Layout;
@@ -102,14 +100,14 @@ pub mod inside {
     /// The map of where methods are right.
     pub mod atlas {
         pub use crate::study::atlas::{
-            Cell, CellVerdict, Columns, grids, picture, run, running_bond,
+            Atlas, Cell, CellVerdict, Columns, Grid, grids, picture, running_bond,
         };
     }
 
     /// Speed against accuracy.
     pub mod chart {
         pub use crate::study::chart::{
-            Measurement, csv, front, ladder, picture, reference, run, summaries,
+            Chart, Measurement, csv, front, ladder, picture, reference, summaries,
         };
     }
 

@@ -97,31 +97,27 @@ impl FromArgMatches for SettingArguments {
 fn flag(setting: &'static Setting) -> Arg {
     let default = setting.of(&Settings::default());
     let about = setting.meaning;
+    let details = match &setting.allowed {
+        Allowed::Switch | Allowed::Words(_) => default.clone(),
+        allowed @ (Allowed::Whole(_) | Allowed::Number(_)) => match setting.unit {
+            "" => format!("{default}; {allowed}"),
+            unit => format!("{default} {unit}; {allowed}"),
+        },
+    };
     let flag = Arg::new(setting.name)
         .long(setting.name)
         .value_parser(WordsParser(&setting.allowed))
+        .help(format!("{about} [default: {default}]"))
+        .long_help(format!("{about}\n\n[default: {details}]"))
         .help_heading(HEADING);
     match &setting.allowed {
         Allowed::Switch => flag
-            .help(format!("{about} [default: {default}]"))
-            .long_help(format!("{about}\n\n[default: {default}]"))
             .value_name("BOOL")
             .num_args(0..=1)
             .require_equals(true)
             .default_missing_value("true"),
-        Allowed::Words(_) => flag
-            .help(format!("{about} [default: {default}]"))
-            .long_help(format!("{about}\n\n[default: {default}]"))
-            .value_name("WORD"),
-        allowed @ (Allowed::Whole(_) | Allowed::Number(_)) => {
-            let unit = match setting.unit {
-                "" => String::new(),
-                unit => format!(" {unit}"),
-            };
-            flag.help(format!("{about} [default: {default}]"))
-                .long_help(format!("{about}\n\n[default: {default}{unit}; {allowed}]"))
-                .value_name("NUMBER")
-        }
+        Allowed::Words(_) => flag.value_name("WORD"),
+        Allowed::Whole(_) | Allowed::Number(_) => flag.value_name("NUMBER"),
     }
 }
 

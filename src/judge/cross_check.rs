@@ -9,87 +9,129 @@ use crate::answer::{Bracket, Outcome, Status};
 use crate::number::{number, percent, short};
 use crate::scene::{HeadJoints, Scene};
 
+/// Whose answer a check is about, what it says, and the result.
+type Said<'a> = (&'a str, (String, Verdict));
+
 /// Relations between the methods of one scene.
 pub fn cross_check(scene: &Scene, answers: &Answers) -> Vec<Check> {
     let claims = Claims::of(scene, answers);
-    let [bounds, converged, found, numbers] =
-        [Role::Bounds, Role::Converged, Role::States, Role::Number]
-            .map(|role| claims.of_role(role));
-    let mut checks = Vec::new();
-    let mut add = |method: &str, (text, verdict): (String, Verdict)| {
-        checks.push(Check {
-            head_joints: claims.head_joints,
-            method: method.to_owned(),
-            text,
-            verdict,
-        });
-    };
+    let groups = [
+        below_bounds(&claims),
+        in_searched(&claims),
+        beside_states(&claims),
+        in_ranges(&claims),
+        lower_than_lowest(&claims),
+        each_by_itself(&claims),
+    ];
+    let checks = groups.into_iter().flatten();
+    let checks = checks.map(|(method, (text, verdict))| Check {
+        head_joints: claims.head_joints,
+        method: method.to_owned(),
+        text,
+        verdict,
+    });
+    checks.collect()
+}
+
+/// Proved bounds against one another, and everything else against them.
+fn below_bounds<'a>(claims: &Claims<'a>) -> Vec<Said<'a>> {
+    let bounds = claims.of_role(Role::Bounds);
+    let mut said = Vec::new();
     for (index, bound) in bounds.iter().enumerate() {
         for other in &bounds[index + 1..] {
-            add(other.name, bounds_meet(&claims, bound, other));
+            said.push((other.name, bounds_meet(claims, bound, other)));
         }
     }
-    for (bound, state) in pairs(&bounds, &converged) {
-        add(state.name, converged_below_bound(&claims, bound, state));
+    for (bound, state) in pairs(&bounds, &claims.of_role(Role::Converged)) {
+        said.push((state.name, converged_below_bound(claims, bound, state)));
     }
-    let enclosed = claims.of_role(Role::Enclosure);
-    for (bound, states) in pairs(&bounds, &[found.as_slice(), &enclosed].concat()) {
-        add(states.name, states_below_bound(&claims, bound, states));
+    let states = [Role::States, Role::Enclosure].map(|role| claims.of_role(role));
+    for (bound, states) in pairs(&bounds, &states.concat()) {
+        said.push((states.name, states_below_bound(claims, bound, states)));
     }
-    for (bound, value) in pairs(&bounds, &numbers) {
-        add(value.name, number_below_bound(&claims, bound, value));
+    for (bound, value) in pairs(&bounds, &claims.of_role(Role::Number)) {
+        said.push((value.name, number_below_bound(claims, bound, value)));
     }
-    let searched: Vec<Answered> = found.iter().filter(|f| !f.is_outside()).copied().collect();
-    for (state, states) in pairs(&[converged.as_slice(), &numbers].concat(), &searched) {
-        add(state.name, among_found(&claims, state, states));
-    }
-    for (stands, outcome) in answers {
+    said
+}
+
+/// The answers of our own searches for collapse states.
+fn searched<'a>(claims: &Claims<'a>) -> Vec<Answered<'a>> {
+    let mut found = claims.of_role(Role::States);
+    found.retain(|answer| !answer.is_outside());
+    found
+}
+
+/// Single values against the ranges of collapse states that a search found.
+fn in_searched<'a>(claims: &Claims<'a>) -> Vec<Said<'a>> {
+    let single = [Role::Converged, Role::Number].map(|role| claims.of_role(role));
+    let (single, searched) = (single.concat(), searched(claims));
+    let compared = pairs(&single, &searched);
+    compared
+        .map(|(state, states)| (state.name, among_found(claims, state, states)))
+        .collect()
+}
+
+/// Answers that deny states, all or those below a bound, against the states that are verified.
+fn beside_states<'a>(claims: &Claims<'a>) -> Vec<Said<'a>> {
+    let states = verified_states(claims);
+    let mut said = Vec::new();
+    for &(name, outcome) in claims.answers {
         if outcome.status == Status::Stands {
-            for state in verified_states(&claims) {
-                add(stands, stands_beside_state(stands, outcome, &state));
-            }
+            let beside = |state| (name, stands_beside_state(name, outcome, state));
+            said.extend(states.iter().map(beside));
         }
     }
-    for floor in claims
-        .answered
-        .iter()
-        .filter(|answer| answer.floor.is_some())
-    {
-        for state in verified_states(&claims) {
-            if let Some(check) = above_floor(&claims, floor, &state) {
-                add(floor.name, check);
-            }
-        }
+    for floor in claims.answered.iter().filter(|a| a.floor.is_some()) {
+        let above = states.iter();
+        let above = above.filter_map(|state| above_floor(claims, floor, state));
+        said.extend(above.map(|check| (floor.name, check)));
     }
+    said
+}
+
+/// The closed form's range against every answer, and what was seen against what is known.
+fn in_ranges<'a>(claims: &Claims<'a>) -> Vec<Said<'a>> {
+    let mut said = Vec::new();
     for range in claims.of_role(Role::ClosedForm) {
         for answer in claims.answered.iter().filter(|a| a.name != range.name) {
-            add(range.name, range_contains(&range, answer));
+            said.push((range.name, range_contains(&range, answer)));
         }
     }
     for seen in claims.of_role(Role::Observed) {
-        if let Some(check) = seen_among_known(&claims, &seen) {
-            add(seen.name, check);
-        }
+        said.extend(seen_among_known(claims, &seen).map(|check| (seen.name, check)));
     }
+    said
+}
+
+/// What lies below the lowest state of a search or of an enclosure.
+fn lower_than_lowest<'a>(claims: &Claims<'a>) -> Vec<Said<'a>> {
     // One that is undecided claims no lowest state.
-    let vouches = |answer: &Answered| answer.outcome.status != Status::Undecided;
-    let enclosed: Vec<Answered> = enclosed.into_iter().filter(vouches).collect();
-    for lowest in [searched, enclosed].concat() {
-        for lower in lower_states(&claims, &lowest) {
-            add(lowest.name, lower_state(&lowest, &lower));
+    let mut enclosed = claims.of_role(Role::Enclosure);
+    enclosed.retain(|answer| answer.outcome.status != Status::Undecided);
+    let mut said = Vec::new();
+    for lowest in [searched(claims), enclosed].concat() {
+        for lower in lower_states(claims, &lowest) {
+            said.push((lowest.name, lower_state(&lowest, &lower)));
         }
     }
-    for answer in &claims.answered {
-        for check in [plausible(&claims, answer), below_floor(&claims, answer)] {
-            check.into_iter().for_each(|check| add(answer.name, check));
-        }
-    }
-    for (name, outcome) in answers {
-        if let Some(check) = claims_without_proof(name, outcome) {
-            add(name, check);
-        }
-    }
-    checks
+    said
+}
+
+/// What an answer shows to be wrong with itself.
+fn each_by_itself<'a>(claims: &Claims<'a>) -> Vec<Said<'a>> {
+    let answered = claims.answered.iter();
+    let implausible = answered.flat_map(|answer| {
+        let checks = [plausible(claims, answer), below_floor(claims, answer)];
+        checks
+            .into_iter()
+            .flatten()
+            .map(|check| (answer.name, check))
+    });
+    let unproved = claims.answers.iter();
+    let unproved =
+        unproved.filter_map(|&(name, outcome)| Some((name, claims_without_proof(name, outcome)?)));
+    implausible.chain(unproved).collect()
 }
 
 /// The answers that the judge has verified as collapse states.

@@ -1,5 +1,5 @@
 //! What follows from scene, forces and motion alone, whoever found them: mechanism, residuals,
-//! crack, thrust, and the parts that move as one body.
+//! crack, thrust, and the parts that move as one body, in words too.
 //!
 //! The residuals stand below the methods on purpose: a method may use them to decide whether to go
 //! on, but what counts is the judge's own evaluation, from forces and mechanism alone, on the whole
@@ -9,6 +9,7 @@ mod block_residual;
 mod crack;
 mod friction_excess;
 mod mechanism;
+mod motion_words;
 mod residual;
 mod rigid_parts;
 mod state;
@@ -20,11 +21,11 @@ pub use crack::Crack;
 pub(crate) use crack::{VELOCITY_THRESHOLDS, crack_slope, crack_slope_by_gap};
 pub use friction_excess::friction_excess;
 pub use mechanism::{JointRate, Mechanism, Motion};
+pub(crate) use motion_words::Moved;
 pub use residual::{
     CollapseResidual, StaticResidual, dead_power, falling_violation, kinematic_multiplier,
 };
 pub(crate) use residual::{VERIFIED_RESIDUAL, associative_violation, live_unit};
-pub(crate) use rigid_parts::in_words;
 pub use rigid_parts::{RigidPart, parts};
 pub use state::{Ceiling, CollapseState, ForceState, JointForce};
 pub use thrust::{Thrust, thrust};

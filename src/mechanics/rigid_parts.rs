@@ -1,6 +1,6 @@
 //! Parts of a mechanism that move as one rigid body.
 
-use crate::answer::{Mechanism, Motion};
+use super::mechanism::Mechanism;
 use crate::scene::Scene;
 
 /// Blocks of one rigid motion.
@@ -44,34 +44,4 @@ pub fn parts(scene: &Scene, mechanism: &Mechanism, threshold: f64) -> Vec<RigidP
     // Stable, so that parts of equal area keep the order of their first blocks.
     parts.sort_by(|a, b| b.area.total_cmp(&a.area));
     parts
-}
-
-/// How a part moves, in words: what turns, turns about a point.
-pub fn in_words(scene: &Scene, mechanism: &Mechanism, part: &RigidPart) -> String {
-    let count = match part.blocks.len() {
-        1 => "1 block".to_owned(),
-        count => format!("{count} blocks as one body"),
-    };
-    if !part.moves {
-        return format!("{count}: stands still");
-    }
-    let first = part.blocks[0];
-    let Motion { velocity, rotation } = mechanism.motions[first];
-    let (low, high) = scene.bounds();
-    let far = 20.0 * (high - low).norm();
-    let centroid = scene.blocks()[first].shape.centroid();
-    let turns = rotation.abs() * far > velocity.norm();
-    if !turns {
-        let degrees = velocity.y.atan2(velocity.x).to_degrees();
-        let degrees = crate::number::number(degrees, 0);
-        return format!("{count}: slides without turning, towards {degrees}°");
-    }
-    let x = crate::number::short(centroid.x - velocity.y / rotation, 2);
-    let y = crate::number::short(centroid.y + velocity.x / rotation, 2);
-    let direction = if rotation > 0.0 {
-        "counter-clockwise"
-    } else {
-        "clockwise"
-    };
-    format!("{count}: turns {direction} about ({x}, {y})")
 }

@@ -1,7 +1,7 @@
 //! The legend of drawings: what occurs in them, and nothing else.
 
 use super::axes::round_below;
-use super::legend::LegendEntry;
+use super::legend::{LegendEntry, Sample};
 use super::mechanism::Occurring;
 use super::palette::{
     BEFORE, CRACK, FORCE, INK, MACRO_CRACK, SCALE, SLIDING, STILL, SUPPORT, THRUST,
@@ -61,54 +61,53 @@ impl Holds {
 pub fn entries(holds: &Holds, scale: f64) -> Vec<LegendEntry> {
     let line = |colour: &str, width: f64| style().hollow().stroke(colour).stroke_width(width);
     let mut entries = Vec::new();
+    let mut add = |sample, words: &str| entries.push(LegendEntry::new(sample, words));
     let occurs = &holds.mechanism;
     if holds.supports {
-        entries.push(LegendEntry::shade(SUPPORT, 1.0, "support"));
+        add(Sample::Shade(SUPPORT, 1.0), "support");
     }
     if occurs.still {
-        entries.push(LegendEntry::tints(vec![STILL], "stands still"));
+        add(Sample::Tints(vec![STILL]), "stands still");
     }
     match occurs.tints.as_slice() {
         [] => {}
-        [one] => entries.push(LegendEntry::tints(vec![one], "moves as one body")),
+        [one] => add(Sample::Tints(vec![one]), "moves as one body"),
         several => {
-            let words = "a tint moves as one body";
-            entries.push(LegendEntry::tints(several.to_vec(), words));
+            add(Sample::Tints(several.to_vec()), "a tint moves as one body");
         }
     }
     if occurs.scale {
         let ends = ["0".to_owned(), "100 %".to_owned()];
-        let words = "of the largest displacement";
-        entries.push(LegendEntry::scale(&SCALE, ends, words));
+        add(Sample::Scale(&SCALE, ends), "of the largest displacement");
     }
     if occurs.slides {
-        entries.push(LegendEntry::haloed(line(SLIDING, 2.4), "joint slides"));
+        add(Sample::Haloed(line(SLIDING, 2.4)), "joint slides");
     }
     if occurs.opens {
-        entries.push(LegendEntry::gap("joint opens"));
+        add(Sample::Gap, "joint opens");
     }
     if holds.moved {
-        entries.push(LegendEntry::line(line(BEFORE, 1.2), "before"));
+        add(Sample::Line(line(BEFORE, 1.2)), "before");
     }
     if holds.crack {
-        entries.push(LegendEntry::line(line(CRACK, 1.4), "crack of c and e"));
+        add(Sample::Line(line(CRACK, 1.4)), "crack of c and e");
     }
     if holds.macro_crack {
         let dashes = line(MACRO_CRACK, 1.5).dashes("7 4");
-        entries.push(LegendEntry::line(dashes, "macro-block crack"));
+        add(Sample::Line(dashes), "macro-block crack");
     }
     if let Some((force, pixels)) = holds.force {
         let words = format!(
             "contact force of {}, on the block that it points into",
             short(force, 9)
         );
-        entries.push(LegendEntry::arrow(FORCE, pixels, words));
+        add(Sample::Arrow(FORCE, pixels), &words);
         let words = "line of thrust, or resultants on the courses";
-        entries.push(LegendEntry::line(line(THRUST, 1.2), words));
+        add(Sample::Line(line(THRUST, 1.2)), words);
     }
     let length = round_below(LENGTH / scale);
     let words = format!("{} units of length", short(length, 9));
-    entries.push(LegendEntry::length(INK, length * scale, words));
+    add(Sample::Length(INK, length * scale), &words);
     entries
 }
 

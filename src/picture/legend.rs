@@ -13,11 +13,11 @@ const APART: f64 = 18.0;
 const FONT: f64 = 12.0;
 
 /// What stands before the words.
-enum Sample {
+pub enum Sample {
     /// Squares of these colours, one a kind of part.
     Tints(Vec<&'static str>),
     /// Squares of these colours without a gap, and words at both ends: a scale.
-    Scale(Vec<&'static str>, [String; 2]),
+    Scale(&'static [&'static str], [String; 2]),
     /// A line in this style.
     Line(Style),
     /// A line in this style over a white one.
@@ -43,59 +43,10 @@ pub struct LegendEntry {
 }
 
 impl LegendEntry {
-    fn of(sample: Sample, words: impl Into<String>) -> Self {
+    /// An entry of these words.
+    pub fn new(sample: Sample, words: impl Into<String>) -> Self {
         let words = words.into();
         Self { sample, words }
-    }
-
-    /// Squares of these colours.
-    pub fn tints(colours: Vec<&'static str>, words: impl Into<String>) -> Self {
-        Self::of(Sample::Tints(colours), words)
-    }
-
-    /// A scale of colours from one value to another.
-    pub fn scale(colours: &[&'static str], ends: [String; 2], words: impl Into<String>) -> Self {
-        Self::of(Sample::Scale(colours.to_vec(), ends), words)
-    }
-
-    /// A line in a style.
-    pub fn line(style: Style, words: impl Into<String>) -> Self {
-        Self::of(Sample::Line(style), words)
-    }
-
-    /// A line in a style on white.
-    pub fn haloed(style: Style, words: impl Into<String>) -> Self {
-        Self::of(Sample::Haloed(style), words)
-    }
-
-    /// An arrow of a length.
-    pub fn arrow(colour: &'static str, pixels: f64, words: impl Into<String>) -> Self {
-        Self::of(Sample::Arrow(colour, pixels), words)
-    }
-
-    /// A length.
-    pub fn length(colour: &'static str, pixels: f64, words: impl Into<String>) -> Self {
-        Self::of(Sample::Length(colour, pixels), words)
-    }
-
-    /// The gap of a joint that opens.
-    pub fn gap(words: impl Into<String>) -> Self {
-        Self::of(Sample::Gap, words)
-    }
-
-    /// A point of a plot.
-    pub fn point(look: Look, filling: Filling, words: impl Into<String>) -> Self {
-        Self::of(Sample::Point(look, filling), words)
-    }
-
-    /// A range drawn as a bar with its ends.
-    pub fn bar(colour: &'static str, words: impl Into<String>) -> Self {
-        Self::of(Sample::Bar(colour), words)
-    }
-
-    /// A shaded field.
-    pub fn shade(colour: &'static str, part: f64, words: impl Into<String>) -> Self {
-        Self::of(Sample::Shade(colour, part), words)
     }
 
     fn sample_width(&self) -> f64 {

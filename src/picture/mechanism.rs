@@ -7,7 +7,7 @@ use super::path::{Path, Pixel};
 use super::svg::{Svg, style};
 use super::tints::tints;
 use super::wall::line_width;
-use crate::mechanics::{Mechanism, RigidPart, in_words, parts};
+use crate::mechanics::{Mechanism, Moved};
 use crate::scene::{Joint, Scene, Side};
 
 /// Bodies that move from which on tints say nothing any more: blocks are coloured by how far they move.
@@ -56,16 +56,16 @@ impl<'a> DrawnMechanism<'a> {
         let still = Mechanism {
             motions: vec![Default::default(); scene.blocks().len()],
         };
-        let moved = mechanism.unwrap_or(&still);
-        let parts = parts(scene, moved, threshold);
+        let moved = Moved::new(scene, mechanism.unwrap_or(&still), threshold);
+        let parts = moved.parts();
         let count = parts.iter().filter(|part| part.moves).count();
         let tints = (count <= MANY)
-            .then(|| tints(scene, &parts, PARTS.len() + 1))
+            .then(|| tints(scene, parts, PARTS.len() + 1))
             .flatten();
         let by_displacement = tints.is_none();
         let groups = match tints {
-            Some(tints) => of_parts(scene, moved, &parts, &tints),
-            None => of_displacement(scene, moved, &parts),
+            Some(tints) => of_parts(&moved, &tints),
+            None => of_displacement(&moved),
         };
         Self {
             mechanism,
@@ -116,33 +116,27 @@ impl<'a> DrawnMechanism<'a> {
     }
 }
 
-fn of_parts(
-    scene: &Scene,
-    mechanism: &Mechanism,
-    parts: &[RigidPart],
-    tints: &[Option<usize>],
-) -> Vec<Group> {
-    let groups = parts.iter().zip(tints).map(|(part, tint)| Group {
+fn of_parts(moved: &Moved, tints: &[Option<usize>]) -> Vec<Group> {
+    let groups = moved.parts().iter().zip(tints).map(|(part, tint)| Group {
         fill: match tint {
             None => STILL,
             Some(0) => LARGEST,
             Some(other) => PARTS[other - 1],
         },
         blocks: part.blocks.clone(),
-        words: in_words(scene, mechanism, part),
+        words: moved.in_figures(part),
     });
     groups.collect()
 }
 
 /// Blocks that stand still, and the others by the displacement of their centroids, from small to large.
-fn of_displacement(scene: &Scene, mechanism: &Mechanism, parts: &[RigidPart]) -> Vec<Group> {
-    let fastest = mechanism.fastest(scene);
+fn of_displacement(moved: &Moved) -> Vec<Group> {
     let mut classes: Vec<Vec<usize>> = vec![Vec::new(); SCALE.len()];
     let mut still = Vec::new();
-    for part in parts {
+    for part in moved.parts() {
         for &block in &part.blocks {
             if part.moves {
-                let share = mechanism.motions[block].velocity.norm() / fastest;
+                let share = moved.mechanism.motions[block].velocity.norm() / moved.fastest;
                 let class = (share * SCALE.len() as f64).ceil() as usize;
                 classes[class.clamp(1, SCALE.len()) - 1].push(block);
             } else {

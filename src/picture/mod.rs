@@ -41,7 +41,7 @@ mod words;
 
 pub(crate) use cells::{Cells, Field, PictureCell, cells};
 pub(crate) use figure::common_size;
-pub(crate) use legend::LegendEntry;
+pub(crate) use legend::{LegendEntry, Sample};
 pub(crate) use marks::Filling;
 pub(crate) use plot::{Band, Between, Line, Marks, Plot, PlotAxis, PlotPoint, Ticks};
 pub(crate) use plotted::{dashed_line, plots, solid_line};

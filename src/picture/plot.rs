@@ -66,7 +66,6 @@ pub struct Between {
 pub struct Line {
     /// What it goes through.
     pub points: Vec<[f64; 2]>,
-    /// Its colour.
     pub colour: &'static str,
     /// A name at its right end, if it has one.
     pub name: Option<String>,
@@ -76,9 +75,7 @@ pub struct Line {
 
 /// Points of one look.
 pub struct Marks {
-    /// The look.
     pub look: Look,
-    /// The points.
     pub points: Vec<PlotPoint>,
 }
 

@@ -46,9 +46,7 @@ pub struct Ranges {
 
 /// One range.
 pub struct RangeMark {
-    /// Its name.
     pub name: String,
-    /// Its ends.
     pub ends: [f64; 2],
     /// Its colour and mark.
     pub look: Look,

@@ -202,17 +202,7 @@ impl Display for Style {
 
 /// Text as it may stand between tags and in attributes.
 fn escape(text: &str) -> String {
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        match c {
-            '&' => out.push_str("&amp;"),
-            '<' => out.push_str("&lt;"),
-            '>' => out.push_str("&gt;"),
-            '"' => out.push_str("&quot;"),
-            _ => out.push(c),
-        }
-    }
-    out
+    maud::html! { (text) }.into_string()
 }
 
 #[cfg(test)]

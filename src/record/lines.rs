@@ -44,7 +44,6 @@ fn line(row: &Row) -> String {
 /// What is to be known of answers, in words.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Note {
-    /// The method.
     pub method: String,
     /// The head-joint settings of which it is said.
     pub head_joints: Vec<HeadJoints>,

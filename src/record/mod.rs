@@ -17,45 +17,22 @@ use crate::scene::{HeadJoints, JointClass, Scene};
 /// The whole record of a case: geometry, one line a method, what is to be known of the answers, one line
 /// a check, one line a head-joint setting for what it all comes to.
 pub fn record(result: &CaseResult) -> String {
-    let mut text = title(result);
-    if let Some(partial) = result.partial() {
-        text.push_str(&format!("{partial}\n"));
-    }
-    for (head_joints, sides) in &result.scenes {
-        text.push_str(&fingerprint(*head_joints, &sides[0]));
-        text.push('\n');
-    }
-    text.push('\n');
-    text.push_str(&heading());
-    text.push('\n');
-    for line in lines(result) {
-        text.push_str(&line);
-        text.push('\n');
-    }
+    let mut all = vec![format!("{}: {}", result.case.name, result.case.title)];
+    all.extend(result.partial());
+    let scenes = result.scenes.iter();
+    all.extend(scenes.map(|(head_joints, sides)| fingerprint(*head_joints, &sides[0])));
+    all.extend([String::new(), heading()]);
+    all.extend(lines(result));
     let notes = notes(result);
     if !notes.is_empty() {
-        text.push_str("\nnotes\n");
+        all.push("\nnotes".to_owned());
     }
-    for note in notes {
-        text.push_str(&note_line(&note));
-        text.push('\n');
-    }
-    text.push_str("\nchecks\n");
-    for check in &result.checks {
-        text.push_str(&check_line(check));
-        text.push('\n');
-    }
-    text.push_str("\nanswer\n");
-    for conclusion in &result.conclusions {
-        text.push_str(&conclusion_line(conclusion));
-        text.push('\n');
-    }
-    text
-}
-
-/// Name and title.
-pub fn title(result: &CaseResult) -> String {
-    format!("{}: {}\n", result.case.name, result.case.title)
+    all.extend(notes.iter().map(note_line));
+    all.push("\nchecks".to_owned());
+    all.extend(result.checks.iter().map(check_line));
+    all.push("\nanswer".to_owned());
+    all.extend(result.conclusions.iter().map(conclusion_line));
+    all.join("\n") + "\n"
 }
 
 /// Counts and sums that change with the geometry.

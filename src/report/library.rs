@@ -8,7 +8,7 @@ use std::fmt::Write;
 use anstyle::Style;
 use indexmap::IndexMap;
 
-use super::styles::{grid_column, of_status_word, of_verdict};
+use super::styles::{grid_column, of_status, of_verdict};
 use crate::answer::{Bracket, Status, magnitude};
 use crate::judge::{Verdict, comparisons};
 use crate::number::{number, short};
@@ -166,25 +166,39 @@ fn percent(error: f64) -> String {
     number(100.0 * error, 2)
 }
 
-/// What is counted of rows, in words, and which rows.
-type Count = (&'static str, fn(&Row) -> bool);
+/// What is counted of rows: a heading, and whether a row counts below it.
+type Count = (&'static str, fn(&Row, &str) -> bool);
 
 /// What is counted of a method over all cases.
 const COUNTS: [Count; 11] = [
-    ("scenes", |_| true),
-    ("numbers", |row| row.bracket().is_some()),
-    ("verified", |row| row.status() == Status::Verified),
-    ("endings", |row| {
-        matches!(row.status(), Status::Stands | Status::Falls)
-    }),
-    ("declined", |row| row.status() == Status::NotApplicable),
-    ("undecided", |row| row.status() == Status::Undecided),
-    ("failed", |row| row.status() == Status::Failed),
-    ("compared", |row| row.error().is_some()),
-    ("0.1 %", |row| is_within(row, 1e-3)),
-    ("1 %", |row| is_within(row, 1e-2)),
-    ("5 %", |row| is_within(row, 5e-2)),
+    ("scenes", |_, _| true),
+    ("numbers", |row, _| row.bracket().is_some()),
+    ("verified", is_headed),
+    ("endings", is_headed),
+    ("declined", is_headed),
+    ("undecided", is_headed),
+    ("failed", is_headed),
+    ("compared", |row, _| row.error().is_some()),
+    ("0.1 %", |row, _| is_within(row, 1e-3)),
+    ("1 %", |row, _| is_within(row, 1e-2)),
+    ("5 %", |row, _| is_within(row, 5e-2)),
 ];
+
+fn is_headed(row: &Row, heading: &str) -> bool {
+    counted_below(row.status()) == Some(heading)
+}
+
+/// The heading below which a status is counted, where a number alone does not say it.
+fn counted_below(status: Status) -> Option<&'static str> {
+    match status {
+        Status::Verified => Some("verified"),
+        Status::Stands | Status::Falls => Some("endings"),
+        Status::NotApplicable => Some("declined"),
+        Status::Undecided => Some("undecided"),
+        Status::Failed => Some("failed"),
+        Status::Bracketed | Status::Estimate => None,
+    }
+}
 
 /// Whether the error is so small, relative to the reference. One that is printed to the limit's own digit
 /// must not fall beside it.
@@ -202,8 +216,10 @@ fn methods(results: &[CaseResult], layout: Layout) -> String {
         let headings = shown.iter().map(|(heading, _)| numbers(heading));
         let headings: Vec<_> = std::iter::once(words("method")).chain(headings).collect();
         let lines = of_methods.iter().map(|(name, own)| {
-            let count = |holds: fn(&Row) -> bool| own.iter().filter(|row| holds(row)).count();
-            let counts = shown.iter().map(|(_, holds)| count(*holds).to_string());
+            let counts = shown.iter().map(|(heading, counts)| {
+                let counted = own.iter().filter(|row| counts(row, heading));
+                counted.count().to_string()
+            });
             std::iter::once((*name).to_owned()).chain(counts).collect()
         });
         grid(layout, 0, &headings, &lines.collect::<Vec<_>>())
@@ -247,12 +263,8 @@ fn unsettled(results: &[CaseResult], layout: Layout) -> String {
             let (joints, reason) = (row.head_joints.name(), row.reason());
             remark(layout, [&result.case.name, joints, &row.method], &reason)
         });
-        let title = status.name();
-        section(
-            &mut text,
-            layout.painted(title, of_status_word(title)),
-            lines,
-        );
+        let title = layout.painted(status.name(), of_status(status));
+        section(&mut text, title, lines);
     }
     text
 }

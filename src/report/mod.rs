@@ -11,6 +11,6 @@ pub(crate) use library::library_heading;
 pub use library::{library_case, library_closing};
 pub(crate) use rows::json;
 pub use rows::{csv, json_with_states};
+pub use screen::case_table;
 pub(crate) use screen::legend;
-pub use screen::{case_table, table};
 pub(crate) use styles::of_verdict;

@@ -10,12 +10,6 @@ use crate::record::{self, LEGEND, Note};
 use crate::run::{CaseResult, values};
 use crate::text::{Layout, bold, ended, grid, sentence};
 
-/// The tables of all cases, and what explains them.
-pub fn table(results: &[CaseResult], layout: Layout) -> String {
-    let cases = results.iter().map(|result| case_table(result, layout));
-    cases.collect::<String>() + &legend(layout, "")
-}
-
 /// Columns of a screen: those of the record, as many as there is room for, and how soon each is left
 /// out.
 const COLUMNS: [(&str, usize); 11] = [

@@ -25,12 +25,24 @@ fn of_verdict_word(word: &str) -> Style {
     named.map_or(Style::new(), of_verdict)
 }
 
-/// What the word of a status looks like: only a failure stands out.
-pub(super) fn of_status_word(word: &str) -> Style {
-    match word == Status::Failed.name() {
-        true => coloured(AnsiColor::Red).bold(),
-        false => Style::new(),
+/// What a status looks like: only a failure stands out.
+pub(super) fn of_status(status: Status) -> Style {
+    match status {
+        Status::Failed => coloured(AnsiColor::Red).bold(),
+        Status::Verified
+        | Status::Bracketed
+        | Status::Estimate
+        | Status::Stands
+        | Status::Falls
+        | Status::NotApplicable
+        | Status::Undecided => Style::new(),
     }
+}
+
+/// What the word of a status looks like; other words are plain.
+fn of_status_word(word: &str) -> Style {
+    let named = Status::ALL.into_iter().find(|status| status.name() == word);
+    named.map_or(Style::new(), of_status)
 }
 
 /// A column of rows on a screen, which is always there.

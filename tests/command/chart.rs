@@ -2,13 +2,14 @@
 
 use trilith::answer::Status;
 use trilith::case::find;
-use trilith::inside::{chart, chart::Measurement};
+use trilith::inside::{chart, chart::Chart, chart::Measurement};
 
 /// The stack has an exact answer, min(μ, b/H) = 0.4.
 #[test]
 fn a_chart_shows_every_rung_with_its_error() {
     let cases = find("stack").unwrap();
-    let entries = chart::run(&cases, None, &[], &()).unwrap();
+    let planned = Chart::new(&cases, None, &[]);
+    let entries = planned.measurements(&planned.run(None, &()).unwrap());
     assert_eq!(entries.len(), chart::ladder(5, &[]).len());
     let of =
         |method: &str| -> &Measurement { entries.iter().find(|e| e.row.method == method).unwrap() };

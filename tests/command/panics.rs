@@ -7,7 +7,7 @@ use trilith::inside::record;
 use trilith::inside::sweep;
 use trilith::inside::{Report, page};
 use trilith::inside::{Subject, Task, run_rows};
-use trilith::inside::{csv, library_case, library_closing, table};
+use trilith::inside::{case_table, csv, library_case, library_closing};
 use trilith::method::limit::Associative;
 use trilith::method::{Method, Settings};
 use trilith::run::{CaseResult, Plan, Row, run};
@@ -61,6 +61,7 @@ fn in_run_check_and_report() {
     let (results, layout) = (results(), Layout::default());
     assert_eq!(results.len(), 3);
     assert_one_failed(results.iter().flat_map(|result| &result.rows), 6);
+    let tables: String = results.iter().map(|r| case_table(r, layout)).collect();
     let checked: String = results
         .iter()
         .map(|result| library_case(result, layout))
@@ -76,12 +77,7 @@ fn in_run_check_and_report() {
         sweeps: &[],
         partial: None,
     });
-    for text in [
-        table(&results, layout),
-        csv(&results).unwrap(),
-        checked,
-        page,
-    ] {
+    for text in [tables, csv(&results).unwrap(), checked, page] {
         assert!(text.contains("sliding-block"));
         assert!(text.contains(MESSAGE), "{text}");
         assert!(text.contains("rocking-block"));

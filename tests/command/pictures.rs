@@ -3,8 +3,8 @@
 
 use crate::svg::{assert_true_ticks, axes, faults, texts};
 use trilith::case::{find, library};
-use trilith::inside::chart;
 use trilith::inside::{Report, manual, page};
+use trilith::inside::{chart, chart::Chart};
 use trilith::inside::{sweep::SweepTable, sweep::sweep_picture};
 use trilith::method::{Method, Settings, methods as all_methods};
 use trilith::run::{CaseResult, Plan, run};
@@ -82,7 +82,8 @@ fn the_librarys_pictures_are_clear() {
 
 fn assert_chart_is_clear(case: &str) {
     let cases = find(case).unwrap();
-    let entries = chart::run(&cases, None, &[], &()).unwrap();
+    let chart = Chart::new(&cases, None, &[]);
+    let entries = chart.measurements(&chart.run(None, &()).unwrap());
     let picture = chart::picture(&entries, None);
     let faults = faults(&picture);
     assert!(faults.is_empty(), "{faults:#?}");
@@ -107,7 +108,8 @@ fn the_charts_of_the_walls_are_clear() {
         assert_chart_is_clear(case);
     }
     let cases = find("paper-1").unwrap();
-    let entries = chart::run(&cases, Some(HeadJoints::Contact), &[], &()).unwrap();
+    let chart = Chart::new(&cases, Some(HeadJoints::Contact), &[]);
+    let entries = chart.measurements(&chart.run(None, &()).unwrap());
     let error = |method: &str| {
         let mut own = entries.iter().filter(|entry| entry.row.method == method);
         let default = own.find(|entry| entry.setting() == "default");

@@ -1,34 +1,50 @@
 //! Facts of the pushover.
 
-use std::fmt;
-
 use serde::{Deserialize, Serialize};
+use thiserror::Error;
 
 use super::super::bracket::Bracket;
 use super::super::self_check::{SelfCheck, Variation};
 use crate::number::number;
 
 /// What a pushover ends with, or why it has no answer.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Error, PartialEq, Serialize, Deserialize)]
 pub enum PushoverFact {
     /// The bracket is of the first slip of a joint, not of the collapse.
+    #[error(
+        "this is the load at which a joint first slips by {slip:e} course heights, not the \
+         collapse load"
+    )]
     FirstSlip {
         /// Slip that counts, in course heights.
         slip: f64,
     },
     /// Substeps or contacts are coarser than the stated error was measured with.
+    #[error(
+        "the substeps are longer or the contacts softer than those that the stated error was \
+         measured with"
+    )]
     Uncalibrated,
     /// A check that every answer needs, or one that a user asked for, with its figures.
+    #[error("{0}")]
     Checked(SelfCheck),
     /// A self-check takes the number away.
+    #[error("a self-check failed: {0}")]
     SelfCheckFailed(SelfCheck),
     /// A repetition under `verify` takes the number away.
+    #[error("a check of `verify` failed: {0}")]
     VerificationFailed(SelfCheck),
     /// The scene has no blocks.
+    #[error("the scene has no blocks")]
     NoBlocks,
     /// No block has a weight.
+    #[error("no block has a weight")]
     NoWeight,
     /// Weights of blocks that act on each other differ by more than can be judged.
+    #[error(
+        "{heavy} is {ratio:.1e} times as heavy as {light}, and beyond {most:.0e} the engine cannot \
+         tell whether the lighter one rests"
+    )]
     UnequalWeights {
         /// The lightest block.
         light: String,
@@ -40,6 +56,10 @@ pub enum PushoverFact {
         most: f64,
     },
     /// Joints with supports have more coefficients of friction than the engine tells apart.
+    #[error(
+        "the joints with supports have {found} different coefficients of friction, and the engine \
+         can tell no more than {most} apart"
+    )]
     SupportFrictions {
         /// Coefficients in the scene.
         found: usize,
@@ -47,14 +67,25 @@ pub enum PushoverFact {
         most: usize,
     },
     /// A block rests on supports with two coefficients of friction.
+    #[error(
+        "a block rests on supports with two coefficients of friction, which the engine cannot \
+         model"
+    )]
     BlockOnTwoFrictions,
     /// There are more neighbours without a joint than the engine can keep from colliding.
+    #[error("blocks lie so close together that the engine's collision groups run out")]
     Crowded,
     /// The contacts are stiffer than the substep can hold.
+    #[error("the contacts are stiffer than the substep can hold")]
     TooStiff,
     /// The engine cannot take a shape of the scene.
+    #[error("the engine cannot take a shape of the scene")]
     ShapeRefused,
     /// The scene fell under its weight alone.
+    #[error(
+        "under its own weight alone a block moved by more than {distance} course heights within t \
+         = {time:.0} √(H_c/g) and did not slow down"
+    )]
     Fell {
         /// Displacement that it exceeded, in course heights.
         distance: f64,
@@ -63,31 +94,43 @@ pub enum PushoverFact {
     },
     /// The scene fell under its weight alone, but stands with a push against the live load, or with
     /// shorter substeps: its multiplier is too near to 0 to tell.
+    #[error(
+        "λ is nearer to 0 than {resolution}, which is too near to tell whether the scene falls \
+         under its own weight"
+    )]
     NearZero {
         /// What λ is told to be below.
         resolution: f64,
     },
     /// The scene did not come to rest under its weight alone.
+    #[error("under its own weight alone the scene did not come to rest within t = {time} √(H_c/g)")]
     NotSettled {
         /// Time that it had, in √(H_c/g).
         time: f64,
     },
     /// The time steps allowed were used up.
+    #[error("the pushover used up the time steps allowed; the last load at rest was λ = {lambda}")]
     OutOfSteps {
         /// Last multiplier at rest.
         lambda: f64,
     },
     /// The scene stands at the largest multiplier that is tried.
+    #[error("the scene still stands at λ = {lambda}, and nothing larger is tried")]
     StillStands {
         /// Last multiplier at rest.
         lambda: f64,
     },
     /// The scene neither rests nor collapses within the time allowed.
+    #[error("at λ = {lambda} the scene neither rests nor collapses within the time allowed")]
     Unclear {
         /// The multiplier.
         lambda: f64,
     },
     /// A range over variations would take too long, and was not asked for.
+    #[error(
+        "it was not run: with head joints in contact the answer is a range over {pushovers} \
+         pushovers, which take long on {blocks} blocks; the setting `long-ranges` runs them"
+    )]
     RangeNotRun {
         /// Pushovers that it is made of.
         pushovers: usize,
@@ -95,6 +138,10 @@ pub enum PushoverFact {
         blocks: usize,
     },
     /// A range over variations took too long, and no more time was asked for.
+    #[error(
+        "it was not finished: {run} of the {pushovers} pushovers of a range were run{}",
+        so_far_printed(.so_far)
+    )]
     RangeUnfinished {
         /// Pushovers that were run.
         run: usize,
@@ -104,25 +151,42 @@ pub enum PushoverFact {
         so_far: Option<Bracket>,
     },
     /// The scene cannot be mirrored, which a range needs.
+    #[error("the scene cannot be mirrored, which a range needs")]
     NoMirror,
     /// The bracket is a range over both directions and several contact stiffnesses.
+    #[error(
+        "this is a range over both directions and over contact stiffnesses from 1 to 1/{:.0}, \
+         because with head joints in contact the collapse load is not unique",
+        1.0 / .softest
+    )]
     Range {
         /// The softest contacts, as a multiple of what the substep allows.
         softest: f64,
     },
     /// Blocks slide away before the scene collapses, at every substep: several collapse states.
+    #[error("there are several collapse states: blocks slide away before the scene collapses")]
     SlidesFirst,
     /// One level of substep alone has a bracket, so that nothing measures its error.
+    #[error(
+        "one length of the substep alone gave an answer, {}, and a second one is needed to measure \
+         its error",
+        printed(.bracket)
+    )]
     OneLevel {
         /// That bracket.
         bracket: Bracket,
     },
     /// Levels of substep do not agree on one multiplier.
+    #[error(
+        "shorter and shorter substeps do not agree on one multiplier; they gave {}",
+        all_printed(.brackets)
+    )]
     LevelsDisagree {
         /// Their brackets, from the longest substep to the shortest.
         brackets: Vec<Bracket>,
     },
     /// One variation of a range has no answer, for the reasons after this one.
+    #[error("{0}")]
     Without(Variation),
 }
 
@@ -137,121 +201,16 @@ fn printed(Bracket { lower, upper }: &Bracket) -> String {
     format!("{}-{}", number(*lower, 5), number(*upper, 5))
 }
 
-impl fmt::Display for PushoverFact {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::FirstSlip { slip } => write!(
-                f,
-                "this is the load at which a joint first slips by {slip:e} course heights, not the collapse load"
-            ),
-            Self::Uncalibrated => write!(
-                f,
-                "the substeps are longer or the contacts softer than those that the stated error was measured \
-                 with"
-            ),
-            Self::Checked(check) => check.fmt(f),
-            Self::SelfCheckFailed(check) => write!(f, "a self-check failed: {check}"),
-            Self::VerificationFailed(check) => {
-                write!(f, "a check of `verify` failed: {check}")
-            }
-            Self::NoBlocks => write!(f, "the scene has no blocks"),
-            Self::NoWeight => write!(f, "no block has a weight"),
-            Self::UnequalWeights {
-                light,
-                heavy,
-                ratio,
-                most,
-            } => write!(
-                f,
-                "{heavy} is {ratio:.1e} times as heavy as {light}, and beyond {most:.0e} the engine cannot \
-                 tell whether the lighter one rests"
-            ),
-            Self::SupportFrictions { found, most } => write!(
-                f,
-                "the joints with supports have {found} different coefficients of friction, and the engine \
-                 can tell no more than {most} apart"
-            ),
-            Self::BlockOnTwoFrictions => write!(
-                f,
-                "a block rests on supports with two coefficients of friction, which the engine cannot model"
-            ),
-            Self::Crowded => write!(
-                f,
-                "blocks lie so close together that the engine's collision groups run out"
-            ),
-            Self::TooStiff => write!(f, "the contacts are stiffer than the substep can hold"),
-            Self::ShapeRefused => write!(f, "the engine cannot take a shape of the scene"),
-            Self::Fell { distance, time } => write!(
-                f,
-                "under its own weight alone a block moved by more than {distance} course heights within \
-                 t = {time:.0} √(H_c/g) and did not slow down"
-            ),
-            Self::NearZero { resolution } => write!(
-                f,
-                "λ is nearer to 0 than {resolution}, which is too near to tell whether the scene falls under \
-                 its own weight"
-            ),
-            Self::NotSettled { time } => write!(
-                f,
-                "under its own weight alone the scene did not come to rest within t = {time} √(H_c/g)"
-            ),
-            Self::OutOfSteps { lambda } => write!(
-                f,
-                "the pushover used up the time steps allowed; the last load at rest was λ = {lambda}"
-            ),
-            Self::StillStands { lambda } => write!(
-                f,
-                "the scene still stands at λ = {lambda}, and nothing larger is tried"
-            ),
-            Self::Unclear { lambda } => write!(
-                f,
-                "at λ = {lambda} the scene neither rests nor collapses within the time allowed"
-            ),
-            Self::RangeNotRun { pushovers, blocks } => write!(
-                f,
-                "it was not run: with head joints in contact the answer is a range over {pushovers} \
-                 pushovers, which take long on {blocks} blocks; the setting `long-ranges` runs them"
-            ),
-            Self::RangeUnfinished {
-                run,
-                pushovers,
-                so_far,
-            } => {
-                write!(
-                    f,
-                    "it was not finished: {run} of the {pushovers} pushovers of a range were run"
-                )?;
-                match so_far {
-                    Some(bracket) => write!(f, ", which so far give {}", printed(bracket)),
-                    None => Ok(()),
-                }
-            }
-            Self::NoMirror => write!(f, "the scene cannot be mirrored, which a range needs"),
-            Self::Range { softest } => write!(
-                f,
-                "this is a range over both directions and over contact stiffnesses from 1 to 1/{:.0}, because \
-                 with head joints in contact the collapse load is not unique",
-                1.0 / softest
-            ),
-            Self::SlidesFirst => write!(
-                f,
-                "there are several collapse states: blocks slide away before the scene collapses"
-            ),
-            Self::OneLevel { bracket } => write!(
-                f,
-                "one length of the substep alone gave an answer, {}, and a second one is needed to measure \
-                 its error",
-                printed(bracket)
-            ),
-            Self::LevelsDisagree { brackets } => {
-                let brackets: Vec<String> = brackets.iter().map(printed).collect();
-                write!(
-                    f,
-                    "shorter and shorter substeps do not agree on one multiplier; they gave {}",
-                    brackets.join(", ")
-                )
-            }
-            Self::Without(variation) => variation.fmt(f),
-        }
-    }
+/// Brackets, parted by commas.
+fn all_printed(brackets: &[Bracket]) -> String {
+    let brackets: Vec<String> = brackets.iter().map(printed).collect();
+    brackets.join(", ")
+}
+
+/// What a range came to before it was given up.
+fn so_far_printed(so_far: &Option<Bracket>) -> String {
+    let printed = so_far.as_ref().map(printed);
+    printed.map_or(String::new(), |bracket| {
+        format!(", which so far give {bracket}")
+    })
 }

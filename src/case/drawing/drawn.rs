@@ -54,7 +54,7 @@ pub(super) fn drawn(
     let closed = outlines(paths.found, options.tolerance.max(TOUCHING))?;
     if let Some(path) = closed.get(MOST_BLOCKS) {
         let title = format!("more than {MOST_BLOCKS} outlines");
-        return Err(complain(path, &title).help("leave out layers (`without`)"));
+        return Err(complain(path, &title).help("leave out layers: `without` names them"));
     }
     let mut names = std::collections::HashSet::new();
     let mut drawn = Vec::new();
@@ -116,7 +116,7 @@ pub(super) fn shape(path: &Path) -> Result<Polygon, Complaint> {
             Some(at) => format!("{title}, at ({}, {})", at.x, at.y),
             None => title,
         };
-        complain(path, &title).help("draw it again, or leave its layer out (`without`)")
+        complain(path, &title).help("draw it again, or leave its layer out: `without` names it")
     })
 }
 

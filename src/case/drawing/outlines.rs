@@ -108,7 +108,7 @@ fn leads_nowhere(path: &Path, end: Point) -> Complaint {
     let whose = handle_and_layer(&path.handle, &path.layer);
     let label = format!("{whose}: nothing goes on from ({}, {})", end.x, end.y);
     Complaint::at(path.place.clone(), title, label).help(
-        "draw each block as one closed polyline, or as lines and arcs that meet; leave other lines out \
-         (`without`)",
+        "draw each block as one closed polyline, or as lines and arcs that meet; leave the layers of other \
+         lines out: `without` names them",
     )
 }

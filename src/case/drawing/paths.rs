@@ -109,7 +109,7 @@ impl<'a> Paths<'a> {
             if self.found.len() > MOST_PATHS {
                 let what = format!("more than {MOST_PATHS} outlines and lines");
                 let complaint = entity.complain(layer, &what);
-                return Err(complaint.help("leave out layers (`without`)"));
+                return Err(complaint.help("leave out layers: `without` names them"));
             }
         }
         Ok(())
@@ -142,8 +142,12 @@ impl<'a> Paths<'a> {
             kind => {
                 let help = match kind {
                     "SPLINE" | "ELLIPSE" => "draw the curve as a polyline with arcs, or flatten it",
-                    "HATCH" => "put hatches on a layer of their own and leave it out (`without`)",
-                    _ => "draw blocks as closed polylines, or leave its layer out (`without`)",
+                    "HATCH" => {
+                        "put hatches on a layer of their own and leave it out: `without` names it"
+                    }
+                    _ => {
+                        "draw blocks as closed polylines, or leave its layer out: `without` names it"
+                    }
                 };
                 let what = format!("{kind} is no outline of a block");
                 return Err(entity.complain(layer, &what).help(help));

@@ -62,8 +62,8 @@ pub(super) fn sound(
     let name = near(block);
     let title = format!("{name} floats: no joints lead from it to a support");
     Err(complain(&block.path, &title).help(
-        "let an edge of it lie on an edge of a block that is held, or leave its layer out \
-         (`without`)",
+        "let an edge of it lie on an edge of a block that is held, or leave its layer out: \
+         `without` names it",
     ))
 }
 

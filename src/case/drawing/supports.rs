@@ -31,7 +31,7 @@ pub(super) fn supports(
             if !fixed.contains(&false) {
                 let title = format!("all outlines are on the layer `{layer}` of supports");
                 return Err(complain(&first.path, &title)
-                    .help("name the layer of what never moves (`support`)"));
+                    .help("name the layer of what never moves with `support`"));
             }
             remarks.push(format!("supports: what is on the layer `{layer}`"));
             return Ok(fixed);
@@ -57,8 +57,8 @@ pub(super) fn supports(
     let Some(lowest) = drawn.iter().position(is_lowest) else {
         let complaint = complain(&first.path, "no support: which outlines never move?");
         return Err(complaint.help(
-            "draw the ground as a closed outline on a layer `support`, or name its layer \
-             (`support`)",
+            "draw the ground as a closed outline on a layer `support`, or name its layer with \
+             `support`",
         ));
     };
     let name = &drawn[lowest].name;

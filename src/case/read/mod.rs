@@ -28,3 +28,4 @@ mod wall;
 pub(crate) use explain::explain;
 #[cfg(test)]
 pub(super) use file::CASE_KEYS;
+pub(crate) use values::read_by_visitor;

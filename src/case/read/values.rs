@@ -1,9 +1,7 @@
 //! Values of a case file that come in more forms than one, or whose message should be ours.
 
-use std::fmt;
-
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
-use serde::de::{Deserialize, Deserializer, MapAccess, SeqAccess, Visitor};
+use serde::de::{Deserialize, MapAccess, SeqAccess};
 use toml::Spanned;
 
 /// Coefficients of friction by class of joint.
@@ -84,15 +82,15 @@ macro_rules! visit_whole_numbers {
 
 /// Reads a value by a visitor, which says in our words what it expects.
 macro_rules! read_by_visitor {
-    ($of:ident, $expecting:literal, { $($visit:tt)* }) => {
-        impl<'de> Deserialize<'de> for $of {
-            fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+    ($of:ident, $expecting:expr, { $($visit:tt)* }) => {
+        impl<'de> ::serde::de::Deserialize<'de> for $of {
+            fn deserialize<D: ::serde::de::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
                 struct Forms;
 
-                impl<'de> Visitor<'de> for Forms {
+                impl<'de> ::serde::de::Visitor<'de> for Forms {
                     type Value = $of;
 
-                    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                    fn expecting(&self, f: &mut ::std::fmt::Formatter<'_>) -> ::std::fmt::Result {
                         f.write_str($expecting)
                     }
 
@@ -104,6 +102,8 @@ macro_rules! read_by_visitor {
         }
     };
 }
+
+pub(crate) use read_by_visitor;
 
 read_by_visitor!(Number, "a number", {
     fn visit_f64<E>(self, number: f64) -> Result<Number, E> {

@@ -7,7 +7,7 @@
 mod choice;
 mod error;
 #[macro_use]
-mod table;
+mod settings_macro;
 mod value;
 
 use std::sync::LazyLock;

@@ -2,32 +2,16 @@
 
 use maud::{Markup, html};
 
+use crate::answer::Status;
 use crate::method::{METHODS, Setting, Settings};
 
 /// What the words and marks mean.
 pub fn reading() -> Markup {
-    let statuses = [
-        (
-            "verified",
-            "proved to a residual of 1e-8, with total weight, height and live power scaled to 1",
-        ),
-        (
-            "bracketed",
-            "between the two values by the method's own evidence",
-        ),
-        ("estimate", "a number without a proof"),
-        (
-            "stands, falls",
-            "no push is too large, for the friction law that the method assumes; does not stand \
-             under its own weight",
-        ),
-        (
-            "not-applicable",
-            "outside the method's limits of validity, which are named",
-        ),
-        ("undecided", "no honest answer, with the reason"),
-        ("failed", "broke, or was refuted by the judge"),
-    ];
+    let statuses = Status::ALL.chunk_by(|a, b| meaning(*a) == meaning(*b));
+    let statuses = statuses.map(|alike| {
+        let words: Vec<&str> = alike.iter().map(|status| status.name()).collect();
+        (words.join(", "), meaning(alike[0]))
+    });
     html! {
         p { "λ is the multiplier of the horizontal live load at collapse; for a wall also the horizontal "
             "acceleration in units of g. Head joints (perpends) are " b { "open" } " where they carry nothing, "
@@ -48,6 +32,24 @@ pub fn reading() -> Markup {
             "other as the closed form, the pushover and an independent code do." }
         p { "A reference is published (p), analytic (a) or from an independent code (i); its error is that of "
             "the farther end of the range. What is unfolded is printed." }
+    }
+}
+
+/// What a status means; neighbours with one meaning are explained together.
+fn meaning(status: Status) -> &'static str {
+    match status {
+        Status::Verified => {
+            "proved to a residual of 1e-8, with total weight, height and live power scaled to 1"
+        }
+        Status::Bracketed => "between the two values by the method's own evidence",
+        Status::Estimate => "a number without a proof",
+        Status::Stands | Status::Falls => {
+            "no push is too large, for the friction law that the method assumes; does not stand \
+             under its own weight"
+        }
+        Status::NotApplicable => "outside the method's limits of validity, which are named",
+        Status::Undecided => "no honest answer, with the reason",
+        Status::Failed => "broke, or was refuted by the judge",
     }
 }
 

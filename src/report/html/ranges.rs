@@ -7,7 +7,7 @@ use crate::case::{Quantity, SourceKind};
 use crate::method::{Kind, Look, Mark, method_look};
 use crate::picture::palette::INK;
 use crate::picture::{
-    Filling, KNOWN, LegendEntry, RangeMark, Ranges, dashed_line, ranges as drawn,
+    Filling, KNOWN, LegendEntry, RangeMark, Ranges, Sample, dashed_line, ranges as drawn,
 };
 use crate::run::{CaseResult, Row};
 use crate::scene::HeadJoints;
@@ -58,7 +58,7 @@ pub fn range_figure(result: &CaseResult) -> Option<String> {
             colour: INK,
             mark: Mark::Circle,
         };
-        LegendEntry::point(look, filling, words)
+        LegendEntry::new(Sample::Point(look, filling), words)
     };
     if rows.iter().any(|row| row.status() == Status::Verified) {
         entries.push(disc(Filling::Full, "verified"));
@@ -68,12 +68,11 @@ pub fn range_figure(result: &CaseResult) -> Option<String> {
     }
     if !bounds.is_empty() {
         let words = "λ with associative friction, a proved upper bound";
-        entries.push(LegendEntry::line(dashed_line(INK), words));
+        entries.push(LegendEntry::new(Sample::Line(dashed_line(INK)), words));
     }
     if ranges.iter().any(|range| !range.known.is_empty()) {
-        entries.push(LegendEntry::point(
-            KNOWN,
-            Filling::Open,
+        entries.push(LegendEntry::new(
+            Sample::Point(KNOWN, Filling::Open),
             "published or analytic",
         ));
     }

@@ -4,7 +4,7 @@ use maud::{Markup, html};
 
 use super::sortable::{TableCell, plain, sortable};
 use crate::answer::Evidence;
-use crate::judge::Recomputed;
+use crate::judge::{Recomputed, Verdict};
 use crate::mechanics::{CollapseResidual, StaticResidual, VERIFIED_RESIDUAL};
 use crate::number::number;
 use crate::run::{CaseResult, Row};
@@ -102,6 +102,14 @@ fn shown(lambda: Option<f64>) -> TableCell {
     )
 }
 
+/// Whether a residual is small enough for `verified`.
+fn within(residual: f64) -> TableCell {
+    match residual <= VERIFIED_RESIDUAL {
+        true => TableCell::verdict(Verdict::Holds),
+        false => TableCell::word("above 1e-8"),
+    }
+}
+
 /// One line for everything that an answer puts forward: its residuals by name. Nothing without any.
 pub fn in_short(result: &CaseResult) -> Markup {
     let mut lines = Vec::new();
@@ -123,11 +131,7 @@ pub fn in_short(result: &CaseResult) -> Markup {
                 TableCell::text(row.head_joints.name()),
                 TableCell::text(&of.what),
                 shown(of.lambda),
-                TableCell::word(if largest <= VERIFIED_RESIDUAL {
-                    "holds"
-                } else {
-                    "above 1e-8"
-                }),
+                within(largest),
                 TableCell::text(named.collect::<Vec<_>>().join(", ")),
             ]);
         }
@@ -151,7 +155,6 @@ pub fn in_full(result: &CaseResult) -> Option<Markup> {
     for row in &result.rows {
         for of in put_forward(row) {
             for (name, value) in of.residuals {
-                let holds = value <= VERIFIED_RESIDUAL;
                 lines.push(vec![
                     TableCell::text(&row.method),
                     TableCell::text(row.head_joints.name()),
@@ -159,7 +162,7 @@ pub fn in_full(result: &CaseResult) -> Option<Markup> {
                     shown(of.lambda),
                     TableCell::text(name),
                     TableCell::number(format!("{value:.1e}")),
-                    TableCell::word(if holds { "holds" } else { "above 1e-8" }),
+                    within(value),
                 ]);
             }
         }

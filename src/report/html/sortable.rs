@@ -2,6 +2,8 @@
 
 use maud::{Markup, html};
 
+use crate::answer::Status;
+use crate::judge::Verdict;
 use crate::record::LEGEND;
 use crate::run::{CaseResult, Row, column};
 
@@ -32,18 +34,27 @@ impl TableCell {
         }
     }
 
-    /// A word that says whether all is well.
+    /// A word that says nothing of good or bad.
     pub fn word(text: impl Into<String>) -> Self {
-        let text = text.into();
-        let class = match text.as_str() {
-            "holds" | "verified" => "good",
-            "VIOLATED" | "failed" => "bad",
-            "deviates" | "undecided" | "marked" | "not decided" => "mixed",
-            _ => "word",
-        };
         Self {
-            class,
+            class: "word",
             ..Self::text(text)
+        }
+    }
+
+    /// What a result may be used for.
+    pub fn status(status: Status) -> Self {
+        Self {
+            class: status_class(status).unwrap_or("word"),
+            ..Self::text(status.name())
+        }
+    }
+
+    /// Whether a check holds.
+    pub fn verdict(verdict: Verdict) -> Self {
+        Self {
+            class: verdict_class(verdict),
+            ..Self::text(verdict.name())
         }
     }
 
@@ -53,6 +64,29 @@ impl TableCell {
             link: Some(to.into()),
             ..Self::text(text)
         }
+    }
+}
+
+/// Class that colours a status, where it says whether all is well.
+pub fn status_class(status: Status) -> Option<&'static str> {
+    match status {
+        Status::Verified => Some("good"),
+        Status::Undecided => Some("mixed"),
+        Status::Failed => Some("bad"),
+        Status::Bracketed
+        | Status::Estimate
+        | Status::Stands
+        | Status::Falls
+        | Status::NotApplicable => None,
+    }
+}
+
+/// Class that colours a verdict.
+pub fn verdict_class(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Holds => "good",
+        Verdict::Marked | Verdict::NotDecided | Verdict::Deviates => "mixed",
+        Verdict::Violated => "bad",
     }
 }
 
@@ -116,7 +150,10 @@ pub fn cells(row: &Row, names: &[&str]) -> Vec<TableCell> {
         let text = (column(name).value)(row).shown().replace(" - ", " – ");
         match *name {
             "method" | "head_joints" | "note" => TableCell::text(text),
-            "status" | "verdict" => TableCell::word(text),
+            "status" => TableCell::status(row.status()),
+            "verdict" => row
+                .verdict
+                .map_or_else(|| TableCell::word(text), TableCell::verdict),
             _ => TableCell::number(text),
         }
     };

@@ -2,10 +2,27 @@
 
 use maud::{Markup, html};
 
-use super::sortable::{TableCell, sortable};
+use super::sortable::{TableCell, sortable, status_class, verdict_class};
 use crate::answer::Status;
-use crate::judge::Verdict;
+use crate::judge::{Check, Verdict};
 use crate::run::CaseResult;
+
+/// How many results or checks came out in one way.
+struct Tile {
+    count: usize,
+    words: &'static str,
+    /// Class that colours it.
+    class: &'static str,
+}
+
+/// The verdicts in the order of their tiles, and what is said of the checks.
+const CHECK_TILES: [(Verdict, &str); Verdict::ALL.len()] = [
+    (Verdict::Holds, "hold"),
+    (Verdict::Marked, "marked"),
+    (Verdict::Deviates, "deviate, for a stated reason"),
+    (Verdict::NotDecided, "not decided"),
+    (Verdict::Violated, "violated"),
+];
 
 /// Counts of verdicts and statuses, then the checks that need a word.
 pub fn summary(results: &[CaseResult]) -> Markup {
@@ -20,67 +37,63 @@ pub fn summary(results: &[CaseResult]) -> Markup {
     let undecided = statuses(Status::Undecided);
     let headline = headline(bad, undecided, verdicts(Verdict::NotDecided));
     // Every result is in one tile of the first list, every check in one of the second.
-    let of_status = |status: &Status| {
-        let class = match status {
-            Status::Verified => "good",
-            Status::Undecided => "mixed",
-            Status::Failed => "bad",
-            _ => "",
-        };
-        (statuses(*status), status.name(), class)
-    };
-    let results_by_status = Status::ALL.iter().map(of_status);
-    let results_by_status = results_by_status.filter(|(count, ..)| *count > 0);
-    let checks_by_verdict = [
-        (verdicts(Verdict::Holds), "hold", "good"),
-        (verdicts(Verdict::Marked), "marked", "mixed"),
-        (
-            verdicts(Verdict::Deviates),
-            "deviate, for a stated reason",
-            "mixed",
-        ),
-        (verdicts(Verdict::NotDecided), "not decided", "mixed"),
-        (verdicts(Verdict::Violated), "violated", "bad"),
-    ];
+    let results_by_status = Status::ALL.map(|status| Tile {
+        count: statuses(status),
+        words: status.name(),
+        class: status_class(status).unwrap_or(""),
+    });
+    let results_by_status = results_by_status.into_iter().filter(|tile| tile.count > 0);
+    let checks_by_verdict = CHECK_TILES.map(|(verdict, words)| Tile {
+        count: verdicts(verdict),
+        words,
+        class: verdict_class(verdict),
+    });
     let tiles = [
         (
             format!("{} results of {} cases", rows.len(), results.len()),
-            results_by_status.collect::<Vec<_>>(),
+            results_by_status.collect(),
         ),
         (
             format!("{} checks", checks.len()),
-            checks_by_verdict.to_vec(),
+            Vec::from(checks_by_verdict),
         ),
     ];
-    let open: Vec<Vec<TableCell>> = checks
-        .iter()
-        .filter(|(_, check)| check.verdict > Verdict::Holds)
-        .map(|(result, check)| {
-            let name = &result.case.name;
-            vec![
-                TableCell::link(name, format!("#case-{name}")),
-                TableCell::text(check.head_joints.name()),
-                TableCell::text(&check.method),
-                TableCell::word(check.verdict.name()),
-                TableCell::text(&check.text),
-            ]
-        })
-        .collect();
     html! {
         p.headline.bad[bad > 0] { (headline) }
         @for (heading, tiles) in &tiles {
             p.tiles-title { (heading) }
             dl.tiles {
-                @for (count, words, class) in tiles {
+                @for Tile { count, words, class } in tiles {
                     div class=(if *count > 0 { class } else { "" }) { dt { (words) } dd { (count) } }
                 }
             }
         }
-        @if !open.is_empty() {
+        (open(&checks))
+    }
+}
+
+/// The checks that do not simply hold; nothing where there are none.
+fn open(checks: &[(&CaseResult, &Check)]) -> Markup {
+    let open = checks
+        .iter()
+        .filter(|(_, check)| check.verdict > Verdict::Holds);
+    let lines = open.map(|(result, check)| {
+        let name = &result.case.name;
+        vec![
+            TableCell::link(name, format!("#case-{name}")),
+            TableCell::text(check.head_joints.name()),
+            TableCell::text(&check.method),
+            TableCell::verdict(check.verdict),
+            TableCell::text(&check.text),
+        ]
+    });
+    let lines: Vec<Vec<TableCell>> = lines.collect();
+    html! {
+        @if !lines.is_empty() {
             (sortable(
                 "Checks that do not simply hold",
                 &["Case", "Head joints", "Method", "Verdict", "What"],
-                &open,
+                &lines,
             ))
         }
     }

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use super::grid::{Grid, GridPoint};
 use crate::answer::{Bracket, Status};
 use crate::method::{Method, kind};
-use crate::run::{Progress, Row, Subject, Task, run_rows};
+use crate::run::{Row, Subject, Task};
 use crate::scene::HeadJoints;
 
 /// What an answer turned out to be.
@@ -144,14 +144,6 @@ impl<'a> Atlas<'a> {
         });
         cells.collect()
     }
-}
-
-/// The whole atlas at once, without a journal.
-pub fn run(grids: &[Grid], methods: &[&dyn Method], progress: &dyn Progress) -> Vec<Cell> {
-    let atlas = Atlas::new(grids, methods);
-    // Only a journal can fail.
-    let rows = run_rows(atlas.tasks(), None, progress).unwrap_or_default();
-    atlas.cells(&rows)
 }
 
 fn task<'a>(grid: &Grid, place: &'a GridPoint, method: &'a dyn Method) -> Task<'a> {

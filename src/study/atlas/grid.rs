@@ -26,7 +26,6 @@ pub struct GridPoint {
     pub x: String,
     /// Value from bottom to top.
     pub y: String,
-    /// The scene.
     pub scene: Box<dyn Fn() -> Scene + Send + Sync>,
     /// Number of blocks.
     pub blocks: usize,

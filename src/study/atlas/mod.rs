@@ -21,7 +21,7 @@ mod towers;
 mod unequal;
 mod walls;
 
-pub use cell::{Atlas, Cell, CellVerdict, run};
+pub use cell::{Atlas, Cell, CellVerdict};
 pub use columns::Columns;
 pub use grid::Grid;
 pub use grids::grids;

@@ -147,7 +147,6 @@ impl Pierced {
             .collect()
     }
 
-    /// The scene.
     pub fn scene(&self) -> Scene {
         laid(&wall(self.courses()), self.head_joints)
     }

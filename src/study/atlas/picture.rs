@@ -4,7 +4,7 @@ use super::cell::{Cell, CellVerdict};
 use super::grid::Grid;
 use super::text::{between, methods};
 use crate::picture::palette::{INACCURATE, REFUSED, RIGHT, Tone, WRONG};
-use crate::picture::{self, Cells, Field, LegendEntry};
+use crate::picture::{self, Cells, Field, LegendEntry, Sample};
 use crate::run::{Partial, titled};
 
 /// The picture of one grid as SVG: the same bytes for the same cells. It says so where it is partial.
@@ -37,7 +37,9 @@ pub fn picture(grid: &Grid, cells: &[Cell], partial: Option<&Partial>) -> String
             partial,
         ),
         legend: CellVerdict::ALL
-            .map(|verdict| LegendEntry::shade(tone(verdict).fill, 1.0, meaning(verdict)))
+            .map(|verdict| {
+                LegendEntry::new(Sample::Shade(tone(verdict).fill, 1.0), meaning(verdict))
+            })
             .into(),
         x_label: grid.x,
         fields: methods(grid, cells).into_iter().map(field).collect(),

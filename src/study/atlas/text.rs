@@ -11,9 +11,6 @@ use crate::run::{self, Value, values};
 use crate::text::{self, Layout, bold, numbers, words};
 
 /// Cells as CSV, one line each.
-///
-/// # Errors
-/// Those of the CSV writer; none is expected in memory.
 pub fn csv(cells: &[Cell]) -> Result<String, csv::Error> {
     let headings = [
         "grid",

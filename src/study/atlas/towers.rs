@@ -5,11 +5,8 @@ use crate::scene::{Block, Load, Point, Polygon, Scene, SceneParts, Vector};
 /// A block of a tower.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stone {
-    /// Width.
     pub width: f64,
-    /// Height.
     pub height: f64,
-    /// Weight.
     pub weight: f64,
 }
 

@@ -5,9 +5,7 @@ use crate::method::{Changes, Kind, METHODS, Method, Settings};
 /// One method with one setting.
 #[derive(Clone)]
 pub struct Step<'a> {
-    /// The method.
     pub method: &'a dyn Method,
-    /// Its settings.
     pub settings: Settings,
     /// What is not as by default, as `name=value`; `default` where nothing is.
     pub label: String,

@@ -161,20 +161,6 @@ impl<'a> Chart<'a> {
     }
 }
 
-/// The whole chart at once, without a journal.
-///
-/// # Errors
-/// None is expected without a journal.
-pub fn run(
-    cases: &[Case],
-    head_joints: Option<HeadJoints>,
-    externals: &[&'static dyn Method],
-    progress: &dyn Progress,
-) -> io::Result<Vec<Measurement>> {
-    let chart = Chart::new(cases, head_joints, externals);
-    Ok(chart.measurements(&chart.run(None, progress)?))
-}
-
 /// An entry before it has run.
 struct Planned<'a> {
     case: &'a Case,

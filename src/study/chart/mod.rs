@@ -15,7 +15,7 @@ mod summary;
 
 pub use front::front;
 pub use ladder::ladder;
-pub use measurement::{Chart, Measurement, csv, run};
+pub use measurement::{Chart, Measurement, csv};
 pub use picture::picture;
 pub use reference::reference;
 pub use summary::{csv as summary_csv, summaries, table as summary_table};

@@ -9,8 +9,8 @@ use crate::method::{Look, METHODS, Mark, method_look};
 use crate::number::short;
 use crate::picture::palette::{FRONT, INK, NO_ANSWER};
 use crate::picture::{
-    Band, Filling, LegendEntry, Line, Marks, Plot, PlotAxis, PlotPoint, Ticks, dashed_line, plots,
-    solid_line,
+    Band, Filling, LegendEntry, Line, Marks, Plot, PlotAxis, PlotPoint, Sample, Ticks, dashed_line,
+    plots, solid_line,
 };
 use crate::run::{Partial, titled};
 
@@ -101,23 +101,29 @@ pub fn picture(entries: &[Measurement], partial: Option<&Partial>) -> String {
 fn legend(looks: &IndexMap<&str, Look>) -> Vec<LegendEntry> {
     let methods = looks.iter();
     let mut entries: Vec<LegendEntry> = methods
-        .map(|(name, look)| LegendEntry::point(*look, Filling::Full, *name))
+        .map(|(name, look)| LegendEntry::new(Sample::Point(*look, Filling::Full), *name))
         .collect();
     let disc = |filling, words: &str| {
         let look = Look {
             colour: INK,
             mark: Mark::Circle,
         };
-        LegendEntry::point(look, filling, words)
+        LegendEntry::new(Sample::Point(look, filling), words)
     };
     entries.extend([
         disc(Filling::Full, "not above the lowest state: safe"),
         disc(Filling::Open, "above it"),
         disc(Filling::Hollow, "loose setting"),
-        LegendEntry::bar(INK, "from the better to the worse end"),
-        LegendEntry::line(solid_line(FRONT), "front of what vouches for itself"),
-        LegendEntry::line(dashed_line(INK), "floor: the references' digits"),
-        LegendEntry::shade(NO_ANSWER, 0.12, "no answer"),
+        LegendEntry::new(Sample::Bar(INK), "from the better to the worse end"),
+        LegendEntry::new(
+            Sample::Line(solid_line(FRONT)),
+            "front of what vouches for itself",
+        ),
+        LegendEntry::new(
+            Sample::Line(dashed_line(INK)),
+            "floor: the references' digits",
+        ),
+        LegendEntry::new(Sample::Shade(NO_ANSWER, 0.12), "no answer"),
     ]);
     entries
 }

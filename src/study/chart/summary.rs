@@ -89,9 +89,6 @@ pub fn table(summaries: &[Summary], layout: Layout) -> String {
 }
 
 /// The summary as CSV.
-///
-/// # Errors
-/// Those of the CSV writer; none is expected in memory.
 pub fn csv(summaries: &[Summary]) -> Result<String, csv::Error> {
     let headings = [
         "method",

@@ -4,7 +4,7 @@ use super::curves::heading;
 use super::points::{SweepTable, Variable};
 use crate::number::number;
 use crate::picture::palette::{SCALE, tone_of};
-use crate::picture::{Cells, Field, LegendEntry, PictureCell, cells};
+use crate::picture::{Cells, Field, LegendEntry, PictureCell, Sample, cells};
 use crate::run::Value;
 
 /// Fields of cells over two variables, a field a scene and method: the lower end of λ on one scale.
@@ -54,9 +54,8 @@ pub fn fields(table: &SweepTable, title: &str, x: &Variable, y: &Variable) -> St
     let label = format!("{} (to the right) × {} (upwards)", x.label(), y.label());
     cells(&Cells {
         title: title.to_owned(),
-        legend: vec![LegendEntry::scale(
-            &SCALE,
-            [least, most].map(|end| number(end, 4)),
+        legend: vec![LegendEntry::new(
+            Sample::Scale(&SCALE, [least, most].map(|end| number(end, 4))),
             "lower end of λ",
         )],
         x_label: &label,

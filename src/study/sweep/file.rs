@@ -1,13 +1,12 @@
 //! The sweep file as TOML has it. Every value keeps its span, so that a complaint can point at it.
 
 use std::collections::BTreeMap;
-use std::fmt;
 
-use serde::de::value::MapAccessDeserializer;
-use serde::de::{Deserialize, Deserializer, MapAccess, SeqAccess, Visitor};
+use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
+use serde::de::{Deserialize, MapAccess, SeqAccess};
 use toml::{Spanned, Table, Value};
 
-use crate::case::{Complaint, Document, explain, listed, nearest};
+use crate::case::{Complaint, Document, explain, listed, nearest, read_by_visitor};
 
 /// A whole file.
 #[derive(Debug, serde::Deserialize)]
@@ -156,77 +155,27 @@ const EXPECTED: [(&str, &str); 6] = [
     ("a map", "write `key = value` lines below it"),
 ];
 
-impl<'de> Deserialize<'de> for CaseSource {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(CaseVisitor)
-    }
-}
-
-struct CaseVisitor;
-
-impl<'de> Visitor<'de> for CaseVisitor {
-    type Value = CaseSource;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(A_CASE)
-    }
-
+read_by_visitor!(CaseSource, A_CASE, {
     fn visit_str<E>(self, text: &str) -> Result<CaseSource, E> {
         Ok(CaseSource::One(text.to_owned()))
     }
 
     fn visit_seq<A: SeqAccess<'de>>(self, items: A) -> Result<CaseSource, A::Error> {
-        list(items).map(CaseSource::Named)
+        Vec::deserialize(SeqAccessDeserializer::new(items)).map(CaseSource::Named)
     }
 
     fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<CaseSource, A::Error> {
         Table::deserialize(MapAccessDeserializer::new(map)).map(CaseSource::Inline)
     }
-}
+});
 
-fn list<'de, T: Deserialize<'de>, A: SeqAccess<'de>>(mut items: A) -> Result<Vec<T>, A::Error> {
-    let mut list = Vec::new();
-    while let Some(item) = items.next_element()? {
-        list.push(item);
-    }
-    Ok(list)
-}
-
-impl<'de> Deserialize<'de> for WordList {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(WordsVisitor)
-    }
-}
-
-struct WordsVisitor;
-
-impl<'de> Visitor<'de> for WordsVisitor {
-    type Value = WordList;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(WORDS)
-    }
-
+read_by_visitor!(WordList, WORDS, {
     fn visit_seq<A: SeqAccess<'de>>(self, items: A) -> Result<WordList, A::Error> {
-        list(items).map(WordList)
+        Vec::deserialize(SeqAccessDeserializer::new(items)).map(WordList)
     }
-}
+});
 
-impl<'de> Deserialize<'de> for Scalar {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(ScalarVisitor)
-    }
-}
-
-struct ScalarVisitor;
-
-impl Visitor<'_> for ScalarVisitor {
-    type Value = Scalar;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(SCALAR)
-    }
-
+read_by_visitor!(Scalar, SCALAR, {
     fn visit_bool<E>(self, value: bool) -> Result<Scalar, E> {
         Ok(Scalar(Value::Boolean(value)))
     }
@@ -242,28 +191,14 @@ impl Visitor<'_> for ScalarVisitor {
     fn visit_str<E>(self, text: &str) -> Result<Scalar, E> {
         Ok(Scalar(Value::String(text.to_owned())))
     }
-}
+});
 
-impl<'de> Deserialize<'de> for Values {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(ValuesVisitor)
-    }
-}
-
-struct ValuesVisitor;
-
-impl<'de> Visitor<'de> for ValuesVisitor {
-    type Value = Values;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(VALUES)
-    }
-
+read_by_visitor!(Values, VALUES, {
     fn visit_seq<A: SeqAccess<'de>>(self, items: A) -> Result<Values, A::Error> {
-        list(items).map(Values::List)
+        Vec::deserialize(SeqAccessDeserializer::new(items)).map(Values::List)
     }
 
     fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<Values, A::Error> {
         ValueRange::deserialize(MapAccessDeserializer::new(map)).map(Values::ValueRange)
     }
-}
+});

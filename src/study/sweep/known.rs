@@ -9,7 +9,6 @@ use crate::scene::{HeadJoints, Wall};
 pub struct KnownPoint {
     /// Overburden ratio.
     pub overburden: f64,
-    /// λ.
     pub lambda: f64,
     /// The method that it is about.
     pub method: String,

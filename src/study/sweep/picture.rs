@@ -4,7 +4,7 @@ use super::curves::{KNOWN, curves};
 use super::fields::fields;
 use super::points::{SweepTable, Variable, VariableKind};
 use crate::picture::palette::INK;
-use crate::picture::{Filling, LegendEntry, Plot, dashed_line, plots};
+use crate::picture::{Filling, LegendEntry, Plot, Sample, dashed_line, plots};
 use crate::run::Value;
 
 /// Most plots of one sweep that anybody looks at.
@@ -25,9 +25,6 @@ pub fn sweep_picture(table: &SweepTable) -> Result<String, String> {
 }
 
 /// The plots of a sweep, an SVG each.
-///
-/// # Errors
-/// As [`sweep_picture`].
 pub fn sweep_pictures(table: &SweepTable) -> Result<Vec<String>, String> {
     let one = |panel: Plot| {
         let panel = [panel];
@@ -98,19 +95,20 @@ fn drawn(table: &SweepTable) -> Result<Drawn, String> {
 /// What the marks of these curves mean.
 fn legend(panels: &[Plot]) -> Vec<LegendEntry> {
     let known = panels.iter().any(|panel| !panel.marks.is_empty());
-    let mut entries = vec![LegendEntry::shade(
-        INK,
-        0.22,
+    let mut entries = vec![LegendEntry::new(
+        Sample::Shade(INK, 0.22),
         "between the ends of a method's range",
     )];
     if known {
-        entries.push(LegendEntry::point(
-            KNOWN,
-            Filling::Open,
+        entries.push(LegendEntry::new(
+            Sample::Point(KNOWN, Filling::Open),
             "published or by another code",
         ));
     }
-    entries.push(LegendEntry::line(dashed_line(INK), "lower end"));
+    entries.push(LegendEntry::new(
+        Sample::Line(dashed_line(INK)),
+        "lower end",
+    ));
     entries
 }
 

@@ -188,7 +188,6 @@ impl VariableKind {
 /// A key that varies.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Variable {
-    /// Its name.
     pub name: String,
     /// What is known of it.
     pub kind: VariableKind,

@@ -1,4 +1,4 @@
-//! The form of the table of settings: from one entry a setting follow its field, its default, its
+//! The macro behind the table of settings: from one entry a setting follow its field, its default, its
 //! name, its place in help and listings, and how a text sets it.
 
 /// Makes [`Settings`](super::Settings), one struct a group, and the list of all settings from
