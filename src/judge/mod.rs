@@ -22,8 +22,7 @@ pub use heard::LowerState;
 pub(crate) use judgement::largest;
 pub use judgement::{Judgement, Recomputed};
 pub use proof::judge;
-pub use references::Computed;
-pub(crate) use references::{comparisons, computed, reference_checks};
+pub(crate) use references::{Computed, comparisons, computed, reference_checks};
 
 #[cfg(test)]
 mod tests;

@@ -32,7 +32,7 @@ pub(crate) use remaining::Remaining;
 pub(crate) use results::named;
 pub use results::{CaseResult, Plan};
 pub use row::Row;
-pub use sides::{End, Ends, OtherSide};
+pub use sides::OtherSide;
 pub(crate) use stored::{Stored, certificates, stored, strays};
 pub use task::answer;
 pub(crate) use task::{Subject, Task, fingerprint};

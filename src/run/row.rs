@@ -123,7 +123,7 @@ impl Row {
     }
 
     /// The ends of the range of λ, each with the push that it belongs to.
-    pub fn ends(&self) -> Ends {
+    pub(crate) fn ends(&self) -> Ends {
         let (governing, other) = self.two_sides();
         sides::ends(governing, other)
     }
@@ -154,7 +154,7 @@ impl Row {
     }
 
     /// What references are compared with.
-    pub fn computed(&self) -> Computed<'_> {
+    pub(crate) fn computed(&self) -> Computed<'_> {
         let ends = self.ends();
         Computed {
             status: self.status(),

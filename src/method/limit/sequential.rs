@@ -84,15 +84,8 @@ fn sequential(scene: &Scene, settings: &Settings) -> Outcome {
         lambdas.push(solution.lambda);
         let normal = totals(&solution.forces);
         last = Some(solution);
-        let at_floor = alpha <= LAST_ALPHA;
-        if at_floor && has_settled(&lambdas) {
-            break match lambdas.last() {
-                Some(lambda) if *lambda < 0.0 => SequentialEnding::BelowZero,
-                _ => SequentialEnding::Converged,
-            };
-        }
-        if at_floor && let Some(period) = cycle(&lambdas, SETTLED) {
-            break SequentialEnding::Cycling { period };
+        if let Some(ending) = ended(&lambdas).filter(|_| alpha <= LAST_ALPHA) {
+            break ending;
         }
         for (old, new) in frozen.iter_mut().zip(normal) {
             *old = beta * new + (1.0 - beta) * *old;
@@ -151,6 +144,19 @@ fn substitute_law(scene: &Scene, frozen: &[f64], alpha: f64, cohesion: f64) -> V
             intercept: c0 + (1.0 + alpha) * joint.friction * n,
         });
     laws.collect()
+}
+
+/// How the iteration ends with these λ, α being at its floor.
+fn ended(lambdas: &[f64]) -> Option<SequentialEnding> {
+    if has_settled(lambdas) {
+        let is_push = lambdas.last().is_some_and(|lambda| *lambda >= 0.0);
+        return Some(match is_push {
+            true => SequentialEnding::Converged,
+            false => SequentialEnding::BelowZero,
+        });
+    }
+    let period = cycle(lambdas, SETTLED)?;
+    Some(SequentialEnding::Cycling { period })
 }
 
 fn has_settled(lambdas: &[f64]) -> bool {

@@ -145,29 +145,22 @@ fn solve_with(scene: &Scene, settings: &Settings, parameters: Parameters) -> Out
     }
     work.programs += slices.programs + slices.small_programs;
     work.iterations += slices.steps;
-    let mut facts: Vec<Fact> = Vec::new();
-    let certificate = match (opening, &prover) {
+    let (certificate, mut facts) = match (opening, &prover) {
         (Some(opening), Some(prover)) => {
-            let certificate = slices.certificate(scene, prover, settings.bound.lift_cap, opening);
-            facts.push(BoundFact::Proved(certificate.1).into());
-            facts.extend(push_moves(&found).map(Fact::from));
-            // One at 0 says nothing.
-            Some(certificate.0).filter(|own| own.lower > 0.0)
+            let cap = settings.bound.lift_cap;
+            let (certificate, proved) = slices.certificate(scene, prover, cap, opening);
+            let push_moves = push_moves(&found).map(Fact::from);
+            let facts = [BoundFact::Proved(proved).into()].into_iter();
+            (Some(certificate), facts.chain(push_moves).collect())
         }
-        _ => {
-            facts.push(BoundFact::Uncertified.into());
-            None
-        }
+        _ => (None, vec![Fact::from(BoundFact::Uncertified)]),
     };
-    if let Some(budget) = slices.ended_by {
-        let programs = slices.programs;
-        facts.push(BoundFact::OutOfBudget { budget, programs }.into());
-    }
-    let lower = match (&certificate, &prover) {
-        (Some(certificate), _) => certificate.lower,
-        (None, Some(_)) => 0.0,
-        (None, None) => slices.lower * unit,
-    };
+    let lower = certificate
+        .as_ref()
+        .map_or(slices.lower * unit, |own| own.lower);
+    // One at 0 says nothing.
+    let certificate = certificate.filter(|own| own.lower > 0.0);
+    facts.extend(slices.ended().map(Fact::from));
     let bounded = Some((lower, certificate.map(Arc::new)));
     answer(scene, state, bounded, work, facts)
 }

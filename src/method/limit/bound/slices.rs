@@ -9,7 +9,7 @@ use super::lifted::Request;
 use super::parameters::OTHER_MACHINE;
 use super::slice::best_proof;
 use super::vanishing::Vanishing;
-use crate::answer::Budget;
+use crate::answer::{BoundFact, Budget};
 use crate::certificate::{
     Assumption, Factor, Prover, SliceProof, Zeros, scene_fingerprint, together,
 };
@@ -250,6 +250,13 @@ impl Slices {
     fn count(&mut self, steps: usize, lift: &Lift) {
         self.steps += steps;
         self.work += steps as f64 * lift.step_work();
+    }
+
+    /// What ended the proof before it met the lowest state.
+    pub(super) fn ended(&self) -> Option<BoundFact> {
+        let programs = self.programs;
+        self.ended_by
+            .map(|budget| BoundFact::OutOfBudget { budget, programs })
     }
 
     /// The certificate and what it proves.
