@@ -79,6 +79,16 @@ impl Case {
                 let _ = writeln!(text, "\n[[block]]\nname = {name}\ncentre = {at}");
             }
         }
+        for named in &assembly.named_joints {
+            let [one, other] = named
+                .between
+                .map(|block| quoted(&assembly.blocks[block].name));
+            let class = named.class.name();
+            let _ = writeln!(
+                text,
+                "\n[[joint]]\nbetween = [{one}, {other}]\nclass = \"{class}\""
+            );
+        }
         for force in &assembly.forces.extra {
             text.push_str(&load(force, &assembly.blocks[force.block].name));
         }

@@ -7,7 +7,7 @@ use std::path::Path;
 use crate::case::{self, Case, Geometry, Template};
 use crate::files::write_whole;
 use crate::method::{METHODS, PushoverSettings, pushover};
-use crate::scene::{Forces, Friction, Push};
+use crate::scene::{Forces, Friction, HeadJoints, Joint, JointClass, Push, Scene, Side};
 use crate::study::sweep::{self, Sweep};
 use crate::text::{GridColumn, grid, words};
 
@@ -92,6 +92,9 @@ fn description(case: &Case) -> String {
         let scene = case.scene(*head_joints);
         let _ = writeln!(text, "{}", crate::record::fingerprint(*head_joints, &scene));
     }
+    if let Geometry::Blocks(_) = case.geometry {
+        text.push_str(&steep_joints(&case.scene(HeadJoints::Contact)));
+    }
     for r in &case.references {
         let joints = r.head_joints.map_or("both", |h| h.name());
         let _ = writeln!(
@@ -108,6 +111,37 @@ fn description(case: &Case) -> String {
     }
     text
 }
+
+/// Which joints between blocks are head joints, and which are bed joints although they are steep.
+fn steep_joints(scene: &Scene) -> String {
+    let named = |wanted: &dyn Fn(&Joint) -> bool| {
+        let joints = scene.joints().iter().filter(|joint| wanted(joint));
+        let names = joints.filter_map(|joint| match joint.from {
+            Side::Block(from) => {
+                let names = [from, joint.to].map(|block| scene.block_name(block));
+                Some(names.join(" | "))
+            }
+            Side::Support(_) => None,
+        });
+        names.collect::<Vec<_>>()
+    };
+    let is_steep = |joint: &Joint| joint.normal.x.abs() > joint.normal.y.abs();
+    let heads = named(&|joint| joint.class == JointClass::Head);
+    let beds = named(&|joint| joint.class == JointClass::Bed && is_steep(joint));
+    let mut text = String::new();
+    for (what, names) in [("head joints", heads), ("steep bed joints", beds)] {
+        if let Some((first, more)) = names.split_at_checked(MOST_NAMED) {
+            let more = more.len();
+            let _ = writeln!(text, "{what}: {} and {more} more", first.join(", "));
+        } else if !names.is_empty() {
+            let _ = writeln!(text, "{what}: {}", names.join(", "));
+        }
+    }
+    text
+}
+
+/// Joints that are named at most.
+const MOST_NAMED: usize = 40;
 
 /// What the case is made of, in one paragraph.
 fn geometry(geometry: &Geometry) -> String {

@@ -66,6 +66,7 @@ impl Arch {
             forces: self.forces.clone(),
             tolerance: TOUCHING,
             radial: true,
+            named_joints: Vec::new(),
         })
     }
 

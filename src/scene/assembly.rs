@@ -2,6 +2,7 @@
 
 use super::block::{Block, Load};
 use super::friction::Friction;
+use super::joints::NamedJoint;
 use super::model::Scene;
 use super::parts::{SceneError, SceneParts};
 use super::polygon::{Point, Polygon, Vector};
@@ -76,6 +77,8 @@ pub struct Assembly {
     pub tolerance: f64,
     /// Whether joints between blocks are bed joints whichever way they run, as in an arch.
     pub radial: bool,
+    /// Joints that are bed or head joints whatever the rule says.
+    pub named_joints: Vec<NamedJoint>,
 }
 
 impl Assembly {
@@ -93,6 +96,7 @@ impl Assembly {
         SceneParts {
             tolerance: self.tolerance,
             radial: self.radial,
+            named_joints: self.named_joints.clone(),
             push,
             ..SceneParts::new(self.loaded(push), supports.collect(), self.friction)
         }

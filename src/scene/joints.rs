@@ -66,6 +66,24 @@ impl Joint {
     }
 }
 
+/// A joint between two blocks that a case calls a bed or a head joint.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct NamedJoint {
+    /// The two blocks, in any order.
+    pub between: [usize; 2],
+    /// What it is.
+    pub class: JointClass,
+}
+
+impl NamedJoint {
+    /// Whether a joint is this one, or one of those where two blocks share several.
+    pub(super) fn is(&self, joint: &Joint) -> bool {
+        let [a, b] = self.between;
+        let pair = [joint.from, Side::Block(joint.to)];
+        pair == [Side::Block(a), Side::Block(b)] || pair == [Side::Block(b), Side::Block(a)]
+    }
+}
+
 /// Edges count as touching within this fraction of the smaller body's extent, unless a case says
 /// otherwise.
 pub const TOUCHING: f64 = 1e-6;
@@ -102,9 +120,13 @@ pub(super) fn find_joints(tolerance: f64, shapes: &[&Polygon], supports: &[Polyg
 /// Component along y of a unit normal from which on a steep joint is inclined and not plumb.
 const INCLINED: f64 = 1e-3;
 
-/// Steep joints of voussoirs carry the arch's thrust, however steep: they are called bed joints, as
-/// those of a radial arch. A voussoir rests on nothing but steep joints, one of them inclined; the
-/// plumb joint between two of them, in the crown, is theirs too. In walls of level courses none is.
+/// The one rule for bed and head joints: between two blocks, a joint nearer to horizontal is a bed joint
+/// and one nearer to vertical a head joint, but for those of voussoirs. These carry the arch's thrust,
+/// however steep: they are called bed joints, as those of a radial arch, or open head joints would empty
+/// an arch at its crown. A voussoir rests on nothing but steep joints, one of them inclined; the plumb
+/// joint between two of them, in the crown, is theirs too. In walls of level courses none is. A stone
+/// that hangs between inclined sides in rubble is one too. A case may name its joints itself
+/// ([`NamedJoint`]), and `trilith show` says which are which.
 pub(super) fn call_voussoir_joints_beds(joints: &mut [Joint], blocks: usize) {
     let (mut rests, mut wedged) = (vec![false; blocks], vec![false; blocks]);
     for joint in joints.iter() {

@@ -28,7 +28,7 @@ pub(crate) use close_pairs::{close_pairs, extent};
 pub(crate) use connected::connected;
 pub use friction::Friction;
 pub(crate) use joints::TOUCHING;
-pub use joints::{Joint, JointClass, Side};
+pub use joints::{Joint, JointClass, NamedJoint, Side};
 pub use labels::Labels;
 pub use model::Scene;
 pub(crate) use model::multiplier_unit;

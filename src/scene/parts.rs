@@ -2,7 +2,7 @@
 
 use super::block::{Block, Load};
 use super::friction::Friction;
-use super::joints::{JointClass, TOUCHING, call_voussoir_joints_beds, find_joints};
+use super::joints::{JointClass, NamedJoint, TOUCHING, call_voussoir_joints_beds, find_joints};
 use super::labels::Labels;
 use super::model::Scene;
 use super::polygon::Polygon;
@@ -22,6 +22,8 @@ pub struct SceneParts {
     pub tolerance: f64,
     /// Whether joints between blocks are bed joints whichever way they run, as in an arch.
     pub radial: bool,
+    /// Joints that are bed or head joints whatever the rule says.
+    pub named_joints: Vec<NamedJoint>,
     /// Direction of the live load.
     pub push: Push,
     /// What only a coursed wall has.
@@ -37,6 +39,7 @@ impl SceneParts {
             friction: friction.into(),
             tolerance: TOUCHING,
             radial: false,
+            named_joints: Vec::new(),
             push: Push::Right,
             wall: None,
         }
@@ -99,6 +102,9 @@ impl Scene {
         for joint in &mut joints {
             if parts.radial && joint.class == JointClass::Head {
                 joint.class = JointClass::Bed;
+            }
+            if let Some(named) = parts.named_joints.iter().find(|named| named.is(joint)) {
+                joint.class = named.class;
             }
             joint.friction = friction.of(joint.class);
         }

@@ -176,6 +176,7 @@ impl Wall {
             },
             tolerance: TOUCHING,
             radial: false,
+            named_joints: Vec::new(),
         })
     }
 

@@ -154,5 +154,6 @@ fn assembled(drawn: &[Drawn], fixed: &[bool], options: &DrawingOptions) -> Assem
         forces: Forces::default(),
         tolerance: TOUCHING,
         radial: false,
+        named_joints: Vec::new(),
     }
 }

@@ -7,6 +7,7 @@ use super::checks::{positive_or_one, within};
 use super::file::CaseFile;
 use super::forces::{Loadable, forces};
 use super::friction::friction;
+use super::named_joints::named_joints;
 use super::outline::Outline;
 use crate::case::complaint::{Complaint, Document};
 use crate::scene::{Assembly, Forces, NamedBlock, Point, Side, Support, TOUCHING, Unsound, extent};
@@ -41,6 +42,7 @@ pub(super) fn assembly(
         forces: Forces::default(),
         tolerance,
         radial: table.and_then(|table| table.radial).unwrap_or(false),
+        named_joints: Vec::new(),
     };
     let (mut of_block, mut of_support) = (Vec::new(), Vec::new());
     for body in &bodies {
@@ -62,6 +64,7 @@ pub(super) fn assembly(
     }
     in_range(&assembly, &of_block, &of_support)?;
     sound(&assembly, &of_block, &of_support)?;
+    assembly.named_joints = named_joints(file, &assembly)?;
     assembly.forces = forces(file, &Loadable::of(&assembly))?;
     Ok(assembly)
 }

@@ -88,6 +88,7 @@ case_keys! {
     blocks: Option<Spanned<BlocksTable>> => BLOCKS,
     #[serde(default)] block: Vec<Spanned<BodyTable>> => OF_BLOCKS,
     #[serde(default)] support: Vec<Spanned<BodyTable>> => BLOCKS,
+    #[serde(default)] joint: Vec<Spanned<JointTable>> => BLOCKS,
     live: Option<Spanned<String>> => FORCES,
     #[serde(default)] load: Vec<Spanned<LoadTable>> => FORCES,
     friction: Spanned<FrictionValue> => WITH_ALL,
@@ -167,6 +168,14 @@ pub(super) struct LoadTable {
     pub along: Option<Spanned<Vec<Spanned<Pair>>>>,
     pub dead: Option<Spanned<Pair>>,
     pub live: Option<Spanned<Pair>>,
+}
+
+/// A joint that is a bed or a head joint because the case says so.
+#[derive(Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a `[[joint]]` table")]
+pub(super) struct JointTable {
+    pub between: Spanned<[Spanned<String>; 2]>,
+    pub class: Spanned<String>,
 }
 
 /// What every unit is like.
