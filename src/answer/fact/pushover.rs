@@ -39,21 +39,13 @@ pub enum PushoverFact {
         /// The largest that is answered.
         most: f64,
     },
-    /// Joints with supports have more coefficients of friction than the engine tells apart.
-    SupportFrictions {
-        /// Coefficients in the scene.
-        found: usize,
-        /// Coefficients that the engine tells apart.
+    /// More joints lie close together than the engine can tell apart.
+    Crowded {
+        /// Joints that it can tell apart.
         most: usize,
     },
-    /// A block rests on supports with two coefficients of friction.
-    BlockOnTwoFrictions,
-    /// There are more neighbours without a joint than the engine can keep from colliding.
-    Crowded,
     /// The contacts are stiffer than the substep can hold.
     TooStiff,
-    /// The engine cannot take a shape of the scene.
-    ShapeRefused,
     /// The scene fell under its weight alone.
     Fell {
         /// Displacement that it exceeded, in course heights.
@@ -166,21 +158,12 @@ impl fmt::Display for PushoverFact {
                 "{heavy} is {ratio:.1e} times as heavy as {light}, and beyond {most:.0e} the engine cannot \
                  tell whether the lighter one rests"
             ),
-            Self::SupportFrictions { found, most } => write!(
+            Self::Crowded { most } => write!(
                 f,
-                "the joints with supports have {found} different coefficients of friction, and the engine \
-                 can tell no more than {most} apart"
-            ),
-            Self::BlockOnTwoFrictions => write!(
-                f,
-                "a block rests on supports with two coefficients of friction, which the engine cannot model"
-            ),
-            Self::Crowded => write!(
-                f,
-                "blocks lie so close together that the engine's collision groups run out"
+                "more than {most} joints lie within a course height of each other, and the engine cannot \
+                 tell more apart"
             ),
             Self::TooStiff => write!(f, "the contacts are stiffer than the substep can hold"),
-            Self::ShapeRefused => write!(f, "the engine cannot take a shape of the scene"),
             Self::Fell { distance, time } => write!(
                 f,
                 "under its own weight alone a block moved by more than {distance} course heights within \
