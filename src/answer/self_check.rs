@@ -36,8 +36,6 @@ pub enum Checked {
     SettledBalance,
     /// The same at the last load at rest.
     LastBalance,
-    /// Normal force between bodies that share no joint, over the weight.
-    OpenJoints,
     /// Displacement from the settled scene to the last load at rest, in course heights.
     Drift,
     /// Distance to the bracket of a pushover that must agree, over λ; infinite where that has none.
@@ -103,11 +101,6 @@ impl fmt::Display for SelfCheck {
             ),
             Checked::SettledBalance => write!(f, "after settling {supports_miss}"),
             Checked::LastBalance => write!(f, "at the last load at rest {supports_miss}"),
-            Checked::OpenJoints => write!(
-                f,
-                "bodies that share no joint press on each other with {value:.1e} of the weight, and at most \
-                 {limit:.0e} is allowed"
-            ),
             Checked::Drift => write!(
                 f,
                 "up to the last load at rest the scene moved by {value:.1e} course heights, and at most \

@@ -86,7 +86,7 @@ fn load(blocks: &mut [Block], factor: f64, live: bool) {
 }
 
 /// Lowest verified multiplier and λ_A; `None` where the limit analysis has none.
-fn truth(scene: &Scene) -> Option<Bracket> {
+pub fn truth(scene: &Scene) -> Option<Bracket> {
     let mut settings = Settings::default();
     settings.interval.starts = 12;
     let judged = |method: &dyn Method| {
@@ -101,7 +101,7 @@ fn truth(scene: &Scene) -> Option<Bracket> {
 }
 
 /// Distance of a bracket from a range, relative to the range's upper end.
-fn distance(seen: Bracket, truth: Bracket) -> f64 {
+pub fn distance(seen: Bracket, truth: Bracket) -> f64 {
     let above = seen.lower - truth.upper;
     let below = truth.lower - seen.upper;
     above.max(below).max(0.0) / truth.upper

@@ -55,32 +55,18 @@ pub enum PushoverFact {
         /// The largest that is answered.
         most: f64,
     },
-    /// Joints with supports have more coefficients of friction than the engine tells apart.
+    /// More joints lie close together than the engine can tell apart.
     #[error(
-        "the joints with supports have {found} different coefficients of friction, and the engine \
-         can tell no more than {most} apart"
+        "more than {most} joints lie within a course height of each other, and the engine cannot \
+         tell more apart"
     )]
-    SupportFrictions {
-        /// Coefficients in the scene.
-        found: usize,
-        /// Coefficients that the engine tells apart.
+    Crowded {
+        /// Joints that it can tell apart.
         most: usize,
     },
-    /// A block rests on supports with two coefficients of friction.
-    #[error(
-        "a block rests on supports with two coefficients of friction, which the engine cannot \
-         model"
-    )]
-    BlockOnTwoFrictions,
-    /// There are more neighbours without a joint than the engine can keep from colliding.
-    #[error("blocks lie so close together that the engine's collision groups run out")]
-    Crowded,
     /// The contacts are stiffer than the substep can hold.
     #[error("the contacts are stiffer than the substep can hold")]
     TooStiff,
-    /// The engine cannot take a shape of the scene.
-    #[error("the engine cannot take a shape of the scene")]
-    ShapeRefused,
     /// The scene fell under its weight alone.
     #[error(
         "under its own weight alone a block moved by more than {distance} course heights within t \

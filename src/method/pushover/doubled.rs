@@ -14,7 +14,7 @@ type Number = (&'static str, fn(&mut Parameters, f64), &'static [f64]);
 
 const BOTH: &[f64] = &[0.5, 2.0];
 
-const NUMBERS: [Number; 24] = [
+const NUMBERS: [Number; 23] = [
     ("damping ratio", |p, by| p.damping_ratio *= by, BOTH),
     ("ramp", |p, by| p.ramp *= by, BOTH),
     ("ramp of the first rest", |p, by| p.ramp_of_rest *= by, BOTH),
@@ -43,7 +43,6 @@ const NUMBERS: [Number; 24] = [
     ("still", |p, by| p.still *= by, BOTH),
     ("moving", |p, by| p.moving *= by, BOTH),
     ("missing", |p, by| p.missing *= by, BOTH),
-    ("stray", |p, by| p.stray *= by, BOTH),
 ];
 
 fn open(unit: [f64; 2], courses: &[&str]) -> Scene {

@@ -7,11 +7,12 @@
 //! λ is the last load at rest and the first that collapsed from there. What the search or its
 //! self-checks cannot vouch for is `undecided` with a reason, never a number.
 
+mod apart;
 mod checks;
 #[cfg(test)]
 mod doubled;
+mod faces;
 mod fall;
-mod groups;
 mod hint;
 mod hold;
 mod levels;

@@ -4,7 +4,7 @@
 //! Physics engines carry lengths of their own (prediction distances, slops), so a scene in millimetres
 //! or far from the origin would fail by construction; here every scene looks alike.
 
-use super::groups::{Surface, surfaces};
+use super::faces::{Face, faces};
 use super::mass::{Inert, inert};
 use super::portion::{Portion, Role};
 use super::tuned::Tuned;
@@ -22,17 +22,14 @@ pub struct BodyForce {
     pub live: [f64; 2],
 }
 
-/// Corners of a convex piece.
-pub type Outline = Vec<[f64; 2]>;
-
 /// A block as rapier sees it.
 pub struct MovingBody {
     /// Its place in the scene.
     pub index: usize,
     /// Centroid.
     pub centre: [f64; 2],
-    /// Convex pieces of the collision shape: corners relative to the centroid, counter-clockwise.
-    pub outlines: Vec<Outline>,
+    /// Its faces, with middles relative to the centroid.
+    pub faces: Vec<Face>,
     /// Mass, in mean weights over g.
     pub mass: f64,
     /// Moment of inertia about the centroid.
@@ -43,30 +40,18 @@ pub struct MovingBody {
     pub smallness: f64,
     /// What its speeds are magnified by before they are judged.
     pub slowness: f64,
-    /// What it collides with, and how rough it is.
-    pub surfaces: Vec<Surface>,
     /// Forces.
     pub loads: Vec<BodyForce>,
-}
-
-/// A support as rapier sees it.
-pub struct FixedBody {
-    /// What it is in the scene: a support, or a block that is held fixed.
-    pub side: Side,
-    /// Centroid.
-    pub centre: [f64; 2],
-    /// Convex pieces: corners relative to the centroid, counter-clockwise.
-    pub outlines: Vec<Outline>,
-    /// What it collides with, and how rough it is.
-    pub surfaces: Vec<Surface>,
 }
 
 /// The dimensionless scene.
 pub struct Model {
     /// Blocks that may move, in the scene's order.
     pub blocks: Vec<MovingBody>,
-    /// Supports in the scene's order, then blocks held fixed.
-    pub supports: Vec<FixedBody>,
+    /// Faces of supports and of blocks held fixed.
+    pub fixed: Vec<Face>,
+    /// Joints that have faces, by their places in the scene.
+    pub joints: Vec<usize>,
     /// Course height: the median block height, in the scene's length unit.
     pub length: f64,
     /// Number of courses that fit into the height.
@@ -87,13 +72,6 @@ pub struct Model {
 /// then print exactly with five decimals.
 pub const GRID: f64 = 1e5;
 
-/// Course heights within which blocks without a joint must be kept from colliding.
-const NEAR: f64 = 0.2;
-
-/// Course heights by which the sides of other shapes than level rectangles are moved outwards:
-/// where two polygons touch exactly, rapier finds a normal of rounding errors.
-const OVERLAP: f64 = 1e-6;
-
 impl Model {
     /// Scales a portion of the scene. Blocks that it holds fixed become supports.
     ///
@@ -107,19 +85,25 @@ impl Model {
             [units.force, units.area, units.length],
             tuned,
         )?;
-        let surfaces = surfaces(scene, NEAR * units.length)?;
-        let supports = scene.supports().iter().zip(surfaces.supports).enumerate();
-        let mut supports: Vec<FixedBody> = supports
-            .map(|(index, (shape, surfaces))| units.support(Side::Support(index), shape, surfaces))
+        let faces = faces(scene, portion, (units.origin, units.length))?;
+        let free = (scene.blocks().iter().enumerate())
+            .filter(|&(index, _)| portion.role(index) == Role::Free);
+        let mut blocks: Vec<MovingBody> = free
+            .map(|(index, block)| units.body(index, block, inert[index]))
             .collect();
-        let mut blocks = Vec::with_capacity(scene.blocks().len());
-        for (index, (block, surfaces)) in scene.blocks().iter().zip(surfaces.blocks).enumerate() {
-            match portion.role(index) {
-                Role::Fixed => {
-                    supports.push(units.support(Side::Block(index), &block.shape, surfaces));
+        let mut joints: Vec<usize> = faces.iter().map(|face| face.joint).collect();
+        joints.dedup();
+        let mut fixed = Vec::new();
+        for face in faces {
+            let of = |block: &MovingBody| Side::Block(block.index);
+            // In the scene's order, so that they can be searched.
+            match blocks.binary_search_by_key(&face.body, of) {
+                Ok(place) => {
+                    let [x, y] = blocks[place].centre;
+                    let centre = [face.centre[0] - x, face.centre[1] - y];
+                    blocks[place].faces.push(Face { centre, ..face });
                 }
-                Role::Free => blocks.push(units.body(index, block, inert[index], surfaces)),
-                Role::Absent => {}
+                Err(_) => fixed.push(face),
             }
         }
         Ok(Self {
@@ -129,7 +113,8 @@ impl Model {
                 .fold(1.0, f64::max),
             dead: total(&blocks, |load| load.dead),
             live: total(&blocks, |load| load.live),
-            supports,
+            fixed,
+            joints,
             blocks,
             length: units.length,
             multiplier: units.multiplier,
@@ -201,22 +186,7 @@ impl Units {
         (force / self.force).into()
     }
 
-    fn support(&self, side: Side, shape: &Polygon, surfaces: Vec<Surface>) -> FixedBody {
-        FixedBody {
-            side,
-            centre: self.point(shape.centroid()),
-            outlines: outlines(shape, self.length),
-            surfaces,
-        }
-    }
-
-    fn body(
-        &self,
-        index: usize,
-        block: &Block,
-        inert: Inert,
-        surfaces: Vec<Surface>,
-    ) -> MovingBody {
+    fn body(&self, index: usize, block: &Block, inert: Inert) -> MovingBody {
         let shape = &block.shape;
         let centroid = shape.centroid();
         let mass = inert.mass;
@@ -228,13 +198,12 @@ impl Units {
         MovingBody {
             index,
             centre: self.point(centroid),
-            outlines: outlines(shape, self.length),
+            faces: Vec::new(),
             mass,
             inertia: mass * gyration_squared(shape) / (self.length * self.length),
             reach: reach(block) / self.length,
             smallness: inert.smallness,
             slowness: inert.slowness,
-            surfaces,
             loads: loads.collect(),
         }
     }
@@ -256,39 +225,6 @@ fn course_height(blocks: &[&Block]) -> f64 {
     let mut heights: Vec<f64> = blocks.iter().map(height).collect();
     heights.sort_by(f64::total_cmp);
     heights[heights.len() / 2]
-}
-
-/// Convex pieces of a shape, exactly: their inner sides lie on each other.
-fn outlines(shape: &Polygon, length: f64) -> Vec<Outline> {
-    let whole = outline(shape, length);
-    let pieces = shape.convex_pieces().into_iter();
-    pieces
-        .map(|piece| piece.into_iter().map(|corner| whole[corner]).collect())
-        .collect()
-}
-
-/// Corners relative to the centroid.
-fn outline(shape: &Polygon, length: f64) -> Vec<[f64; 2]> {
-    let centroid = shape.centroid();
-    // Each side as outward unit normal and distance from the centroid.
-    let side = |(a, b): (Point, Point)| {
-        let along = (b - a).normalize();
-        let normal = Vector::new(along.y, -along.x);
-        (normal, (a - centroid).dot(&normal) / length)
-    };
-    let mut sides: Vec<(Vector, f64)> = shape.edges().map(side).collect();
-    let level = |&(n, _): &(Vector, f64)| n.x.abs().min(n.y.abs()) < 1e-9;
-    if !sides.iter().all(level) {
-        sides.iter_mut().for_each(|side| side.1 += OVERLAP);
-    }
-    let count = sides.len();
-    let corner = |i: usize| {
-        let ((n, d), (m, e)) = (sides[(i + count - 1) % count], sides[i]);
-        // The point p with p·n = d and p·m = e.
-        let det = n.perp(&m);
-        [(d * m.y - e * n.y) / det, (e * n.x - d * m.x) / det]
-    };
-    (0..count).map(corner).collect()
 }
 
 /// Square of the radius of gyration of a uniform polygon about its centroid.

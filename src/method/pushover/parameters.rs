@@ -3,8 +3,8 @@
 //! scene changes, stand in `tuned`. The tests in `doubled` halve and double each, and answers must stay
 //! within their stated error.
 //!
-//! What stands elsewhere is no tuned number: the grid of λ and what collision shapes are made of
-//! (`model`), stiffnesses that a range is over (`range`), how long a recorded fall is (`fall`).
+//! What stands elsewhere is no tuned number: the grid of λ (`model`), the size of faces (`faces`),
+//! stiffnesses that a range is over (`range`), how long a recorded fall is (`fall`).
 
 use super::model::Model;
 use super::tuned::Tuned;
@@ -217,8 +217,6 @@ parameters! { of:
     moving: f64 = 1e-6;
     /// Largest part of the weight that what is fixed may fail to carry.
     missing: f64 = 1e-4;
-    /// Largest part of the weight between bodies that share no joint.
-    stray: f64 = 1e-3;
     /// Whether a self-check that fails takes the number away. Off only to show what they are worth.
     self_checks: bool = true;
 }

@@ -2,7 +2,7 @@
 //!
 //! Lengths here are in course heights, g = 1, forces in mean block weights.
 
-use rapier2d::math::{Pose, Vector as Vec2};
+use rapier2d::math::{Pose, Rotation, Vector as Vec2};
 use rapier2d::parry::mass_properties::MassProperties;
 use rapier2d::parry::shape::SharedShape;
 use rapier2d::prelude::{
@@ -13,10 +13,9 @@ use rapier2d::prelude::{
     SpringCoefficients,
 };
 
-use super::groups::{Groups, Surface};
-use super::model::{Model, MovingBody, Outline};
+use super::faces::{DEPTH, Face};
+use super::model::{Model, MovingBody};
 use super::parameters::Parameters;
-use crate::scene::Side;
 
 /// Where a block is and how fast it moves, in course heights and g = 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -31,16 +30,14 @@ pub struct BodyState {
     pub spin: f64,
 }
 
-/// A contact between two bodies of the scene during the last step.
+/// The contact at a joint of the scene during the last step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact {
-    /// The bodies.
-    pub between: [Side; 2],
-    /// Unit normal from the first body into the second.
+    /// The joint's place in the scene.
+    pub joint: usize,
+    /// Unit normal into the block that the joint's normal points into.
     pub normal: [f64; 2],
-    /// Normal force, compression positive.
-    pub pressure: f64,
-    /// Force on the second body.
+    /// Force on that block.
     pub force: [f64; 2],
 }
 
@@ -77,8 +74,8 @@ pub struct Physics<'a> {
 }
 
 impl<'a> Physics<'a> {
-    /// Puts the model's bodies where they belong, at rest. `None` where rapier refuses a shape.
-    pub fn new(model: &'a Model, parameters: &Parameters) -> Option<Self> {
+    /// Puts the model's bodies where they belong, at rest.
+    pub fn new(model: &'a Model, parameters: &Parameters) -> Self {
         let mut world = World {
             islands: IslandManager::new(),
             broad_phase: BroadPhaseBvh::new(),
@@ -90,26 +87,20 @@ impl<'a> Physics<'a> {
             soft_bodies: SoftBodySet::new(),
             ccd: CCDSolver::new(),
         };
-        for (id, support) in model.supports.iter().enumerate() {
-            for (surface, outline) in colliders(&support.surfaces, &support.outlines) {
-                let collider = collider(outline, support.centre, surface)?;
-                world.colliders.insert(collider.user_data(id as u128));
-            }
+        for face in &model.fixed {
+            world.colliders.insert(collider(face));
         }
         let mut blocks = Vec::with_capacity(model.blocks.len());
-        for (id, block) in model.blocks.iter().enumerate() {
+        for block in &model.blocks {
             let handle = world.bodies.insert(body(block));
-            for (surface, outline) in colliders(&block.surfaces, &block.outlines) {
-                let collider = collider(outline, [0.0; 2], surface)?
-                    .user_data((model.supports.len() + id) as u128);
-                let World {
-                    bodies, colliders, ..
-                } = &mut world;
-                colliders.insert_with_parent(collider, handle, bodies);
+            for face in &block.faces {
+                let bodies = &mut world.bodies;
+                let collider = collider(face);
+                world.colliders.insert_with_parent(collider, handle, bodies);
             }
             blocks.push(handle);
         }
-        Some(Self {
+        Self {
             model,
             parameters: integration(parameters),
             pipeline: PhysicsPipeline::new(),
@@ -118,7 +109,7 @@ impl<'a> Physics<'a> {
             multiplier: 0.0,
             steps: 0,
             broken: false,
-        })
+        }
     }
 
     /// Length of one time step.
@@ -202,9 +193,18 @@ impl<'a> Physics<'a> {
     }
 
     fn pair_contacts(&self, pair: &ContactPair) -> Vec<Contact> {
-        let (Some(one), Some(other)) = (self.side(pair.collider1), self.side(pair.collider2))
+        let of = |collider: ColliderHandle| self.world.colliders.get(collider);
+        let Some([one, other]) = of(pair.collider1)
+            .zip(of(pair.collider2))
+            .map(<[_; 2]>::from)
         else {
             return Vec::new();
+        };
+        // From the joint's first body to its second.
+        let sign = if one.user_data < other.user_data {
+            1.0
+        } else {
+            -1.0
         };
         let solved = pair.manifolds().iter();
         let solved = solved.filter(|manifold| !manifold.data.solver_contacts.is_empty());
@@ -222,23 +222,14 @@ impl<'a> Physics<'a> {
                 }
             }
             // Impulses are sums over the whole time step.
-            let (pressure, shear) = (pressed / self.dt(), sheared / self.dt());
+            let impulse = normal * pressed - tangent * sheared;
             Contact {
-                between: [one, other],
-                normal: normal.into(),
-                pressure,
-                force: (normal * pressure - tangent * shear).into(),
+                joint: (one.user_data / 2) as usize,
+                normal: (normal * sign).into(),
+                force: (impulse * (sign / self.dt())).into(),
             }
         });
         contact.collect()
-    }
-
-    fn side(&self, collider: ColliderHandle) -> Option<Side> {
-        let id = self.world.colliders.get(collider)?.user_data as usize;
-        match id.checked_sub(self.model.supports.len()) {
-            None => self.model.supports.get(id).map(|support| support.side),
-            Some(block) => self.model.blocks.get(block).map(|b| Side::Block(b.index)),
-        }
     }
 
     /// Keeps the present state.
@@ -301,59 +292,25 @@ fn body(block: &MovingBody) -> RigidBodyBuilder {
         .additional_mass_properties(properties)
 }
 
-/// Every surface of a body with every convex piece of it.
-fn colliders<'a>(
-    surfaces: &'a [Surface],
-    outlines: &'a [Outline],
-) -> impl Iterator<Item = (&'a Surface, &'a Outline)> {
-    let each = |surface| outlines.iter().map(move |outline| (surface, outline));
-    surfaces.iter().flat_map(each)
-}
-
-/// A rectangle with level sides becomes a cuboid, whose contacts rapier finds exactly.
-fn collider(outline: &[[f64; 2]], centre: [f64; 2], surface: &Surface) -> Option<ColliderBuilder> {
-    let first = vec2(*outline.first()?);
-    let (mut low, mut high) = (first, first);
-    for &corner in outline {
-        low = low.min(vec2(corner));
-        high = high.max(vec2(corner));
-    }
-    let tiny = 1e-8;
-    let boxed = |&corner: &[f64; 2]| {
-        let (from_low, from_high) = (vec2(corner) - low, high - vec2(corner));
-        let nearest = from_low.min(from_high);
-        nearest.x < tiny && nearest.y < tiny
-    };
-    let (shape, offset) = if outline.len() == 4 && outline.iter().all(boxed) {
-        let half = (high - low) / 2.0;
-        (SharedShape::cuboid(half.x, half.y), (low + high) / 2.0)
-    } else {
-        let corners = outline.iter().copied().map(vec2).collect();
-        (
-            SharedShape::convex_polyline_unmodified(corners)?,
-            Vec2::ZERO,
-        )
-    };
-    let pose = Pose::from_translation(offset + vec2(centre));
-    Some(
-        ColliderBuilder::new(shape)
-            .density(0.0)
-            .restitution(0.0)
-            .contact_skin(0.0)
-            .collision_groups(interaction(surface.groups))
-            // Only surfaces of one coefficient meet, and this rule does not square it.
-            .friction(surface.friction)
-            .friction_combine_rule(CoefficientCombineRule::Min)
-            .position(pose),
-    )
-}
-
-fn interaction(groups: Groups) -> InteractionGroups {
-    InteractionGroups::new(
-        Group::from_bits_retain(groups.member),
-        Group::from_bits_retain(groups.meets),
+/// A face as a cuboid, whose contacts rapier finds exactly. It knows its joint and which of the two
+/// bodies it is on.
+fn collider(face: &Face) -> ColliderBuilder {
+    let rotation = Rotation::from_cos_sin_unchecked(face.along[0], face.along[1]);
+    let groups = InteractionGroups::new(
+        Group::from_bits_retain(face.groups.member),
+        Group::from_bits_retain(face.groups.meets),
         InteractionTestMode::And,
-    )
+    );
+    ColliderBuilder::new(SharedShape::cuboid(face.half, DEPTH / 2.0))
+        .density(0.0)
+        .restitution(0.0)
+        .contact_skin(0.0)
+        .collision_groups(groups)
+        // Both faces of a joint have its coefficient, and this rule does not square it.
+        .friction(face.friction)
+        .friction_combine_rule(CoefficientCombineRule::Min)
+        .position(Pose::from_parts(vec2(face.centre), rotation))
+        .user_data(2 * face.joint as u128 + u128::from(face.is_second))
 }
 
 fn vec2([x, y]: [f64; 2]) -> Vec2 {

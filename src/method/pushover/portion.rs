@@ -66,6 +66,11 @@ impl Portion {
         }
     }
 
+    /// Whether a block belongs to another part.
+    pub fn is_absent(&self, block: usize) -> bool {
+        self.role(block) == Role::Absent
+    }
+
     /// The blocks of this part, also those held fixed.
     pub fn present<'a>(&'a self, scene: &'a Scene) -> impl Iterator<Item = &'a Block> {
         let blocks = scene.blocks().iter().enumerate();

@@ -1,0 +1,197 @@
+//! Contacts where the scene has joints, and nowhere else: behind every joint a thin rectangle on
+//! either of its bodies, and only these two ever meet.
+//!
+//! Limit analysis knows joints only. Whole shapes would also meet where nothing carries: open head
+//! joints, inner sides of stones that are not convex, corners that come close.
+
+use super::apart::{Groups, groups};
+use super::portion::Portion;
+use crate::answer::PushoverFact;
+use crate::scene::{Joint, Point, Polygon, Scene, Side, Vector};
+
+/// Course heights by which a face goes on beyond its joint where its body's side does, and by which
+/// joints that may meet no face of each other are apart: as far as any point moves until a recorded
+/// fall ends.
+pub const REACH: f64 = 1.0;
+
+/// Depth of a face in course heights. It only has to be larger than what contacts give.
+pub const DEPTH: f64 = 0.25;
+
+/// A rectangle behind a joint, on one of its bodies; lengths in course heights.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Face {
+    /// The joint's place in the scene.
+    pub joint: usize,
+    /// The body that carries it.
+    pub body: Side,
+    /// Whether that is the block that the joint's normal points into.
+    pub is_second: bool,
+    /// Its middle.
+    pub centre: [f64; 2],
+    /// Unit vector along the joint.
+    pub along: [f64; 2],
+    /// Half its length along the joint.
+    pub half: f64,
+    /// Coefficient of friction.
+    pub friction: f64,
+    /// What it collides with.
+    pub groups: Groups,
+}
+
+/// The faces of all joints of a portion that are not between two fixed bodies; points are relative to
+/// an origin, lengths divided by a course height.
+///
+/// # Errors
+/// Too many joints lie close together to be told apart.
+pub fn faces(
+    scene: &Scene,
+    portion: &Portion,
+    (origin, length): (Point, f64),
+) -> Result<Vec<Face>, PushoverFact> {
+    let carries = |joint: &Joint| {
+        !(portion.is_absent(joint.to)
+            || portion.is_fixed(joint.from) && portion.is_fixed(Side::Block(joint.to)))
+    };
+    let joints: Vec<(usize, &Joint)> = (scene.joints().iter().enumerate())
+        .filter(|(_, joint)| carries(joint))
+        .collect();
+    let places = |&(_, joint): &(usize, &Joint)| {
+        [joint.from, Side::Block(joint.to)].map(|body| place(scene, joint, body, origin, length))
+    };
+    let places: Vec<[Place; 2]> = joints.iter().map(places).collect();
+    let boxes: Vec<(Point, Point)> = places.iter().map(bounds).collect();
+    let groups = groups(&boxes, REACH)?;
+    let pairs = joints.iter().zip(places).zip(groups);
+    let faces = pairs.flat_map(|((&(index, joint), places), groups)| {
+        let bodies = [joint.from, Side::Block(joint.to)];
+        [0, 1].map(|end| Face {
+            joint: index,
+            body: bodies[end],
+            is_second: end == 1,
+            centre: places[end].centre.into(),
+            along: places[end].along.into(),
+            half: places[end].half,
+            friction: joint.friction,
+            groups: groups[end],
+        })
+    });
+    Ok(faces.collect())
+}
+
+/// Where a face lies.
+struct Place {
+    centre: Point,
+    along: Vector,
+    half: f64,
+}
+
+/// The face of a joint on one of its bodies: behind the joint, and along the body's side as far as
+/// that goes on, so that a block that slides keeps what it rests on, and loses it at the corner.
+fn place(scene: &Scene, joint: &Joint, body: Side, origin: Point, length: f64) -> Place {
+    let (shape, behind) = match body {
+        Side::Block(block) if block == joint.to => (&scene.blocks()[block].shape, joint.normal),
+        Side::Block(block) => (&scene.blocks()[block].shape, -joint.normal),
+        Side::Support(support) => (&scene.supports()[support], -joint.normal),
+    };
+    let along = (joint.ends[1] - joint.ends[0]).normalize();
+    let (from, to) = side(shape, joint);
+    let at = |point: Point| (point - joint.ends[0]).dot(&along);
+    let reach = REACH * length;
+    let low = at(from).min(at(to)).clamp(-reach, 0.0);
+    let high = at(from).max(at(to));
+    let high = high.clamp(joint.length(), joint.length() + reach);
+    let middle = joint.ends[0] + along * low.midpoint(high) + behind * (DEPTH / 2.0 * length);
+    Place {
+        centre: Point::from((middle - origin) / length),
+        along,
+        half: (high - low) / 2.0 / length,
+    }
+}
+
+/// The side of a shape that a joint lies on: the one from which its ends are least far.
+fn side(shape: &Polygon, joint: &Joint) -> (Point, Point) {
+    let off = |(from, to): &(Point, Point)| {
+        let distance = |point: Point| {
+            let along = to - from;
+            let part = ((point - from).dot(&along) / along.norm_squared()).clamp(0.0, 1.0);
+            (from + along * part - point).norm()
+        };
+        distance(joint.ends[0]) + distance(joint.ends[1])
+    };
+    let nearest = shape.edges().min_by(|a, b| off(a).total_cmp(&off(b)));
+    nearest.unwrap_or((joint.ends[0], joint.ends[1]))
+}
+
+/// The box about both faces of a joint.
+fn bounds(pair: &[Place; 2]) -> (Point, Point) {
+    let corners = pair.iter().flat_map(|place| {
+        let half = place.along * place.half;
+        let deep = Vector::new(-half.y, half.x).normalize() * (DEPTH / 2.0);
+        [half + deep, half - deep, deep - half, -half - deep].map(|to| place.centre + to)
+    });
+    let start = (pair[0].centre, pair[0].centre);
+    corners.fold(start, |(low, high), at| (low.inf(&at), high.sup(&at)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::model::Model;
+    use super::super::parameters::{Asked, Parameters};
+    use super::super::physics::{BodyState, Physics};
+    use super::*;
+    use crate::method::PushoverSettings;
+    use crate::scene::{Block, Load, SceneParts};
+
+    fn rectangle(x: [f64; 2], y: [f64; 2]) -> Polygon {
+        Polygon::rectangle(x[0], x[1], y[0], y[1]).unwrap()
+    }
+
+    /// A block of 1 × 1 that is pushed over a support by more than its friction, until its middle has
+    /// moved by so much.
+    fn slid(support: [f64; 2], friction: f64, by: f64) -> BodyState {
+        let shape = rectangle([0.0, 1.0], [0.0, 1.0]);
+        let load = Load {
+            point: shape.centroid(),
+            dead: Vector::new(0.0, -1.0),
+            live: Vector::new(1.0, 0.0),
+        };
+        let loads = vec![load];
+        let parts = SceneParts::new(
+            vec![Block { shape, loads }],
+            vec![rectangle(support, [-1.0, 0.0])],
+            friction,
+        );
+        let scene = Scene::new(parts).unwrap();
+        let settings = PushoverSettings::default();
+        let asked = Asked::new(&settings);
+        let model = Model::new(&scene, &Portion::default(), &asked.tuned).unwrap();
+        let mut physics = Physics::new(&model, &Parameters::new(&model, &asked));
+        physics.multiplier = friction + 0.02;
+        let from = physics.states()[0].position[0];
+        while physics.states()[0].position[0] < from + by {
+            physics.step();
+            assert!(physics.steps < 20_000);
+        }
+        physics.states()[0]
+    }
+
+    /// A block that slides along a longer side keeps what it rests on, as far as blocks are followed.
+    #[test]
+    fn a_block_keeps_what_it_rests_on_where_its_neighbour_goes_on() {
+        let at = slid([-1.0, 3.0], 0.1, 0.9);
+        assert!(
+            (at.position[1] - 0.5).abs() < 1e-3 && at.rotation.abs() < 1e-3,
+            "{at:?}"
+        );
+    }
+
+    /// Beyond a corner nothing carries: the block tips over it with its middle past it by the part of
+    /// its height that the push moves its resultant, and not before.
+    #[test]
+    fn a_block_that_slides_off_its_neighbour_tips() {
+        let before = slid([-1.0, 1.0], 0.1, 0.3);
+        assert!(before.rotation.abs() < 1e-3, "{before:?}");
+        let after = slid([-1.0, 1.0], 0.1, 0.6);
+        assert!(after.rotation < -0.02, "{after:?}");
+    }
+}
