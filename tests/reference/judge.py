@@ -304,17 +304,32 @@ def judge_side(row, side, counts):
     counts[kind] += 1
 
 
+def judge_wall(row):
+    """The row's own range and status follow from its sides: the least of either end."""
+    own, sides = row["sides"][0], row["sides"]
+    demand(row["push"] == own["push"], f"row pushed {row['push']}, side {own['push']}")
+    unknown = [side for side in sides if side["lower"] is None and side["status"] != "stands"]
+    for end in ("lower", "upper"):
+        known = [side[end] for side in sides if side[end] is not None]
+        holds = known and own["status"] != "falls" and (end == "upper" or not unknown)
+        mine, exact = row[end], min(known) if holds else None
+        demand((mine is None) == (exact is None), f"{end} end {mine} in the row, {exact} in the sides")
+        # Bounds are rounded outwards, by up to one in the ninth digit.
+        demand(mine is None or abs(mine - exact) <= 1.01 * DIGITS * abs(exact) + 1e-300, f"{end} end {mine} is not {exact}")
+    one = row["lower"] is not None and abs(row["upper"] - row["lower"]) <= WIDTH * max(abs(row["upper"]), 1e-3)
+    statuses = {own["status"]}
+    if len(sides) > 1 and not unknown:
+        both_ends = {side["status"] for side in sides} - {"stands"}
+        statuses |= both_ends | ({"verified"} if one and both_ends <= {"verified", "bracketed"} else {"bracketed"})
+    demand(row["status"] in statuses, f"row {row['status']}, sides {[side['status'] for side in sides]}")
+
+
 def judge_row(row, counts):
     """Lines about what is refuted in a row."""
     for index, side in enumerate(row["sides"]):
         try:
             if index == 0:
-                demand(row["status"] == side["status"], f"row {row['status']}, side {side['status']}")
-                demand(row["push"] == side["push"], f"row pushed {row['push']}, side {side['push']}")
-                for end in ("lower", "upper"):
-                    mine, exact = row[end], side[end]
-                    demand((mine is None) == (exact is None), f"{end} end {mine} in the row, {exact} in the side")
-                    demand(mine is None or abs(mine - exact) <= DIGITS * abs(exact), f"{end} end {mine} is not {exact}")
+                judge_wall(row)
             judge_side(row, side, counts)
         except (Refuted, KeyError, TypeError, ValueError) as why:
             text = why if isinstance(why, Refuted) else f"cannot be read: {why!r}"

@@ -266,15 +266,15 @@ impl<'a> Search<'a> {
     /// at 0, between its lowest and its highest, as the states of one mechanism are convex. `None` where
     /// all of them lie below 0: then it is none of a push.
     pub(super) fn from_zero(&mut self, lowest: State) -> Option<State> {
-        if lowest.lambda >= 0.0 {
-            return Some(lowest);
-        }
         // What the solver leaves of a state at 0 is one.
-        if lowest.lambda > -self.tuned.closed {
+        if lowest.lambda.abs() <= self.tuned.closed {
             return Some(State {
                 lambda: 0.0,
                 ..lowest
             });
+        }
+        if lowest.lambda > 0.0 {
+            return Some(lowest);
         }
         let highest = self.highest_of(&lowest);
         if highest.lambda < 0.0 {
