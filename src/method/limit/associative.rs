@@ -42,7 +42,7 @@ impl Method for Associative {
             {
                 answer.mechanism = part.extend(scene, &answer.mechanism);
                 answer.forces = forces;
-                answer.from_zero(&at_rest);
+                answer.begin_at_zero(&at_rest);
                 // What completes a part is as little proved by the solver's word as an optimum is.
                 if loose(settings) || proves(scene, &answer) {
                     work.modelled = part.scene.blocks().len();
@@ -53,7 +53,7 @@ impl Method for Associative {
         work.modelled = scene.blocks().len();
         match optimum(scene, settings, &mut work) {
             Ok(mut answer) => {
-                answer.from_zero(&at_rest);
+                answer.begin_at_zero(&at_rest);
                 outcome(scene, answer, settings, work)
             }
             Err(ending) => without_optimum(scene, &ending, at_rest, &mut work),
@@ -71,7 +71,7 @@ struct Optimum {
 
 impl Optimum {
     /// Puts ends that rounding leaves below 0 at 0, where a push begins and the forces at rest are.
-    fn from_zero(&mut self, at_rest: &[JointForce]) {
+    fn begin_at_zero(&mut self, at_rest: &[JointForce]) {
         let Bracket { lower, upper } = &mut self.bracket;
         if *lower < 0.0 {
             *lower = 0.0;

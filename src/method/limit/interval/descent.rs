@@ -77,7 +77,7 @@ impl Descent<'_, '_> {
                 Some(known) => (known.gap, known.normal),
                 None => match self.states_of(&above, &prices) {
                     Ok(Tested::Lowest(state)) => {
-                        let Some(state) = self.search.from_zero(state) else {
+                        let Some(state) = self.search.lowest_pushed(state) else {
                             failure = SearchFailure::BelowZero;
                             break;
                         };

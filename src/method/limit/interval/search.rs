@@ -265,7 +265,7 @@ impl<'a> Search<'a> {
     /// The lowest state of a mechanism from which a push begins: where its states reach below 0 the one
     /// at 0, between its lowest and its highest, as the states of one mechanism are convex. `None` where
     /// all of them lie below 0: then it is none of a push.
-    pub(super) fn from_zero(&mut self, lowest: State) -> Option<State> {
+    pub(super) fn lowest_pushed(&mut self, lowest: State) -> Option<State> {
         // What the solver leaves of a state at 0 is one.
         if lowest.lambda.abs() <= self.tuned.closed {
             return Some(State {
