@@ -214,3 +214,41 @@ fn what_the_search_may_have_missed_is_said_beside_a_proof() {
          0 ≤ λ < 0.39999 exists in which the push does work"
     );
 }
+
+/// A joint that a case names is what the case says: friction and head joints follow, `show` and
+/// `convert` too, and one that does not exist is refused.
+#[test]
+fn a_case_names_its_joints() {
+    let folder = tempfile::tempdir().unwrap();
+    let case = |joint: &str| {
+        let text = format!(
+            "friction = {{ bed = 0.6, head = 0.2, base = 0.7 }}\nhead_joints = \"open\"\n[blocks]\n\
+             [[support]]\nname = \"ground\"\ncorners = [[-5, -1], [9, -1], [9, 0], [-5, 0]]\n\
+             [[block]]\nname = \"a\"\ncorners = [[0, 0], [1, 0], [1, 1], [0, 1]]\n\
+             [[block]]\nname = \"b\"\ncorners = [[1, 0], [2, 0], [2, 1], [1, 1]]\n\
+             [[block]]\nname = \"c\"\ncorners = [[0, 1], [1, 1], [1, 2], [0, 2]]\n{joint}"
+        );
+        std::fs::write(folder.path().join("named.toml"), text).unwrap();
+        said(&trilith(folder.path(), &["show", "named.toml"]))
+    };
+    let joint = |one: &str, other: &str, class: &str| {
+        format!("[[joint]]\nbetween = [\"{one}\", \"{other}\"]\nclass = \"{class}\"\n")
+    };
+    let (shown, _) = case("");
+    assert!(shown.contains("head joints: a | b\n"), "{shown}");
+    let (shown, _) = case(&joint("b", "a", "bed"));
+    assert!(shown.contains("steep bed joints: a | b\n"), "{shown}");
+    assert!(!shown.contains("\nhead joints"), "{shown}");
+    for (joint, complaint) in [
+        (joint("b", "c", "head"), "`b` and `c` share no joint"),
+        (joint("a", "d", "head"), "unknown block `d`"),
+        (joint("a", "b", "perpend"), "unknown class `perpend`"),
+        (
+            joint("a", "b", "bed") + &joint("b", "a", "head"),
+            "is named twice",
+        ),
+    ] {
+        let (_, said) = case(&joint);
+        assert!(said.contains(complaint), "{said}");
+    }
+}
