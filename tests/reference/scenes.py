@@ -205,7 +205,7 @@ def arch(rng, kind):
 
 def both(rng, _kind):
     """Any scene, pushed both ways."""
-    # Without the stacks, some of whose loads a case file would be refused for.
+    # Without the stacks: a case file would be refused for the loads of some.
     lines = of_kind(rng, str(rng.choice([kind for kind in KINDS if kind != "stack"])))
     return ['push = "both"' if line.startswith("push =") else line for line in lines]
 
@@ -235,14 +235,14 @@ def with_loads(rng, lines, count, load):
 
 def sideways(rng, _kind):
     """Dead loads sideways, small beside the weights and large."""
-    lines = of_kind(rng, str(rng.choice(["irregular", "pile", "stack"])))
+    lines = of_kind(rng, str(rng.choice(["irregular", "pile"])))
     push = lambda rng: ([rounded(rng.uniform(-0.4, 0.4)), rounded(rng.uniform(-1, 0))], [0.0, 0.0])
     return with_loads(rng, lines, int(rng.integers(1, 4)), push)
 
 
 def one_stone(rng, _kind):
     """A live load on one stone, which may or may not move the wall."""
-    lines = of_kind(rng, str(rng.choice(["irregular", "pile", "stack"])))
+    lines = of_kind(rng, str(rng.choice(["irregular", "pile"])))
     lines = ['live = "loads"' if line.startswith('live = "') else line for line in lines]
     load = lambda rng: ([0.0, 0.0], [float(rng.choice([0.0, 0.0, 1.0, -1.0])), float(rng.choice([-1.0, -1.0, 0.5]))])
     return with_loads(rng, lines, 1, load)
