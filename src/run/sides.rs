@@ -85,8 +85,8 @@ pub(super) type Side<'a> = (Push, &'a Outcome);
 const ALIKE: f64 = 1e-6;
 
 /// The answer of the side that governs: a side without an answer, as it may be the weaker; else the
-/// one at whose λ a collapse is known first. It carries the other side's, and says first what the two
-/// come to.
+/// one at whose λ a collapse is known first. It carries the other
+/// side's.
 ///
 /// # Panics
 /// Where there is no answer.
@@ -227,8 +227,11 @@ pub(super) fn status(governing: Side, other: Option<Side>, unit: f64) -> Status 
 /// The facts of the side that governs, beside another: what it proves is proved of the wall, or names
 /// the side.
 pub(super) fn facts(own: Side, other: Side) -> Vec<Fact> {
+    let push_moves = Fact::from(BoundFact::PushMoves);
+    let of_both = other.1.status == Status::Stands || other.1.facts.contains(&push_moves);
+    let own_facts = own.1.facts.iter();
     let mut facts = Vec::new();
-    for fact in &own.1.facts {
+    for fact in own_facts.filter(|&fact| of_both || *fact != push_moves) {
         let Fact::Bound(BoundFact::Proved(proved)) = fact else {
             facts.push(fact.clone());
             continue;
