@@ -64,7 +64,7 @@ use super::ending::Ending;
 use super::interval::{Interval, lowest};
 use super::program::Program;
 use crate::answer::{BoundFact, Evidence, Fact, LimitFact, Outcome, Status, Work, magnitude};
-use crate::certificate::{Certificate, Conditions, Prover};
+use crate::certificate::{Certificate, Conditions, Proved, Prover};
 use crate::mechanics::{CollapseState, VELOCITY_THRESHOLDS, crack_slope};
 use crate::method::settings::LP_TOLERANCE;
 use crate::method::{Method, Settings};
@@ -150,7 +150,9 @@ fn solve_with(scene: &Scene, settings: &Settings, parameters: Parameters) -> Out
             let cap = settings.bound.lift_cap;
             let (certificate, proved) = slices.certificate(scene, prover, cap, opening);
             let push_moves = push_moves(&found).map(Fact::from);
-            let facts = [BoundFact::Proved(proved).into()].into_iter();
+            // A state that moves farther than the cap may lie below what is proved up to the cap.
+            let lower = proved.lower.min(state.lambda);
+            let facts = [BoundFact::Proved(Proved { lower, ..proved }).into()].into_iter();
             (Some(certificate), facts.chain(push_moves).collect())
         }
         _ => (None, vec![Fact::from(BoundFact::Uncertified)]),
