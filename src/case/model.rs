@@ -3,7 +3,8 @@
 use super::complaint::Complaint;
 use super::geometry::Geometry;
 use super::reference::Reference;
-use crate::scene::{HeadJoints, Labels, Push, Scene};
+use crate::method::limit::moving;
+use crate::scene::{HeadJoints, Labels, Push, Scene, SupportMotion};
 
 /// A wall, how it runs, and what its results are compared with.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,6 +21,8 @@ pub struct Case {
     pub pushes: Vec<Push>,
     /// What the head joints carry, one after the other, in the order of its results; never empty.
     pub head_joints: Vec<HeadJoints>,
+    /// How supports move, where they do: then their reaction is the live load.
+    pub(crate) motion: Option<SupportMotion>,
     /// Values to compare with.
     pub references: Vec<Reference>,
     /// What may be a slip in its file, and was taken as it is written.
@@ -53,6 +56,10 @@ impl Case {
             case: self.name.clone(),
             blocks: self.geometry.block_names(),
         };
-        self.geometry.scene(head_joints, push).with_labels(labels)
+        let scene = self.geometry.scene(head_joints, push).with_labels(labels);
+        match &self.motion {
+            Some(motion) => moving(scene, motion),
+            None => scene,
+        }
     }
 }

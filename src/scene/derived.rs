@@ -66,6 +66,7 @@ impl Scene {
             push: self.push,
             wall: self.wall.clone(),
             labels: Labels::default(),
+            reaction: None,
         }
     }
 

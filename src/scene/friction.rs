@@ -20,6 +20,7 @@ impl Friction {
             JointClass::Bed => self.bed,
             JointClass::Head => self.head,
             JointClass::Base => self.base,
+            JointClass::Guide => 0.0,
         }
     }
 

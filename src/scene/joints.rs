@@ -21,10 +21,12 @@ pub enum JointClass {
     Bed,
     /// Nearer to vertical, between two blocks (a perpend).
     Head,
+    /// Without friction, between a support that moves and what guides it.
+    Guide,
 }
 
 impl JointClass {
-    /// Every class.
+    /// Every class that has friction.
     pub const ALL: [JointClass; 3] = [JointClass::Base, JointClass::Bed, JointClass::Head];
 
     /// The word in records.
@@ -33,6 +35,7 @@ impl JointClass {
             JointClass::Base => "base",
             JointClass::Bed => "bed",
             JointClass::Head => "head",
+            JointClass::Guide => "guide",
         }
     }
 }
@@ -141,6 +144,7 @@ pub(super) fn call_voussoir_joints_beds(joints: &mut [Joint], blocks: usize) {
             match joint.class {
                 JointClass::Base | JointClass::Bed => rests[of] |= upward > INCLINED,
                 JointClass::Head => wedged[of] |= upward.abs() > INCLINED,
+                JointClass::Guide => {}
             }
         }
     }

@@ -3,6 +3,7 @@
 use super::block::Block;
 use super::joints::Joint;
 use super::labels::Labels;
+use super::moving::Reaction;
 use super::polygon::{Point, Polygon};
 use super::push::{HeadJoints, Push};
 use super::regular::{Coursing, Irregularity, RegularWall, WallFacts};
@@ -19,6 +20,7 @@ pub struct Scene {
     pub(super) push: Push,
     pub(super) wall: Option<WallFacts>,
     pub(super) labels: Labels,
+    pub(super) reaction: Option<Reaction>,
 }
 
 impl Scene {

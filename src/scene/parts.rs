@@ -117,6 +117,7 @@ impl Scene {
             push: parts.push,
             wall: parts.wall,
             labels: Labels::default(),
+            reaction: None,
         })
     }
 }

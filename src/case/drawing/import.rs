@@ -45,6 +45,7 @@ impl Case {
         let file = path.rsplit('/').next().unwrap_or(path);
         Ok(Imported {
             case: Case {
+                motion: None,
                 title: name.clone(),
                 name,
                 source: format!("the drawing {}", printable(file)),

@@ -6,6 +6,7 @@ use super::doubts::doubts;
 use super::explain::explain;
 use super::file::CaseFile;
 use super::form::geometry;
+use super::moves::motion;
 use super::references::reference;
 use crate::case::complaint::{Complaint, Document};
 use crate::case::geometry::Geometry;
@@ -55,6 +56,7 @@ fn case(document: &Document, name: String, read_file: ReadFile) -> Result<Case, 
         references: references
             .map(|table| reference(table, &head_joints))
             .collect::<Result<_, _>>()?,
+        motion: motion(&file, &geometry)?,
         geometry,
         pushes: pushes(&file)?,
         head_joints,

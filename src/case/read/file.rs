@@ -44,9 +44,19 @@ const ARCH: Goes = (&[Form::Arch], false);
 const OF_BLOCKS: Goes = (&[Form::Blocks, Form::Wall], false);
 const FORCES: Goes = (&[Form::Blocks, Form::Arch, Form::Wall], false);
 
+/// What a key is called in files, where it is not the field's name.
+macro_rules! key_name {
+    ($key:ident) => {
+        stringify!($key)
+    };
+    ($key:ident $name:literal) => {
+        $name
+    };
+}
+
 /// Declares the keys at the top of a case file, each with its type and what it goes with.
 macro_rules! case_keys {
-    ($($(#[$attribute:meta])* $key:ident: $value:ty => $goes:ident,)*) => {
+    ($($(#[$attribute:meta])* $key:ident $(($name:literal))?: $value:ty => $goes:ident,)*) => {
         /// A whole file. Which of the keys go together is judged later, where it can be said well.
         #[derive(Debug, serde::Deserialize)]
         #[serde(deny_unknown_fields)]
@@ -56,12 +66,12 @@ macro_rules! case_keys {
 
         /// The keys at the top of a case file, to tell a key in the wrong table from one that does
         /// not exist.
-        pub(in crate::case) const CASE_KEYS: &[&str] = &[$(stringify!($key)),*];
+        pub(in crate::case) const CASE_KEYS: &[&str] = &[$(key_name!($key $($name)?)),*];
 
         impl CaseFile {
             /// The keys that are written and go with some forms only.
             pub fn form_keys(&self) -> Vec<FormKey> {
-                let keys = [$((stringify!($key), $goes, self.$key.place())),*];
+                let keys = [$((key_name!($key $($name)?), $goes, self.$key.place())),*];
                 let keys = keys.into_iter().filter_map(|(name, (forms, of_bond), span)| {
                     let span = span.filter(|_| !forms.is_empty())?;
                     Some(FormKey { name, forms, of_bond, span })
@@ -91,6 +101,7 @@ case_keys! {
     #[serde(default)] joint: Vec<Spanned<JointTable>> => BLOCKS,
     live: Option<Spanned<String>> => FORCES,
     #[serde(default)] load: Vec<Spanned<LoadTable>> => FORCES,
+    #[serde(default, rename = "move")] moves("move"): Vec<Spanned<MoveTable>> => FORCES,
     friction: Spanned<FrictionValue> => WITH_ALL,
     head_joints: Option<Spanned<String>> => WITH_ALL,
     push: Option<Spanned<String>> => WITH_ALL,
@@ -176,6 +187,19 @@ pub(super) struct LoadTable {
 pub(super) struct JointTable {
     pub between: Spanned<[Spanned<String>; 2]>,
     pub class: Spanned<String>,
+}
+
+/// A support that moves.
+#[derive(Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields, expecting = "a `[[move]]` table")]
+pub(super) struct MoveTable {
+    pub support: Option<Spanned<String>>,
+    pub units: Option<Spanned<String>>,
+    pub direction: Spanned<Pair>,
+    pub moves: Spanned<String>,
+    pub about: Option<Spanned<Pair>>,
+    pub rate: Option<Spanned<Number>>,
+    pub pushed: Option<Spanned<Number>>,
 }
 
 /// What every unit is like.

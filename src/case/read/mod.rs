@@ -16,6 +16,7 @@ mod forces;
 mod form;
 mod friction;
 mod missing;
+mod moves;
 mod named_joints;
 mod not_modelled;
 mod outline;

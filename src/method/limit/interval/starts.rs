@@ -299,7 +299,7 @@ fn open_state(search: &mut Search) -> Option<Vec<f64>> {
     let mut beds = totals(&state?.forces).into_iter();
     let all = scene.joints().iter().map(|joint| match joint.class {
         JointClass::Head => Some(0.0),
-        JointClass::Base | JointClass::Bed => beds.next(),
+        JointClass::Base | JointClass::Bed | JointClass::Guide => beds.next(),
     });
     all.collect()
 }

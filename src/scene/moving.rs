@@ -1,0 +1,215 @@
+//! Supports that move: each becomes a block without weight between frictionless guides, so that it
+//! has one degree of freedom, and its reaction against the motion is the live load. Whoever solves or
+//! judges a scene needs no further rule for it.
+
+use serde::{Deserialize, Serialize};
+
+use super::block::{Block, Load};
+use super::joints::{Joint, JointClass, Side};
+use super::model::Scene;
+use super::polygon::{Point, Polygon, Vector};
+
+/// A motion of one support or of several as one, to the first order.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct SupportMotion {
+    /// The supports; the first one's reaction stands for that of all.
+    pub supports: Vec<MovingSupport>,
+    /// The point that all of them turn about; `None` where they do not turn.
+    pub about: Option<Point>,
+    /// Whether they move away from the wall, so that the reaction falls, or against it.
+    pub sense: Sense,
+    /// Multiplier of the live load that acts all the while.
+    pub pushed: f64,
+}
+
+/// Which way a support moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub(crate) enum Sense {
+    /// Away from the wall: its reaction falls.
+    Away,
+    /// Against the wall: its reaction rises.
+    Against,
+}
+
+/// A support that moves.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct MovingSupport {
+    /// Its name in the case.
+    pub name: String,
+    /// Its outline.
+    pub shape: Polygon,
+    /// The support of the scene that it is, or a part of.
+    pub support: usize,
+    /// The blocks on that part; `None` where all of it moves.
+    pub blocks: Option<Vec<usize>>,
+    /// Velocity of its centroid away from the wall; of length 1 for the first support.
+    pub away: Vector,
+}
+
+/// What λ says in a scene with a support that moves: λ is the change of the support's reaction from
+/// the one that it begins with, which λ = 0 stands for.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub(crate) struct Reaction {
+    /// The support's name.
+    pub support: String,
+    /// The reaction that it begins with, in the case's unit of force, positive towards the wall.
+    pub start: f64,
+    /// Whether it falls or rises from there.
+    pub sense: Sense,
+    /// Weight of the scene without its live load, in the same unit.
+    pub weight: f64,
+}
+
+impl Reaction {
+    /// +1 where the reaction rises with λ, −1 where it falls.
+    pub fn sign(&self) -> f64 {
+        match self.sense {
+            Sense::Away => -1.0,
+            Sense::Against => 1.0,
+        }
+    }
+
+    /// The reaction at a λ, and the λ of a reaction.
+    pub fn at(&self, lambda: f64) -> f64 {
+        self.start + self.sign() * lambda
+    }
+}
+
+impl Scene {
+    /// The scene with these supports free to move. λ is the reaction where they move against the wall,
+    /// and the reaction with its sign turned where they move away.
+    pub(crate) fn with_motion(self, motion: &SupportMotion) -> Self {
+        let reaction = Reaction {
+            support: motion.supports[0].name.clone(),
+            start: 0.0,
+            sense: motion.sense,
+            weight: self.total_weight(),
+        };
+        let mut scene = self.without_wall().with_loads(|load, _| {
+            load.dead += load.live * motion.pushed;
+            load.live = Vector::zeros();
+        });
+        let first = scene.blocks.len();
+        for (place, support) in motion.supports.iter().enumerate() {
+            let index = first + place;
+            let ground = Side::Support(support.support);
+            let blocks = support.blocks.as_ref();
+            let is_on_it = |to: &usize| blocks.is_none_or(|blocks| blocks.contains(to));
+            for joint in &mut scene.joints {
+                if joint.from == ground && is_on_it(&joint.to) {
+                    joint.from = Side::Block(index);
+                }
+            }
+            let guides = motion.guides(support);
+            let links = (place > 0).then(|| motion.link(support)).into_iter();
+            let guides = guides.into_iter().map(|guide| (ground, guide));
+            let links = links.flat_map(both_ways).map(|link| (Side::Block(first), link));
+            scene.joints.extend(guides.chain(links).map(|(from, (ends, normal))| Joint {
+                from,
+                to: index,
+                ends,
+                normal,
+                friction: 0.0,
+                class: JointClass::Guide,
+            }));
+            let live = if place == 0 { support.away * -reaction.sign() } else { Vector::zeros() };
+            scene.blocks.push(Block {
+                shape: support.shape.clone(),
+                loads: vec![Load {
+                    point: support.shape.centroid(),
+                    dead: Vector::zeros(),
+                    live,
+                }],
+            });
+            if !scene.labels.blocks.is_empty() {
+                scene.labels.blocks.push(support.name.clone());
+            }
+        }
+        scene.reaction = Some(reaction);
+        scene
+    }
+
+    /// The same scene where λ = 0 stands for this reaction.
+    pub(crate) fn with_start(mut self, start: f64) -> Self {
+        let Some(reaction) = &mut self.reaction else {
+            return self;
+        };
+        reaction.start = start;
+        let from_wall = reaction.sign() * start;
+        self.with_loads(|load, _| {
+            // Nothing else is live.
+            if load.live != Vector::zeros() {
+                load.dead = load.live * from_wall;
+            }
+        })
+    }
+
+    /// What λ says of a support that moves; `None` where none does.
+    pub(crate) fn reaction(&self) -> Option<&Reaction> {
+        self.reaction.as_ref()
+    }
+}
+
+/// Ends and normal of a joint that guides a support.
+type Guide = ([Point; 2], Vector);
+
+fn both_ways((ends, normal): Guide) -> [Guide; 2] {
+    [(ends, normal), ([ends[1], ends[0]], -normal)]
+}
+
+impl SupportMotion {
+    /// What leaves a support its motion alone: two rails along it, or a pin that it turns about.
+    fn guides(&self, support: &MovingSupport) -> Vec<Guide> {
+        if let Some(about) = self.about {
+            let pin = |normal| both_ways(([about; 2], normal));
+            return [Vector::x(), Vector::y()].map(pin).concat();
+        }
+        let along = support.away.normalize();
+        let across = Vector::new(-along.y, along.x);
+        let centre = support.shape.centroid();
+        let corners = support.shape.corners().iter();
+        let reach = corners.fold(0.0, |reach: f64, corner| reach.max((corner - centre).norm()));
+        let rail = |across: Vector| {
+            // As in every joint, the normal is the direction of the ends turned clockwise.
+            let along = Vector::new(-across.y, across.x) * reach;
+            let middle = centre - across * reach;
+            ([middle - along, middle + along], across)
+        };
+        vec![rail(across), rail(-across)]
+    }
+
+    /// What makes a further support move with the first: along this normal both have one velocity.
+    fn link(&self, support: &MovingSupport) -> Guide {
+        let at = support.shape.centroid();
+        let difference = support.away - self.first_at(at);
+        let normal = match difference.norm() > SAME * support.away.norm() {
+            true => Vector::new(-difference.y, difference.x),
+            false => support.away,
+        };
+        ([at; 2], normal.normalize())
+    }
+
+    /// Velocity of the first support's motion at a point.
+    fn first_at(&self, at: Point) -> Vector {
+        let first = &self.supports[0];
+        let Some(about) = self.about else {
+            return first.away;
+        };
+        let turned = |arm: Vector| Vector::new(-arm.y, arm.x);
+        let own = turned(first.shape.centroid() - about);
+        turned(at - about) * (first.away.dot(&own) / own.norm_squared())
+    }
+
+    /// Whether the further supports can be made to move with the first: those that move along the same
+    /// line do so at one rate.
+    pub fn is_one(&self) -> bool {
+        self.supports.iter().skip(1).all(|support| {
+            let (_, normal) = self.link(support);
+            let speed = support.away.norm();
+            normal.dot(&support.away).abs() > SAME * speed && speed > 0.0
+        })
+    }
+}
+
+/// Velocities that differ by less than this part are one.
+const SAME: f64 = 1e-6;
