@@ -46,19 +46,22 @@ pub enum Quantity {
     C,
     /// Width that moves at all along the top.
     E,
+    /// The reaction of a support that moves: both ends of the bracket.
+    Reaction,
     /// 1 where the scene stands under its dead load, 0 where it falls.
     AtRest,
 }
 
 impl Quantity {
     /// Every quantity.
-    pub(crate) const ALL: [Quantity; 7] = [
+    pub(crate) const ALL: [Quantity; 8] = [
         Quantity::Lambda,
         Quantity::Lower,
         Quantity::Upper,
         Quantity::TanBeta,
         Quantity::C,
         Quantity::E,
+        Quantity::Reaction,
         Quantity::AtRest,
     ];
 
@@ -80,6 +83,7 @@ impl Quantity {
             Quantity::TanBeta => ("tan_beta", "tan β"),
             Quantity::C => ("c", "the width c"),
             Quantity::E => ("e", "the width e"),
+            Quantity::Reaction => ("reaction", "the reaction"),
             Quantity::AtRest => ("at_rest", "the rest under its own weight"),
         }
     }

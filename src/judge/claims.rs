@@ -4,7 +4,7 @@
 use crate::answer::{BoundFact, Bracket, Evidence, Fact, Outcome, Status, magnitude};
 use crate::mechanics::VERIFIED_RESIDUAL;
 use crate::method::{Kind, kind};
-use crate::scene::{HeadJoints, JointClass, Push, Scene};
+use crate::scene::{HeadJoints, JointClass, Push, Reaction, Scene};
 
 /// Outcomes of one scene by method name.
 pub type Answers<'a> = [(&'a str, &'a Outcome)];
@@ -75,6 +75,8 @@ pub(super) struct Claims<'a> {
     pub heads_touch: bool,
     /// [`Scene::multiplier_unit`]: λ = `unit` · λ*.
     unit: f64,
+    /// Where a support moves, what λ says of its reaction.
+    pub reaction: Option<Reaction>,
 }
 
 impl<'a> Claims<'a> {
@@ -102,6 +104,7 @@ impl<'a> Claims<'a> {
             push: scene.push(),
             heads_touch: scene.joints().iter().any(|j| j.class == JointClass::Head),
             unit: scene.multiplier_unit(),
+            reaction: scene.reaction().cloned(),
         }
     }
 

@@ -85,6 +85,7 @@ fn without_multiplier(
         floor: floor(claims),
         difference: None,
         doubts: Vec::new(),
+        reaction: claims.reaction.clone(),
     }
 }
 

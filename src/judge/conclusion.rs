@@ -4,9 +4,10 @@
 use std::fmt;
 
 use super::heard::LowerState;
+use super::reaction;
 use crate::answer::{AT_REST, Bracket, Status, is_same_multiplier, magnitude, write_floor};
 use crate::number::{above, below, number, percent};
-use crate::scene::{HeadJoints, Push};
+use crate::scene::{HeadJoints, Push, Reaction};
 
 /// What the harness answers for one scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,6 +39,8 @@ pub struct Conclusion {
     pub difference: Option<Difference>,
     /// What speaks against the best answer and is not explained.
     pub doubts: Vec<Doubt>,
+    /// Where a support moves, what the multipliers here say of its reaction.
+    pub reaction: Option<Reaction>,
 }
 
 /// A proved lower bound.
@@ -200,6 +203,14 @@ impl Conclusion {
         })
     }
 
+    /// Both ends of the range, the lower first: of a support that moves, of its reaction.
+    pub(crate) fn range(&self) -> Option<(f64, f64)> {
+        let Bracket { lower, upper } = self.bracket?;
+        let reads = |lambda| self.reaction.as_ref().map_or(lambda, |of| of.at(lambda));
+        let (one, other) = (reads(lower), reads(upper));
+        Some((one.min(other), one.max(other)))
+    }
+
     /// λ with the digits that the status vouches for.
     fn lambda(&self) -> String {
         self.bracket.map_or_else(String::new, |bracket| {
@@ -247,6 +258,9 @@ pub(super) const ALIKE: f64 = 1e-4;
 
 impl fmt::Display for Conclusion {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(reaction) = &self.reaction {
+            return reaction::write(f, self, reaction);
+        }
         let by = self.methods.join(", ");
         let status = self.status.name();
         let lambda = self.lambda();

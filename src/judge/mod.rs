@@ -11,6 +11,7 @@ mod heard;
 mod judgement;
 mod outside;
 mod proof;
+mod reaction;
 mod references;
 
 pub(crate) use both::of_wall;

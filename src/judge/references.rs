@@ -25,7 +25,9 @@ pub fn computed(of: &Computed, quantity: Quantity) -> Option<Bracket> {
     let crack = |value: fn(&Crack) -> Option<f64>| of.crack.and_then(value).map(Bracket::point);
     let both = of.lower.zip(of.upper);
     match quantity {
-        Quantity::Lambda => both.map(|(lower, upper)| Bracket { lower, upper }),
+        Quantity::Lambda | Quantity::Reaction => {
+            both.map(|(lower, upper)| Bracket { lower, upper })
+        }
         Quantity::Lower => of.lower.map(Bracket::point),
         Quantity::Upper => of.upper.map(Bracket::point),
         Quantity::TanBeta => crack(|c| Some(c.tan_beta)),
@@ -71,7 +73,7 @@ pub fn comparisons<'a>(
 
 fn compare<'a>(reference: &'a Reference, of: &Computed, unit: f64) -> Comparison<'a> {
     let unit = match reference.quantity {
-        Quantity::Lambda | Quantity::Lower | Quantity::Upper => unit,
+        Quantity::Lambda | Quantity::Lower | Quantity::Upper | Quantity::Reaction => unit,
         Quantity::TanBeta | Quantity::C | Quantity::E | Quantity::AtRest => 1.0,
     };
     let computed = computed(of, reference.quantity);

@@ -3,6 +3,7 @@
 use std::cmp::Reverse;
 
 use super::mechanism::{JointRate, Mechanism, Motion};
+use super::residual::live_power;
 use super::rigid_parts::{RigidPart, parts};
 use crate::number::{number, short};
 use crate::scene::{Joint, JointClass, Point, Push, Scene, Side, Vector};
@@ -100,6 +101,26 @@ impl<'a> Moved<'a> {
         let order = order.into_iter().take(NAMED);
         order
             .map(|(joint, _)| self.joint_name(&self.scene.joints()[joint]))
+            .collect()
+    }
+
+    /// The joints that open most, each with its opening over the motion of the live load: where a support
+    /// moves, over the support's motion.
+    pub fn cracks(&self) -> Vec<(String, f64)> {
+        let motion = live_power(self.scene, self.mechanism);
+        let rates = self.mechanism.joint_rates(self.scene).into_iter();
+        let openings = rates.map(|rate| rate.opening[0].max(rate.opening[1]));
+        let mut order: Vec<(usize, f64)> = openings.enumerate().collect();
+        order.retain(|(_, opening)| *opening > STILL * self.fastest);
+        order.sort_by_key(|one| Reverse(self.rank(one.1)));
+        let order = order.into_iter().take(NAMED).filter(|_| motion > 0.0);
+        order
+            .map(|(joint, opening)| {
+                (
+                    self.joint_name(&self.scene.joints()[joint]),
+                    opening / motion,
+                )
+            })
             .collect()
     }
 
@@ -249,7 +270,7 @@ impl<'a> Moved<'a> {
         let joints = self.scene.joints().iter().enumerate();
         joints.filter(move |(_, joint)| {
             let (from, to) = (of(joint.from), self.part_of[joint.to]);
-            (to == part) != (from == Some(part))
+            joint.class != JointClass::Guide && (to == part) != (from == Some(part))
         })
     }
 
@@ -297,7 +318,8 @@ impl<'a> Moved<'a> {
         let rates = self.mechanism.joint_rates(self.scene);
         let limit = STILL * self.fastest;
         let mut hinges = Vec::new();
-        for (joint, rate) in self.scene.joints().iter().zip(&rates) {
+        let joints = self.scene.joints().iter().zip(&rates);
+        for (joint, rate) in joints.filter(|(joint, _)| joint.class != JointClass::Guide) {
             let [low, high] = [
                 rate.opening[0].min(rate.opening[1]),
                 rate.opening[0].max(rate.opening[1]),

@@ -132,6 +132,11 @@ pub fn kinematic_multiplier(scene: &Scene, mechanism: &Mechanism) -> f64 {
     if live > 0.0 { -dead / live } else { f64::NAN }
 }
 
+/// Power of the live load on a mechanism, for λ = 1.
+pub fn live_power(scene: &Scene, mechanism: &Mechanism) -> f64 {
+    powers(scene, mechanism).0
+}
+
 /// Power of the dead load on a mechanism.
 pub fn dead_power(scene: &Scene, mechanism: &Mechanism) -> f64 {
     powers(scene, mechanism).1

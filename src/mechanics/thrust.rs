@@ -62,7 +62,7 @@ fn lines(scene: &Scene, forces: &[JointForce]) -> Vec<Vec<Point>> {
     let mut pairs: Vec<Between> = Vec::new();
     let mut of_block: Vec<Vec<usize>> = vec![Vec::new(); scene.blocks().len()];
     for (joint, force) in scene.joints().iter().zip(forces) {
-        if pressed(force) <= NOTHING * largest {
+        if pressed(force) <= NOTHING * largest || joint.class == JointClass::Guide {
             continue;
         }
         let sides = (joint.from, Side::Block(joint.to));
@@ -125,7 +125,8 @@ fn courses(scene: &Scene, forces: &[JointForce]) -> Vec<CourseResultant> {
     let near = SAME_LEVEL * scene.height();
     let mut level: Vec<(f64, usize)> = Vec::new();
     for (index, joint) in scene.joints().iter().enumerate() {
-        let is_level = joint.normal.x.abs() < 1e-9 && joint.class != JointClass::Head;
+        let bears = !matches!(joint.class, JointClass::Head | JointClass::Guide);
+        let is_level = joint.normal.x.abs() < 1e-9 && bears;
         if is_level {
             level.push((joint.ends[0].y, index));
         }

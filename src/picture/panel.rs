@@ -233,7 +233,7 @@ impl<'a> Panel<'a> {
             let lambda = lambda.unwrap_or(0.0);
             let largest = forces::largest(self.view.scene, forces);
             return vec![
-                format!("at λ = {}", number(lambda, 5)),
+                format!("at λ = {}", number(row.reads(lambda), 5)),
                 format!("largest force {}", short(largest, 4)),
             ];
         }

@@ -41,6 +41,8 @@ pub fn csv(results: &[CaseResult]) -> Result<String, csv::Error> {
 /// that is λ times the live load; `first_blocks` and `first_joints` move fastest in the `mechanism`. `thrust` has the lines of
 /// thrust of a row's forces, and the resultant on each level of bed joints: the force on what is above,
 /// and where it acts.
+/// Where a support moves, `lower` and `upper` are of its reaction, and `reaction` has the one that it
+/// starts with: λ in `sides` is the change from there, a fall where it `moves` away.
 /// Where results are partial, a last object says so in `partial`, and its columns are `null`.
 ///
 /// # Errors
@@ -119,6 +121,16 @@ fn object(result: &CaseResult, row: &Row) -> JsonObject {
             }),
         );
     }
+    if let Some(reaction) = &row.reaction {
+        let digits = |number| Value::Number(number).json();
+        let begins = json!({
+            "support": reaction.support,
+            "moves": reaction.sense.name(),
+            "start": digits(reaction.start),
+            "weight": digits(reaction.weight),
+        });
+        object.insert("reaction".to_owned(), begins);
+    }
     if row.other.is_some() {
         let sides = row
             .sides()
@@ -170,6 +182,12 @@ fn conclusion(result: &CaseResult, of: &Conclusion) -> serde_json::Value {
     let terms = terms.as_ref();
     let digits = |number: Option<f64>| Value::from(number).json();
     let difference = of.difference.as_ref();
+    let (lower, upper) = of.range().unzip();
+    let reads = |lambda: f64| {
+        of.reaction
+            .as_ref()
+            .map_or(lambda, |reaction| reaction.at(lambda))
+    };
     let doubts = of.doubts.iter().map(ToString::to_string);
     json!({
         "push": of.push.name(),
@@ -177,10 +195,10 @@ fn conclusion(result: &CaseResult, of: &Conclusion) -> serde_json::Value {
         "basis": of.basis.name(),
         "methods": of.methods,
         "status": of.status.name(),
-        "lower": digits(of.bracket.map(|bracket| bracket.lower)),
-        "upper": digits(of.bracket.map(|bracket| bracket.upper)),
-        "highest_state": digits(of.highest_state),
-        "associative": digits(difference.and_then(|difference| difference.associative)),
+        "lower": digits(lower),
+        "upper": digits(upper),
+        "highest_state": digits(of.highest_state.map(reads)),
+        "associative": digits(difference.and_then(|difference| difference.associative).map(reads)),
         "difference": digits(difference.and_then(|difference| difference.relative)),
         "explanation": difference.map(|difference| difference.explanation.name()),
         "explained": of.is_explained(),
@@ -192,6 +210,10 @@ fn conclusion(result: &CaseResult, of: &Conclusion) -> serde_json::Value {
         "mechanism": terms.and_then(|terms| terms.mechanism.clone()),
         "first_blocks": terms.map(|terms| terms.first_blocks.clone()),
         "first_joints": terms.map(|terms| terms.first_joints.clone()),
+        "cracks": terms.filter(|_| of.reaction.is_some()).map(|terms| {
+            let cracks = terms.cracks.iter();
+            cracks.map(|(joint, opening)| json!([joint, digits(Some(*opening))])).collect::<Vec<_>>()
+        }),
     })
 }
 

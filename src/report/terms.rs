@@ -25,6 +25,8 @@ pub(crate) struct Terms {
     pub first_joints: Vec<String>,
     /// How it moves.
     pub mechanism: Option<String>,
+    /// Where a support moves, the joints that open most, each with its opening over the support's motion.
+    pub cracks: Vec<(String, f64)>,
 }
 
 /// The conclusion about a head-joint setting in these terms; `None` where there is no answer behind it.
@@ -37,7 +39,9 @@ pub(crate) fn terms(result: &CaseResult, conclusion: &Conclusion) -> Option<Term
         .of_side(conclusion.push);
     let row = &*row;
     let scene = result.scene(row);
-    let lambda = conclusion.bracket.map(|bracket| bracket.lower);
+    // The reaction of a support is no push.
+    let lambda = conclusion.bracket.filter(|_| scene.reaction().is_none());
+    let lambda = lambda.map(|bracket| bracket.lower);
     let along = |load: fn(&Block) -> [f64; 3]| -> f64 {
         let blocks = scene.blocks().iter();
         blocks.map(|block| load(block)[0]).sum()
@@ -48,6 +52,10 @@ pub(crate) fn terms(result: &CaseResult, conclusion: &Conclusion) -> Option<Term
     let moved =
         mechanism(row).map(|mechanism| Moved::new(scene, mechanism, row.outcome.evidence.still()));
     Some(Terms {
+        cracks: match (scene.reaction(), &moved) {
+            (Some(_), Some(moved)) => moved.cracks(),
+            _ => Vec::new(),
+        },
         tilt: lambda
             .filter(|_| weights_push(scene))
             .map(|lambda| lambda.atan().to_degrees()),
@@ -92,7 +100,15 @@ impl fmt::Display for Terms {
             [one] => Some(format!("{one} moves first")),
             [others @ .., last] => Some(format!("{} and {last} move first", others.join(", "))),
         };
-        let all = [tilt, shear, self.mechanism.clone(), first];
+        let cracks = self.cracks.iter();
+        let cracks: Vec<String> = cracks
+            .map(|(joint, opening)| format!("{} at {joint}", short(10.0 * opening, 2)))
+            .collect();
+        let cracks = (!cracks.is_empty()).then(|| {
+            let cracks = cracks.join(", ");
+            format!("for the first 10 of the support's motion joints open by {cracks}")
+        });
+        let all = [tilt, shear, self.mechanism.clone(), first, cracks];
         let all: Vec<String> = all.into_iter().flatten().collect();
         f.write_str(&all.join("; "))
     }

@@ -139,7 +139,12 @@ fn answers<'a>(rows: &'a [Row], scene: &Scene) -> Vec<(&'a str, &'a Outcome)> {
 
 /// Where another method proves a higher lower bound, says so instead of that none is known.
 fn name_bound(outcome: &mut Outcome, conclusion: &Conclusion) {
-    let Some(floor) = &conclusion.floor else {
+    // Of a support that moves, the conclusion alone has the proof in terms of the reaction.
+    let Some(floor) = conclusion
+        .floor
+        .as_ref()
+        .filter(|_| conclusion.reaction.is_none())
+    else {
         return;
     };
     for fact in &mut outcome.facts {
@@ -188,6 +193,10 @@ fn checks(case: &Case, scenes: &[(HeadJoints, Vec<Scene>)], rows: &[Row]) -> Vec
 
 /// A check about one side, which names it where there are two.
 pub(crate) fn named(check: Check, scene: &Scene, sides: &[Scene]) -> Check {
+    if scene.reaction().is_some() {
+        let text = format!("by the change of the reaction, {}", check.text);
+        return Check { text, ..check };
+    }
     if sides.len() < 2 {
         return check;
     }

@@ -6,13 +6,13 @@ use std::borrow::Cow;
 use serde::{Deserialize, Serialize};
 
 use super::sides::{self, Ends, OtherSide};
-use crate::answer::{Bracket, Fact, Outcome, Status, sentence};
+use crate::answer::{Bracket, Fact, Outcome, ReactionFact, Status, sentence};
 use crate::case::{Case, Quantity, Reference};
 use crate::judge::{Check, Computed, Recomputed, Verdict, computed, largest};
 use crate::mechanics::Crack;
 use crate::method::{Kind, kind};
 use crate::number::short;
-use crate::scene::{HeadJoints, Push};
+use crate::scene::{HeadJoints, Push, Reaction};
 
 /// The judged answer of one task. Files keep what its task and method say of it; what its case says is
 /// found again when it is compared.
@@ -40,6 +40,8 @@ pub struct Row {
     /// The scene's unit of λ ([`Scene::multiplier_unit`](crate::scene::Scene::multiplier_unit)),
     /// which tells what a small λ is.
     pub multiplier_unit: f64,
+    /// Where a support moves, what λ says of its reaction.
+    pub reaction: Option<Reaction>,
     /// The answer for that direction, its status set by the judge.
     pub outcome: Outcome,
     /// The answer for the other direction of a wall that is pushed both ways.
@@ -122,10 +124,21 @@ impl Row {
         sides::status(governing, other, self.multiplier_unit)
     }
 
-    /// The ends of the range of λ, each with the push that it belongs to.
+    /// The ends of the range of λ, each with the push that it belongs to; of a support that moves, those
+    /// of its reaction.
     pub(crate) fn ends(&self) -> Ends {
         let (governing, other) = self.two_sides();
-        sides::ends(governing, other)
+        let ends = sides::ends(governing, other);
+        match &self.reaction {
+            Some(reaction) => ends.read(reaction),
+            None => ends,
+        }
+    }
+
+    /// What people read for a λ: of a support that moves, its reaction.
+    pub(crate) fn reads(&self, lambda: f64) -> f64 {
+        let reaction = self.reaction.as_ref();
+        reaction.map_or(lambda, |reaction| reaction.at(lambda))
     }
 
     /// The multiplier, where there is one to vouch for.
@@ -166,6 +179,14 @@ impl Row {
 
     /// What is to be said of the answer: of a wall that is pushed both ways, of its sides first.
     pub fn facts(&self) -> Cow<'_, [Fact]> {
+        if let Some(reaction) = &self.reaction {
+            let facts = self.outcome.facts.iter().map(|fact| fact.read(reaction));
+            let begins = self
+                .outcome
+                .bracket()
+                .map(|_| ReactionFact::Begins(reaction.clone()));
+            return begins.into_iter().map(Fact::from).chain(facts).collect();
+        }
         let (own, Some(other)) = self.two_sides() else {
             return Cow::Borrowed(&self.outcome.facts);
         };
@@ -209,7 +230,8 @@ impl Row {
 
     /// The references of the multiplier that stand first: one, or those of the ends of a range.
     pub fn multiplier_references(&self) -> Vec<&Reference> {
-        let one = self.reference(Quantity::Lambda).into_iter();
+        let one = self.reference(Quantity::Lambda);
+        let one = one.or(self.reference(Quantity::Reaction)).into_iter();
         let ends = [Quantity::Lower, Quantity::Upper];
         let ends = ends.into_iter().filter_map(|end| self.reference(end));
         let one: Vec<&Reference> = one.collect();

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::answer::{BoundFact, Bracket, Evidence, Fact, Outcome, SideFact, Status, magnitude};
 use crate::judge::Recomputed;
 use crate::number::{above, below, nine_digits, nine_outwards, number};
-use crate::scene::{Push, Scene};
+use crate::scene::{Push, Reaction, Scene, Sense};
 
 /// The judged answer of a method for one side of the push.
 pub(super) struct Answer<'a> {
@@ -75,6 +75,25 @@ impl Ends {
     pub fn bracket(&self) -> Option<Bracket> {
         let (lower, upper) = (self.lower?.lambda, self.upper?.lambda);
         Some(Bracket { lower, upper })
+    }
+}
+
+impl Ends {
+    /// The ends of the reaction that λ is the change of.
+    pub(super) fn read(self, reaction: &Reaction) -> Self {
+        let end = |end: End, outwards: f64| End {
+            lambda: reaction.at(end.lambda),
+            outwards: end.outwards.map(|_| outwards),
+            ..end
+        };
+        let (lower, upper) = match reaction.sense {
+            Sense::Against => (self.lower, self.upper),
+            Sense::Away => (self.upper, self.lower),
+        };
+        Self {
+            lower: lower.map(|lower| end(lower, -1.0)),
+            upper: upper.map(|upper| end(upper, 1.0)),
+        }
     }
 }
 

@@ -14,7 +14,7 @@ use crate::answer::{Outcome, Status};
 use crate::fingerprint::Fingerprint;
 use crate::judge::judge;
 use crate::method::{Method, Settings, borrowed, expected_cost};
-use crate::scene::{HeadJoints, Scene};
+use crate::scene::{HeadJoints, JointClass, Scene};
 
 /// Fingerprint of the sources that this program was compiled from.
 const SOURCES: &str = env!("TRILITH_SOURCES");
@@ -158,6 +158,7 @@ impl<'a> Task<'a> {
             blocks: scene.blocks().len(),
             joints: scene.joints().len(),
             multiplier_unit: scene.multiplier_unit(),
+            reaction: scene.reaction().cloned(),
             outcome: answer.outcome,
             other: answer.other.map(|other| OtherSide {
                 push: other.scene.push(),
@@ -208,7 +209,9 @@ pub fn answer(sides: &[Scene], method: &dyn Method, settings: Settings) -> Row {
 
 /// Least and largest coefficient of friction of the joints.
 fn friction(scene: &Scene) -> Option<[f64; 2]> {
-    let of_joints = scene.joints().iter().map(|joint| joint.friction);
+    let joints = scene.joints().iter();
+    let joints = joints.filter(|joint| joint.class != JointClass::Guide);
+    let of_joints = joints.map(|joint| joint.friction);
     let widened = |range: [f64; 2], mu: f64| [range[0].min(mu), range[1].max(mu)];
     let first = of_joints.clone().next()?;
     Some(of_joints.fold([first; 2], widened))

@@ -8,10 +8,11 @@ use super::block::{Block, Load};
 use super::joints::{Joint, JointClass, Side};
 use super::model::Scene;
 use super::polygon::{Point, Polygon, Vector};
+use crate::number::{above, below};
 
 /// A motion of one support or of several as one, to the first order.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct SupportMotion {
+pub struct SupportMotion {
     /// The supports; the first one's reaction stands for that of all.
     pub supports: Vec<MovingSupport>,
     /// The point that all of them turn about; `None` where they do not turn.
@@ -24,16 +25,26 @@ pub(crate) struct SupportMotion {
 
 /// Which way a support moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub(crate) enum Sense {
+pub enum Sense {
     /// Away from the wall: its reaction falls.
     Away,
     /// Against the wall: its reaction rises.
     Against,
 }
 
+impl Sense {
+    /// The word in cases.
+    pub fn name(self) -> &'static str {
+        match self {
+            Sense::Away => "away",
+            Sense::Against => "against",
+        }
+    }
+}
+
 /// A support that moves.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct MovingSupport {
+pub struct MovingSupport {
     /// Its name in the case.
     pub name: String,
     /// Its outline.
@@ -49,7 +60,7 @@ pub(crate) struct MovingSupport {
 /// What λ says in a scene with a support that moves: λ is the change of the support's reaction from
 /// the one that it begins with, which λ = 0 stands for.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub(crate) struct Reaction {
+pub struct Reaction {
     /// The support's name.
     pub support: String,
     /// The reaction that it begins with, in the case's unit of force, positive towards the wall.
@@ -69,9 +80,17 @@ impl Reaction {
         }
     }
 
-    /// The reaction at a λ, and the λ of a reaction.
+    /// The reaction at a λ, in the case's unit of force.
     pub fn at(&self, lambda: f64) -> f64 {
         self.start + self.sign() * lambda
+    }
+
+    /// The same with fixed decimals, rounded towards where it begins.
+    pub fn inwards(&self, lambda: f64, decimals: usize) -> String {
+        match self.sense {
+            Sense::Away => above(self.at(lambda), decimals),
+            Sense::Against => below(self.at(lambda), decimals),
+        }
     }
 }
 
@@ -103,16 +122,24 @@ impl Scene {
             let guides = motion.guides(support);
             let links = (place > 0).then(|| motion.link(support)).into_iter();
             let guides = guides.into_iter().map(|guide| (ground, guide));
-            let links = links.flat_map(both_ways).map(|link| (Side::Block(first), link));
-            scene.joints.extend(guides.chain(links).map(|(from, (ends, normal))| Joint {
-                from,
-                to: index,
-                ends,
-                normal,
-                friction: 0.0,
-                class: JointClass::Guide,
-            }));
-            let live = if place == 0 { support.away * -reaction.sign() } else { Vector::zeros() };
+            let links = links
+                .flat_map(both_ways)
+                .map(|link| (Side::Block(first), link));
+            scene
+                .joints
+                .extend(guides.chain(links).map(|(from, (ends, normal))| Joint {
+                    from,
+                    to: index,
+                    ends,
+                    normal,
+                    friction: 0.0,
+                    class: JointClass::Guide,
+                }));
+            let live = if place == 0 {
+                support.away * -reaction.sign()
+            } else {
+                Vector::zeros()
+            };
             scene.blocks.push(Block {
                 shape: support.shape.clone(),
                 loads: vec![Load {
@@ -168,7 +195,9 @@ impl SupportMotion {
         let across = Vector::new(-along.y, along.x);
         let centre = support.shape.centroid();
         let corners = support.shape.corners().iter();
-        let reach = corners.fold(0.0, |reach: f64, corner| reach.max((corner - centre).norm()));
+        let reach = corners.fold(0.0, |reach: f64, corner| {
+            reach.max((corner - centre).norm())
+        });
         let rail = |across: Vector| {
             // As in every joint, the normal is the direction of the ends turned clockwise.
             let along = Vector::new(-across.y, across.x) * reach;

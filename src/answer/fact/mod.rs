@@ -10,6 +10,7 @@ mod judged;
 mod limit;
 mod outside;
 mod pushover;
+mod reaction;
 mod search;
 mod sequential;
 mod side;
@@ -25,6 +26,8 @@ pub(crate) use limit::AT_REST;
 pub use limit::{LimitFact, SolverEnding};
 pub use outside::{ProgramEnding, ProgramFailure};
 pub use pushover::PushoverFact;
+pub use reaction::ReactionFact;
+pub(crate) use reaction::write_motion_cap;
 pub use search::{Coverage, SearchEnding, SearchFacts, SearchFailure, SearchStart, StartEnding};
 pub use sequential::{SequentialEnding, SequentialFacts};
 pub use side::SideFact;
@@ -54,6 +57,8 @@ pub enum Fact {
     Judged(JudgedFact),
     /// Which side of a wall that is pushed both ways the answer is about.
     Side(SideFact),
+    /// What is to be said of a support that moves.
+    Reaction(ReactionFact),
     /// Why an outside program gave no answer.
     Program(ProgramFailure),
 }
@@ -73,6 +78,7 @@ impl Fact {
             | Fact::Sequential(_)
             | Fact::Bound(_)
             | Fact::Judged(_)
+            | Fact::Reaction(_)
             | Fact::Program(_) => false,
         }
     }
@@ -91,6 +97,7 @@ impl fmt::Display for Fact {
             Fact::Bound(fact) => fact.fmt(f),
             Fact::Judged(fact) => fact.fmt(f),
             Fact::Side(fact) => fact.fmt(f),
+            Fact::Reaction(fact) => fact.fmt(f),
             Fact::Program(fact) => fact.fmt(f),
         }
     }
@@ -118,6 +125,7 @@ from! {
     Bound(BoundFact),
     Judged(JudgedFact),
     Side(SideFact),
+    Reaction(ReactionFact),
     Program(ProgramFailure),
 }
 

@@ -54,7 +54,7 @@ fn case(document: &Document, name: String, read_file: ReadFile) -> Result<Case, 
         source: printable(file.source.as_deref().unwrap_or_default()),
         name,
         references: references
-            .map(|table| reference(table, &head_joints))
+            .map(|table| reference(table, &head_joints, !file.moves.is_empty()))
             .collect::<Result<_, _>>()?,
         motion: motion(&file, &geometry)?,
         geometry,

@@ -8,9 +8,7 @@ use super::missing::missing_key;
 use super::values::Pair;
 use crate::case::complaint::Complaint;
 use crate::case::geometry::Geometry;
-use crate::scene::{
-    Assembly, MovingSupport, Point, Polygon, Sense, SupportMotion, Vector, Wall,
-};
+use crate::scene::{Assembly, MovingSupport, Point, Polygon, Sense, SupportMotion, Vector, Wall};
 
 /// The motion of a file, where there is one.
 pub(super) fn motion(
@@ -21,7 +19,10 @@ pub(super) fn motion(
         return Ok(None);
     };
     if let Some(word) = file.push.as_ref().filter(|word| word.get_ref() == "both") {
-        let complaint = word.wrong("a push to both sides beside `[[move]]`", "which of the two?");
+        let complaint = word.wrong(
+            "a push to both sides beside `[[move]]`",
+            "which of the two?",
+        );
         return Err(complaint.help("write `push = \"right\"` or `push = \"left\"`"));
     }
     let assembly = geometry.assembly();
@@ -61,11 +62,21 @@ fn support(
     let (name, support, blocks, shape) = match (&table.support, &table.units, geometry) {
         (None, Some(units), Geometry::Wall(wall)) => {
             let (blocks, shape) = under(units, wall, assembly)?;
-            (format!("units {}", units.get_ref().trim()), 0, Some(blocks), shape)
+            (
+                format!("units {}", units.get_ref().trim()),
+                0,
+                Some(blocks),
+                shape,
+            )
         }
         (_, _, Geometry::Wall(_)) => return Err(missing_key(spanned.span(), "units")),
         (Some(word), None, _) => {
-            let names = || assembly.supports.iter().map(|support| support.name.as_str());
+            let names = || {
+                assembly
+                    .supports
+                    .iter()
+                    .map(|support| support.name.as_str())
+            };
             let found = names().position(|name| name == word.get_ref());
             let index = found.ok_or_else(|| unknown_support(word, names()))?;
             let shape = assembly.supports[index].shape.clone();
@@ -73,7 +84,10 @@ fn support(
         }
         (None, None, _) => return Err(missing_key(spanned.span(), "support")),
         (_, Some(units), _) => {
-            let complaint = units.wrong("`units` of a scene without courses", "goes with a coursed wall");
+            let complaint = units.wrong(
+                "`units` of a scene without courses",
+                "goes with a coursed wall",
+            );
             return Err(complaint.help("write `support` with a support's name"));
         }
     };
@@ -98,11 +112,17 @@ fn one_motion(table: &Spanned<MoveTable>, motion: &SupportMotion) -> Result<(), 
     let own = table.get_ref();
     if sense(own)? != motion.sense || about(own)? != motion.about {
         let title = "supports that do not move as one";
-        let complaint = table.wrong(title, "`moves` and `about` are those of the first `[[move]]`");
+        let complaint = table.wrong(
+            title,
+            "`moves` and `about` are those of the first `[[move]]`",
+        );
         return Err(complaint.help("write the same for all of them, or a case each"));
     }
     if let Some(rate) = own.rate.as_ref().filter(|_| motion.about.is_some()) {
-        let complaint = rate.wrong("`rate` beside `about`", "the centre says how fast each moves");
+        let complaint = rate.wrong(
+            "`rate` beside `about`",
+            "the centre says how fast each moves",
+        );
         return Err(complaint.help("remove `rate`"));
     }
     if motion.is_one() {
@@ -117,7 +137,7 @@ fn one_motion(table: &Spanned<MoveTable>, motion: &SupportMotion) -> Result<(), 
 }
 
 fn sense(table: &MoveTable) -> Result<Sense, Complaint> {
-    let words = [("away", Sense::Away), ("against", Sense::Against)];
+    let words = [Sense::Away, Sense::Against].map(|sense| (sense.name(), sense));
     choose("moves", words, &table.moves)
 }
 
@@ -141,7 +161,10 @@ fn turning(written: &Spanned<Pair>, direction: Vector, arm: Vector) -> Result<Ve
     match along {
         Some((across, part)) if part.abs() > 1e-3 => Ok(across * part.signum()),
         _ => Err(written
-            .wrong("a direction that no turning has", "the support's middle does not move this way")
+            .wrong(
+                "a direction that no turning has",
+                "the support's middle does not move this way",
+            )
             .help("write roughly how its middle moves as it leaves the wall, or another `about`")),
     }
 }
@@ -179,12 +202,17 @@ fn under(
         course == 1 && (from..=to).contains(&piece)
     };
     let blocks: Vec<usize> = places.filter(is_above).map(|(block, _)| block).collect();
-    let bounds = blocks.iter().map(|&block| assembly.blocks[block].shape.bounds());
+    let bounds = blocks
+        .iter()
+        .map(|&block| assembly.blocks[block].shape.bounds());
     let ends = bounds.map(|(low, high)| (low.x, high.x));
     let ends = ends.reduce(|(low, high), (l, h)| (low.min(l), high.max(h)));
     let shape = ends.map(|(low, high)| Polygon::rectangle(low, high, -wall.unit_height, 0.0));
     match shape {
         Some(Ok(shape)) => Ok((blocks, shape)),
-        _ => wrong(format!("the pieces {text} are gaps"), "name units that stand on the ground"),
+        _ => wrong(
+            format!("the pieces {text} are gaps"),
+            "name units that stand on the ground",
+        ),
     }
 }

@@ -39,8 +39,9 @@ pub(crate) const NOT_MODELLED: &[NotModelled] = &[
     NotModelled {
         key: "settlement",
         other_words: &["settlements", "displacement", "displacements", "spreading"],
-        what: "a support that moves",
-        nearest: "draw the supports where they have moved to, or leave the one away that gives way",
+        what: "a support's motion by an amount",
+        nearest: "write a `[[move]]` for the support: its reaction as it begins to move, and which joints \
+                  open",
     },
     NotModelled {
         key: "compressive_strength",

@@ -11,10 +11,11 @@ use crate::case::reference::{Quantity, Reference, SourceKind, known_method_names
 use crate::case::suggestion::{listed, nearest};
 use crate::scene::HeadJoints;
 
-/// Judges a reference of a case that runs with these `head_joints`.
+/// Judges a reference of a case that runs with these `head_joints`, and of which a support moves or not.
 pub(super) fn reference(
     table: &ReferenceTable,
     of_case: &[HeadJoints],
+    moves: bool,
 ) -> Result<Reference, Complaint> {
     let head_joints = match &table.head_joints {
         None => None,
@@ -36,10 +37,17 @@ pub(super) fn reference(
     };
     let kinds = SourceKind::ALL.map(|kind| (kind.name(), kind));
     let quantities = Quantity::ALL.map(|quantity| (quantity.name(), quantity));
+    let quantity = choose("quantity", quantities, &table.quantity)?;
+    if quantity == Quantity::Reaction && !moves {
+        let complaint = table
+            .quantity
+            .wrong("no support moves", "never compared with a result");
+        return Err(complaint.help("add a `[[move]]`, or write `quantity = \"lambda\"`"));
+    }
     Ok(Reference {
         method: method(&table.method)?,
         head_joints,
-        quantity: choose("quantity", quantities, &table.quantity)?,
+        quantity,
         value: not_negative("value", &table.value)?,
         tolerance: positive("tolerance", &table.tolerance)?,
         source: printable(&table.source),

@@ -13,7 +13,10 @@ const UNLIMITED: f64 = 10.0;
 /// none.
 pub(crate) fn moving(scene: Scene, motion: &SupportMotion) -> Scene {
     let end = |sense: Sense| {
-        let motion = SupportMotion { sense, ..motion.clone() };
+        let motion = SupportMotion {
+            sense,
+            ..motion.clone()
+        };
         let scene = scene.clone().with_motion(&motion);
         let mut program = Program::new(&scene);
         match program.solve() {
@@ -22,13 +25,18 @@ pub(crate) fn moving(scene: Scene, motion: &SupportMotion) -> Scene {
             Ending::Infeasible(_) | Ending::GaveUp(_) => None,
         }
     };
-    let start = end(Sense::Against).zip(end(Sense::Away)).map(|(most, least)| {
-        let far = UNLIMITED * scene.total_weight();
-        let (most, least) = (most.min(far.max(far - least)), (-least).max((-far).min(most - far)));
-        match motion.sense {
-            Sense::Away => most,
-            Sense::Against => least,
-        }
-    });
+    let start = end(Sense::Against)
+        .zip(end(Sense::Away))
+        .map(|(most, least)| {
+            let far = UNLIMITED * scene.total_weight();
+            let (most, least) = (
+                most.min(far.max(far - least)),
+                (-least).max((-far).min(most - far)),
+            );
+            match motion.sense {
+                Sense::Away => most,
+                Sense::Against => least,
+            }
+        });
     scene.with_motion(motion).with_start(start.unwrap_or(0.0))
 }

@@ -1,0 +1,150 @@
+//! Facts of a scene with a support that moves, and what other facts say there: methods speak of λ, the
+//! change of the support's reaction, and people read the reaction itself.
+
+use std::fmt;
+
+use serde::{Deserialize, Serialize};
+
+use super::{AutoFact, BoundFact, Fact, LimitFact, PushoverFact};
+use crate::certificate::Proved;
+use crate::number::{number, short};
+use crate::scene::{Reaction, Sense};
+
+/// What is to be said of a support that moves.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub enum ReactionFact {
+    /// What λ is, and where it begins.
+    Begins(Reaction),
+    /// No reaction holds the scene.
+    NoneHolds(Reaction),
+    /// The collapse state found is at the reaction that it begins with.
+    AtOnce,
+    /// Forces carry any change of the reaction.
+    WithoutLimit,
+    /// What a certificate proves.
+    Proved(Reaction, Proved),
+    /// Nothing falls while the support is at rest.
+    SupportMoves,
+}
+
+impl fmt::Display for ReactionFact {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            ReactionFact::Begins(reaction) => {
+                let Reaction { support, start, .. } = reaction;
+                let (way, end) = match reaction.sense {
+                    Sense::Away => ("falls", "the largest"),
+                    Sense::Against => ("rises", "the smallest"),
+                };
+                let share = short(100.0 * start / reaction.weight, 2);
+                let start = number(*start, 5);
+                write!(
+                    f,
+                    "λ is the reaction of {support}, which {way} from {start} ({share} % of the weight), {end} \
+                     that friction admits"
+                )
+            }
+            ReactionFact::NoneHolds(reaction) => {
+                write!(f, "no reaction of {} holds it", reaction.support)
+            }
+            ReactionFact::AtOnce => {
+                write!(
+                    f,
+                    "it may give way at once, as the forces of friction at rest are not determined"
+                )
+            }
+            ReactionFact::WithoutLimit => {
+                write!(
+                    f,
+                    "the joints can balance every change of the reaction, however large it is"
+                )
+            }
+            ReactionFact::Proved(_, proved) if proved.lower <= 0.0 => {
+                write!(f, "nothing is proved of states before it")
+            }
+            ReactionFact::Proved(reaction, proved) => {
+                write!(f, "it is proved that ")?;
+                write_motion_cap(f, reaction, proved.lower, proved.cap)
+            }
+            ReactionFact::SupportMoves => {
+                write!(f, "nothing falls while the support stays where it is")
+            }
+        }
+    }
+}
+
+/// That no state lies between the reaction that it begins with and another one, for motions up to a
+/// cap where there is one.
+pub(crate) fn write_motion_cap(
+    f: &mut fmt::Formatter<'_>,
+    reaction: &Reaction,
+    lambda: f64,
+    cap: Option<f64>,
+) -> fmt::Result {
+    let (from, to) = (reaction.start, reaction.inwards(lambda, 6));
+    let from = number(from, 5);
+    write!(
+        f,
+        "no collapse state with a reaction from {from} to {to} exists in which the support moves"
+    )?;
+    match cap {
+        Some(cap) => write!(
+            f,
+            " and openings and slips add up to no more than {cap:.0e} times the support's own motion"
+        ),
+        None => Ok(()),
+    }
+}
+
+impl Fact {
+    /// The same in terms of the reaction.
+    pub(crate) fn read(&self, reaction: &Reaction) -> Fact {
+        let at = |lambda: f64| reaction.at(lambda);
+        match self {
+            Fact::Limit(LimitFact::MovesUnpushed { .. }) => {
+                ReactionFact::NoneHolds(reaction.clone()).into()
+            }
+            Fact::Limit(LimitFact::AtRest) => ReactionFact::AtOnce.into(),
+            Fact::Limit(LimitFact::ForcesWithoutLimit) => ReactionFact::WithoutLimit.into(),
+            // Its number is that of forces without friction, seldom near any state.
+            Fact::Limit(LimitFact::FoundNoBounds { .. }) => {
+                LimitFact::FoundNoBounds { frictionless: None }.into()
+            }
+            Fact::Bound(BoundFact::Proved(proved)) => {
+                ReactionFact::Proved(reaction.clone(), *proved).into()
+            }
+            Fact::Bound(BoundFact::PushMoves) => ReactionFact::SupportMoves.into(),
+            Fact::Auto(AutoFact::CollapsesWithoutBound { lambda }) => {
+                AutoFact::CollapsesWithoutBound {
+                    lambda: at(*lambda),
+                }
+                .into()
+            }
+            Fact::Auto(AutoFact::NoState { associative }) => AutoFact::NoState {
+                associative: at(*associative),
+            }
+            .into(),
+            Fact::Auto(AutoFact::LowerHeard { lambda, below }) => AutoFact::LowerHeard {
+                lambda: at(*lambda),
+                below: *below,
+            }
+            .into(),
+            Fact::Pushover(fact) => fact.clone().with_lambda(at).into(),
+            other => other.clone(),
+        }
+    }
+}
+
+impl PushoverFact {
+    /// The same with another number for each λ.
+    fn with_lambda(self, at: impl Fn(f64) -> f64) -> Self {
+        match self {
+            PushoverFact::OutOfSteps { lambda } => PushoverFact::OutOfSteps { lambda: at(lambda) },
+            PushoverFact::StillStands { lambda } => {
+                PushoverFact::StillStands { lambda: at(lambda) }
+            }
+            PushoverFact::Unclear { lambda } => PushoverFact::Unclear { lambda: at(lambda) },
+            other => other,
+        }
+    }
+}
