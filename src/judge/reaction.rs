@@ -2,10 +2,10 @@
 
 use std::fmt;
 
-use super::conclusion::{Basis, Conclusion, Doubt};
+use super::conclusion::{Basis, Conclusion, Difference, Doubt};
 use super::heard::LowerState;
 use crate::answer::{Status, write_motion_cap};
-use crate::number::{number, short};
+use crate::number::{above, below, number, short};
 use crate::scene::{Reaction, Sense};
 
 /// Writes the conclusion, whose multipliers are changes of this reaction.
@@ -14,34 +14,91 @@ pub(super) fn write(
     of: &Conclusion,
     reaction: &Reaction,
 ) -> fmt::Result {
-    let (by, status, support) = (of.methods.join(", "), of.status.name(), &reaction.support);
     let decimals = if of.status == Status::Estimate { 4 } else { 5 };
     let reads = |lambda: f64| number(reaction.at(lambda), decimals);
-    let falls = reaction.sense == Sense::Away;
+    write_best(f, of, reaction, &reads)?;
+    if let Some(floor) = &of.floor {
+        write!(f, "; it is proved that ")?;
+        write_motion_cap(f, reaction, floor.lower, floor.cap)?;
+        write!(f, " ({})", floor.by)?;
+    }
+    if let Some(difference) = &of.difference {
+        let Difference {
+            method,
+            explanation,
+            ..
+        } = difference;
+        match difference.associative {
+            None => write!(f, "; {method} stands, which is {explanation}")?,
+            Some(lambda) if of.bracket.is_some_and(|b| reads(b.lower) == reads(lambda)) => {
+                write!(f, "; {method} gives the same")?;
+            }
+            Some(lambda) => {
+                let bound = bound(reaction, lambda);
+                write!(f, "; {method} proves {bound}, which is {explanation}")?;
+            }
+        }
+    }
+    if of.bracket.is_some() {
+        let share = short(100.0 * reaction.start / reaction.weight, 2);
+        let start = number(reaction.start, 5);
+        let end = match reaction.sense {
+            Sense::Away => "at most",
+            Sense::Against => "at least",
+        };
+        write!(f, "; at rest it is {end} {start} ({share} % of the weight)")?;
+    }
+    let mut lead = "; NOT EXPLAINED: ";
+    for doubt in &of.doubts {
+        write!(f, "{lead}")?;
+        write_doubt(f, doubt, &reads)?;
+        lead = ", ";
+    }
+    Ok(())
+}
+
+/// What the reaction never passes, rounded outwards.
+fn bound(reaction: &Reaction, lambda: f64) -> String {
+    let bound = reaction.at(lambda);
+    match reaction.sense {
+        Sense::Away => format!("at least {}", below(bound, 5)),
+        Sense::Against => format!("at most {}", above(bound, 5)),
+    }
+}
+
+/// The best answer.
+fn write_best(
+    f: &mut fmt::Formatter<'_>,
+    of: &Conclusion,
+    reaction: &Reaction,
+    reads: &dyn Fn(f64) -> String,
+) -> fmt::Result {
+    let (by, status, support) = (of.methods.join(", "), of.status.name(), &reaction.support);
+    let (first, way) = match reaction.sense {
+        Sense::Away => ("largest", "falls"),
+        Sense::Against => ("smallest", "rises"),
+    };
     let found = of.bracket.map(|bracket| {
-        let ends = [bracket.lower, bracket.upper].map(reads);
         let share = short(100.0 * reaction.at(bracket.lower) / reaction.weight, 2);
-        match ends[0] == ends[1] {
-            true => format!("{} ({share} % of the weight)", ends[0]),
-            false if falls => format!("{} - {}", ends[1], ends[0]),
-            false => format!("{} - {}", ends[0], ends[1]),
+        let (one, other) = (reads(bracket.lower), reads(bracket.upper));
+        match (one == other, reaction.sense) {
+            (true, _) => format!("{one} ({share} % of the weight)"),
+            (false, Sense::Away) => format!("{other} - {one}"),
+            (false, Sense::Against) => format!("{one} - {other}"),
         }
     });
     let found = found.unwrap_or_default();
-    let (first, limit) = match falls {
-        true => ("largest", "at least"),
-        false => ("smallest", "at most"),
-    };
+    let gives_way =
+        format!("the reaction of {support} {way} to {found}, where it gives way; that is");
     match of.basis {
-        Basis::Falls => write!(f, "no reaction of {support} holds it: it falls ({by})"),
+        Basis::Falls => write!(f, "no reaction of {support} holds it ({by})"),
         Basis::LowestState => {
             write!(
                 f,
-                "{support} gives way at a reaction of {found}, which is {status}: it is the {first} of any \
-                 collapse state found ({by})"
+                "{gives_way} {status}, and the {first} reaction of any collapse state found ({by})"
             )?;
             match of.highest_state {
-                Some(other) => write!(f, ", and others were found up to {}", reads(other)),
+                Some(other) => write!(f, "; others were found up to {}", reads(other)),
                 None => Ok(()),
             }
         }
@@ -49,64 +106,34 @@ pub(super) fn write(
             f,
             "it stands: no change of the reaction of {support} is too large for it ({by})"
         ),
-        Basis::UpperBound => write!(
-            f,
-            "the reaction of {support} is {limit} {}, which is {status} ({by}); no collapse state is \
-             verified",
-            of.bracket
-                .map_or_else(String::new, |bracket| reads(bracket.upper))
-        ),
+        Basis::UpperBound => {
+            let bound = of.bracket.map(|bracket| bound(reaction, bracket.upper));
+            let bound = bound.unwrap_or_default();
+            write!(
+                f,
+                "the reaction of {support} is {bound}, which is {status} ({by}); no collapse state is \
+                 verified"
+            )
+        }
         Basis::Observed => write!(
             f,
-            "{support} gives way at a reaction of {found}, which is {status}, as the simulation shows \
-             ({by}); nothing is proved"
+            "{gives_way} {status}, as the simulation shows ({by}); nothing is proved"
         ),
-        Basis::Estimate => write!(
-            f,
-            "{support} gives way at a reaction of {found}, an {status} ({by}); nothing is proved"
-        ),
+        Basis::Estimate => write!(f, "{gives_way} an {status} ({by}); nothing is proved"),
         Basis::NoneFound => write!(
             f,
             "no collapse state was found ({by}), which does not prove that none exists"
         ),
         Basis::Nothing if of.methods.is_empty() => write!(f, "there is no answer"),
         Basis::Nothing => write!(f, "there is no answer ({by})"),
-    }?;
-    if let Some(floor) = &of.floor {
-        write!(f, "; it is proved that ")?;
-        write_motion_cap(f, reaction, floor.lower, floor.cap)?;
-        write!(f, " ({})", floor.by)?;
     }
-    if let Some(difference) = &of.difference {
-        let method = &difference.method;
-        match (difference.associative, difference.explanation) {
-            (None, explanation) => write!(f, "; {method} stands, which is {explanation}")?,
-            (Some(lambda), _) if of.bracket.is_some_and(|b| reads(b.lower) == reads(lambda)) => {
-                write!(f, "; {method} gives the same")?;
-            }
-            (Some(lambda), explanation) => {
-                write!(f, "; {method} proves that it is {limit} {}", reads(lambda))?;
-                write!(f, ", which is {explanation}")?;
-            }
-        }
-    }
-    if of.basis == Basis::LowestState && of.difference.is_none() && of.floor.is_none() {
-        write!(f, "; nothing bounds it")?;
-    }
-    let mut lead = "; NOT EXPLAINED: ";
-    for doubt in &of.doubts {
-        write!(f, "{lead}")?;
-        write_doubt(f, doubt, reads)?;
-        lead = ", ";
-    }
-    Ok(())
 }
 
 /// What is not explained, with the reaction for each multiplier.
 fn write_doubt(
     f: &mut fmt::Formatter<'_>,
     doubt: &Doubt,
-    reads: impl Fn(f64) -> String,
+    reads: &dyn Fn(f64) -> String,
 ) -> fmt::Result {
     match doubt {
         Doubt::Lower(LowerState { by, lambda, .. }) => {

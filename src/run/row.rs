@@ -6,7 +6,7 @@ use std::borrow::Cow;
 use serde::{Deserialize, Serialize};
 
 use super::sides::{self, Ends, OtherSide};
-use crate::answer::{Bracket, Fact, Outcome, ReactionFact, Status, sentence};
+use crate::answer::{Bracket, Fact, Outcome, Status, sentence};
 use crate::case::{Case, Quantity, Reference};
 use crate::judge::{Check, Computed, Recomputed, Verdict, computed, largest};
 use crate::mechanics::Crack;
@@ -181,11 +181,7 @@ impl Row {
     pub fn facts(&self) -> Cow<'_, [Fact]> {
         if let Some(reaction) = &self.reaction {
             let facts = self.outcome.facts.iter().map(|fact| fact.read(reaction));
-            let begins = self
-                .outcome
-                .bracket()
-                .map(|_| ReactionFact::Begins(reaction.clone()));
-            return begins.into_iter().map(Fact::from).chain(facts).collect();
+            return facts.collect();
         }
         let (own, Some(other)) = self.two_sides() else {
             return Cow::Borrowed(&self.outcome.facts);

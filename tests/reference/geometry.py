@@ -205,8 +205,8 @@ def laid_again(file, scene):
     return lines
 
 
-def weighed(corners, weight, live=True):
-    point = area_and_centroid(np.array(corners, float))[1]
+def weighed(corners, weight, live=True, centre=None):
+    point = area_and_centroid(np.array(corners, float))[1] if centre is None else centre
     return corners, [(point, (0.0, -weight), (weight if live else 0.0, 0.0))]
 
 
@@ -242,7 +242,7 @@ def bodies(file):
         if weight is None:
             weight = shared["specific_weight"] * area * shared.get("thickness", 1.0)
         places[body["name"]] = len(blocks)
-        blocks.append(weighed([tuple(c) for c in body["corners"]], weight, live))
+        blocks.append(weighed([tuple(c) for c in body["corners"]], weight, live, body.get("centre")))
     add_forces(file, blocks, places)
     return blocks
 

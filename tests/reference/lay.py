@@ -62,7 +62,8 @@ def joints(blocks, supports, file, head_joints):
                 kind = "base" if first < many else "bed" if flat else "head"
                 if length <= touch * size or (kind == "head" and head_joints == "open"):
                     continue
-                found.append({"from_block": int(first) - many if first >= many else None, "to": second - many,
+                found.append({"from_block": int(first) - many if first >= many else None,
+                              "from_support": int(first) if first < many else None, "to": second - many,
                               "ends": ends, "normal": normal, "tangent": (normal[1], -normal[0]), "class": kind,
                               "friction": friction.get(kind, friction["bed"])})
     return found

@@ -8,7 +8,7 @@ from a box at random, some of which fall; stacks; arches. Weights and sizes spre
 loads small and large, friction from none to Heyman's. Kinds that are made on request alone: `both`,
 any of these pushed both ways; `sideways`, with dead loads sideways; `below`, blocks on slopes, props
 and leaning piles, whose friction at rest is not determined; `one-stone`, a live load on one stone;
-`proof`, walls and piles of 12 to 20 blocks. Shares nothing with the program.
+`proof`, walls and piles of 12 to 20 blocks; `moves`, a support that moves. Shares nothing with the program.
 """
 import json
 import sys
@@ -310,8 +310,45 @@ def proof(rng, _kind):
     raise RuntimeError("no scene of that size")
 
 
+def moves(rng, _kind):
+    """Walls on ground that sinks or rises under some units, irregular ones on piers, arches: one support moves or two."""
+    kind = str(rng.choice(["running", "openings", "overburden", "piers", "piers", "arch"]))
+    sense = rng.choice(["away", "against"])
+    tilt = rng.choice([0.0, 0.0, rng.uniform(-0.6, 0.6)])
+    direction = [float(np.sin(tilt)), -float(np.cos(tilt))]
+    if kind == "arch":
+        lines, where = arch(rng, kind), [f'support = "{rng.choice(["left", "right"])}"']
+        tilt = rng.uniform(-0.8, 0.8)
+        direction = [float(np.cos(tilt)) * (1 if "right" in where[0] else -1), float(np.sin(tilt))]
+    elif kind == "piers":
+        lines = irregular(rng, kind)
+        ground = next(k for k, line in enumerate(lines) if line == "[[support]]")
+        ends = [0.0, *sorted(rounded(x, 2) for x in rng.choice(np.arange(1.5, 7.0, 0.7), 2, replace=False)), 8.0]
+        piers = [box(a, b - rng.choice([0.0, 0.0, 0.6]), -1.0, 0.0) for a, b in zip(ends, ends[1:])]
+        written = []
+        for index, shape in enumerate(piers):
+            corners = ", ".join(f"[{float(x)!r}, {float(y)!r}]" for x, y in shape)
+            written += ["[[support]]", f'name = "s{index}"', f"corners = [{corners}]"]
+        lines = lines[:ground] + written + lines[ground + 3:]
+        chosen = rng.choice(3, rng.choice([1, 1, 2]), replace=False)
+        where = [f'support = "s{index}"' for index in chosen]
+    else:
+        lines = coursed(rng, kind)
+        count = next(line for line in lines if line.startswith("courses")).split('"')[1]
+        first = int(rng.integers(1, len(count) + 1))
+        last = int(rng.integers(first, len(count) + 1))
+        where = [f'units = "{first}-{last}"']
+    lines = [line.replace("both", "right") if line.startswith("push") else line for line in lines]
+    about = [f"about = [{rounded(rng.uniform(-9, -3))}, {rounded(rng.uniform(-0.4, -0.1))}]"]
+    about = about if kind != "arch" and rng.random() < 0.25 else []
+    direction = [0.0, -1.0] if about else direction
+    for place in where:
+        lines += ["[[move]]", place, f"direction = {direction}", f'moves = "{sense}"', *about]
+    return lines
+
+
 def of_kind(rng, kind):
-    makers = {"irregular": irregular, "pile": pile, "stack": stack, "arch": arch, "both": both,
+    makers = {"moves": moves, "irregular": irregular, "pile": pile, "stack": stack, "arch": arch, "both": both,
               "sideways": sideways, "one-stone": one_stone, "below": below, "proof": proof}
     return makers.get(kind, coursed)(rng, kind)
 

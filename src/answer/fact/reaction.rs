@@ -7,14 +7,12 @@ use serde::{Deserialize, Serialize};
 
 use super::{AutoFact, BoundFact, Fact, LimitFact, PushoverFact};
 use crate::certificate::Proved;
-use crate::number::{number, short};
-use crate::scene::{Reaction, Sense};
+use crate::number::number;
+use crate::scene::Reaction;
 
 /// What is to be said of a support that moves.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub enum ReactionFact {
-    /// What λ is, and where it begins.
-    Begins(Reaction),
     /// No reaction holds the scene.
     NoneHolds(Reaction),
     /// The collapse state found is at the reaction that it begins with.
@@ -23,6 +21,8 @@ pub enum ReactionFact {
     WithoutLimit,
     /// What a certificate proves.
     Proved(Reaction, Proved),
+    /// A bound is computed alone, as no certificate knows the guides of a support.
+    Uncertified,
     /// Nothing falls while the support is at rest.
     SupportMoves,
 }
@@ -30,20 +30,6 @@ pub enum ReactionFact {
 impl fmt::Display for ReactionFact {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            ReactionFact::Begins(reaction) => {
-                let Reaction { support, start, .. } = reaction;
-                let (way, end) = match reaction.sense {
-                    Sense::Away => ("falls", "the largest"),
-                    Sense::Against => ("rises", "the smallest"),
-                };
-                let share = short(100.0 * start / reaction.weight, 2);
-                let start = number(*start, 5);
-                write!(
-                    f,
-                    "λ is the reaction of {support}, which {way} from {start} ({share} % of the weight), {end} \
-                     that friction admits"
-                )
-            }
             ReactionFact::NoneHolds(reaction) => {
                 write!(f, "no reaction of {} holds it", reaction.support)
             }
@@ -66,6 +52,10 @@ impl fmt::Display for ReactionFact {
                 write!(f, "it is proved that ")?;
                 write_motion_cap(f, reaction, proved.lower, proved.cap)
             }
+            ReactionFact::Uncertified => write!(
+                f,
+                "the bound is computed and not certified: certificates do not know what guides a support"
+            ),
             ReactionFact::SupportMoves => {
                 write!(f, "nothing falls while the support stays where it is")
             }
@@ -113,6 +103,7 @@ impl Fact {
             Fact::Bound(BoundFact::Proved(proved)) => {
                 ReactionFact::Proved(reaction.clone(), *proved).into()
             }
+            Fact::Bound(BoundFact::Uncertified) => ReactionFact::Uncertified.into(),
             Fact::Bound(BoundFact::PushMoves) => ReactionFact::SupportMoves.into(),
             Fact::Auto(AutoFact::CollapsesWithoutBound { lambda }) => {
                 AutoFact::CollapsesWithoutBound {
