@@ -20,9 +20,9 @@ pub use evidence::{Evidence, Observed};
 pub use fact::Fact;
 pub(crate) use fact::{
     AT_REST, AutoFact, BoundFact, Budget, CeilingSlack, Coverage, InapplicableForm, Invalid,
-    JudgedFact, LimitFact, ProgramEnding, ProgramFailure, PushoverFact, Residuals, SearchEnding,
-    SearchFacts, SearchFailure, SearchStart, SequentialEnding, SequentialFacts, SideFact,
-    SolverEnding, StartEnding, Uniqueness, sentence, write_floor, write_motion_cap,
+    JudgedFact, LimitFact, ProgramEnding, ProgramFailure, PushoverFact, ReactionFact, Residuals,
+    SearchEnding, SearchFacts, SearchFailure, SearchStart, SequentialEnding, SequentialFacts,
+    SideFact, SolverEnding, StartEnding, Uniqueness, sentence, write_floor, write_motion_cap,
 };
 pub use outcome::Outcome;
 pub use recording::Recording;

@@ -126,7 +126,7 @@ fn object(result: &CaseResult, row: &Row) -> JsonObject {
         let begins = json!({
             "support": reaction.support,
             "moves": reaction.sense.name(),
-            "start": digits(reaction.start),
+            "start": reaction.start,
             "weight": digits(reaction.weight),
         });
         object.insert("reaction".to_owned(), begins);

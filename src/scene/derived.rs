@@ -92,8 +92,10 @@ impl Scene {
         }
         for joint in &mut scene.joints {
             joint.ends = joint.ends.map(|end| to(Side::Block(joint.to), end));
-            let along = (joint.ends[1] - joint.ends[0]).normalize();
-            joint.normal = Vector::new(along.y, -along.x);
+            // A pin has no length, and keeps its normal.
+            if let Some(along) = (joint.ends[1] - joint.ends[0]).try_normalize(0.0) {
+                joint.normal = Vector::new(along.y, -along.x);
+            }
         }
         Ok(scene)
     }

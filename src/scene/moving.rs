@@ -65,6 +65,8 @@ pub struct Reaction {
     pub support: String,
     /// The reaction that it begins with, in the case's unit of force, positive towards the wall.
     pub start: f64,
+    /// How far λ can be with associative friction, roughly: a program says so, and nothing proves it.
+    pub range: f64,
     /// Whether it falls or rises from there.
     pub sense: Sense,
     /// Weight of the scene without its live load, in the same unit.
@@ -101,6 +103,7 @@ impl Scene {
         let reaction = Reaction {
             support: motion.supports[0].name.clone(),
             start: 0.0,
+            range: 0.0,
             sense: motion.sense,
             weight: self.total_weight(),
         };
@@ -156,12 +159,12 @@ impl Scene {
         scene
     }
 
-    /// The same scene where λ = 0 stands for this reaction.
-    pub(crate) fn with_start(mut self, start: f64) -> Self {
+    /// The same scene where λ = 0 stands for this reaction, and λ can be this large, roughly.
+    pub(crate) fn with_start(mut self, start: f64, range: f64) -> Self {
         let Some(reaction) = &mut self.reaction else {
             return self;
         };
-        reaction.start = start;
+        (reaction.start, reaction.range) = (start, range);
         let from_wall = reaction.sign() * start;
         self.with_loads(|load, _| {
             // Nothing else is live.
@@ -219,7 +222,7 @@ impl SupportMotion {
     }
 
     /// Velocity of the first support's motion at a point.
-    fn first_at(&self, at: Point) -> Vector {
+    pub(crate) fn first_at(&self, at: Point) -> Vector {
         let first = &self.supports[0];
         let Some(about) = self.about else {
             return first.away;

@@ -47,6 +47,43 @@ def violations(scene, touch=None):
     yield from joint_violations(scene, blocks, supports, touch or TOUCH)
 
 
+def at_rest(scene):
+    """A scene with its moving supports put back among those that do not move, and lines about what guides them.
+
+    A support that moves is a block behind all others, on joints of the class "guide": two rails along one line, or a
+    pin of four joints; its other joints are those of the support that it is. Without such blocks nothing changes.
+    """
+    guides = [joint for joint in scene["joints"] if joint["class"] == "guide"]
+    if not guides:
+        return scene, []
+    place, lines = {}, []
+    for joint in guides:
+        if joint["from_support"] is not None:
+            place[joint["to"]] = joint["from_support"]
+        if joint["friction"] != 0:
+            lines.append(f"the guide of block {joint['to']} has friction")
+    for block in place:
+        rates = []
+        for joint in guides:
+            if joint["to"] == block and joint["from_support"] is not None:
+                for end in joint["ends"]:
+                    arm = np.subtract(end, scene["blocks"][block]["centroid"])
+                    normal = joint["normal"]
+                    rates.append([*normal, arm[0] * normal[1] - arm[1] * normal[0]])
+        # Each way that is closed is closed both ways, so that one motion is left.
+        total = np.abs(np.sum(rates, axis=0)).max()
+        if np.linalg.matrix_rank(rates, 1e-9 * np.abs(rates).max()) != 2 or total > 1e-9 * np.abs(rates).max():
+            lines.append(f"block {block} is not left one motion by its guides")
+    many = min(place)
+    joints = []
+    for joint in scene["joints"]:
+        if joint["class"] != "guide":
+            source = joint["from_block"]
+            moved = {"from_block": None, "from_support": place[source]} if source in place else {}
+            joints.append({**joint, **moved})
+    return {**scene, "blocks": scene["blocks"][:many], "joints": joints}, lines
+
+
 def is_convex(corners):
     """Whether an outline that runs counter-clockwise bends to the left everywhere."""
     edge = np.roll(corners, -1, axis=0) - corners
@@ -170,6 +207,7 @@ def read_case(path):
 
 def laid_again(file, scene):
     """Lines about what differs between a scene and its file; None where this program cannot lay the file."""
+    moves = file.get("move", [])
     friction = file["friction"]
     friction = friction if isinstance(friction, dict) else {"bed": friction}
     lines = []
@@ -194,9 +232,12 @@ def laid_again(file, scene):
         if any(np.hypot(*(own - corner).T).min() > 1e-9 * extent(own) for corner in corners):
             lines.append(f"block {index} has the corners {block['corners']}, in the file {corners}")
         for part in ("dead", "live"):
+            if moves and part == "live":
+                continue
             wanted = np.zeros(3)
             for point, dead, live in loads:
-                force = np.array(dead) if part == "dead" else np.array([sign * live[0], live[1]])
+                pushed = np.array([sign * live[0], live[1]])
+                force = pushed if part == "live" else np.array(dead) + pushed * (moves[0].get("pushed", 0) if moves else 0)
                 arm = np.subtract(point, block["centroid"])
                 wanted += [*force, arm[0] * force[1] - arm[1] * force[0]]
             unit = np.abs(wanted).max() + 1e-300

@@ -15,6 +15,10 @@ use crate::scene::Reaction;
 pub enum ReactionFact {
     /// No reaction holds the scene.
     NoneHolds(Reaction),
+    /// Between its ends it does not come to rest with this reaction, by the pushover.
+    NotAtRest(f64),
+    /// The support turns, or another moves with it, which the pushover has no guides for.
+    Turns,
     /// The collapse state found is at the reaction that it begins with.
     AtOnce,
     /// Forces carry any change of the reaction.
@@ -33,6 +37,15 @@ impl fmt::Display for ReactionFact {
             ReactionFact::NoneHolds(reaction) => {
                 write!(f, "no reaction of {} holds it", reaction.support)
             }
+            ReactionFact::NotAtRest(reaction) => write!(
+                f,
+                "with a reaction of {}, midway between what friction admits, it does not come to rest",
+                number(*reaction, 5)
+            ),
+            ReactionFact::Turns => write!(
+                f,
+                "the pushover moves one support along a line, and none that turns or takes another along"
+            ),
             ReactionFact::AtOnce => {
                 write!(
                     f,
@@ -128,7 +141,7 @@ impl Fact {
 
 impl PushoverFact {
     /// The same with another number for each λ.
-    fn with_lambda(self, at: impl Fn(f64) -> f64) -> Self {
+    pub(crate) fn with_lambda(self, at: impl Fn(f64) -> f64) -> Self {
         match self {
             PushoverFact::OutOfSteps { lambda } => PushoverFact::OutOfSteps { lambda: at(lambda) },
             PushoverFact::StillStands { lambda } => {

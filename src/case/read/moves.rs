@@ -36,7 +36,19 @@ pub(super) fn motion(
         },
     };
     for table in &file.moves {
-        let support = support(table, geometry, &assembly, motion.about, first)?;
+        let mut support = support(table, geometry, &assembly, motion.about, first)?;
+        if motion.about.is_some() && !motion.supports.is_empty() {
+            // It turns with the first.
+            let direction = support.away;
+            support.away = motion.first_at(support.shape.centroid());
+            if support.away.dot(&direction) < 0.0 {
+                let complaint = (table.get_ref().direction).wrong(
+                    "a direction that turns the other way",
+                    "against the first `[[move]]`",
+                );
+                return Err(complaint.help("write how its middle moves as it turns with the first"));
+            }
+        }
         let is_known = |known: &MovingSupport| {
             known.support == support.support && (known.blocks == support.blocks)
         };

@@ -25,18 +25,17 @@ pub(crate) fn moving(scene: Scene, motion: &SupportMotion) -> Scene {
             Ending::Infeasible(_) | Ending::GaveUp(_) => None,
         }
     };
-    let start = end(Sense::Against)
+    let ends = end(Sense::Against)
         .zip(end(Sense::Away))
         .map(|(most, least)| {
             let far = UNLIMITED * scene.total_weight();
-            let (most, least) = (
-                most.min(far.max(far - least)),
-                (-least).max((-far).min(most - far)),
-            );
+            let least = (-least).max((-far).min(most - far));
+            let most = most.min(far.max(far + least));
             match motion.sense {
-                Sense::Away => most,
-                Sense::Against => least,
+                Sense::Away => (most, most - least),
+                Sense::Against => (least, most - least),
             }
         });
-    scene.with_motion(motion).with_start(start.unwrap_or(0.0))
+    let (start, range) = ends.unwrap_or_default();
+    scene.with_motion(motion).with_start(start, range)
 }

@@ -19,6 +19,7 @@ mod levels;
 mod mass;
 mod measure;
 mod model;
+mod moving;
 mod observing;
 pub(crate) mod parameters;
 mod parts;
@@ -40,6 +41,7 @@ use crate::method::{Collapse, Method, PushoverSettings, Settings};
 use crate::scene::Scene;
 use levels::by_levels;
 use model::Model;
+use moving::from_midway;
 use observing::observing;
 use parameters::{Asked, FIRST_SLIP};
 use parts::weakest;
@@ -57,7 +59,14 @@ impl Method for Pushover {
     }
 
     fn solve(&self, scene: &Scene, settings: &Settings) -> Outcome {
-        let settings = &settings.pushover;
+        let pushed = |scene: &Scene| self.pushed(scene, &settings.pushover);
+        from_midway(scene, pushed).unwrap_or_else(|| pushed(scene))
+    }
+}
+
+impl Pushover {
+    /// The answer of a scene that begins at rest.
+    fn pushed(&self, scene: &Scene, settings: &PushoverSettings) -> Outcome {
         let outcome = weakest(scene, |part| answer(scene, part, Asked::new(settings)));
         let ranges = Portion::default().has_range(scene);
         let outcome = if settings.verify && !ranges {

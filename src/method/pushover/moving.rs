@@ -1,0 +1,43 @@
+//! The pushover of a support that moves: from a reaction midway between the ends that friction admits,
+//! for at either end the scene is about to move before anything changes.
+
+use crate::answer::{Fact, Outcome, ReactionFact, Status, magnitude};
+use crate::scene::{JointClass, Scene};
+
+use super::observing::observing;
+
+/// The answer of a scene with a support that moves, by the pushover of one that begins midway; `None`
+/// where none moves.
+pub(super) fn from_midway(scene: &Scene, pushover: impl Fn(&Scene) -> Outcome) -> Option<Outcome> {
+    let reaction = scene.reaction()?;
+    let mut guides = scene.joints().iter();
+    if guides.any(|joint| joint.class == JointClass::Guide && joint.length() == 0.0) {
+        let turns = ReactionFact::Turns;
+        return Some(Outcome::without_number(Status::NotApplicable, turns));
+    }
+    let before = 0.5 * reaction.range;
+    let outcome = pushover(&scene.clone().with_start(reaction.at(before), before));
+    if outcome.status == Status::Falls {
+        // It stands with another reaction, and may with this one.
+        let midway = ReactionFact::NotAtRest(reaction.at(before));
+        return Some(Outcome::without_number(Status::Undecided, midway));
+    }
+    let unit = scene.multiplier_unit();
+    let facts = outcome.facts.iter().map(|fact| match fact {
+        Fact::Pushover(fact) => fact.clone().with_lambda(|lambda| before + lambda).into(),
+        other => other.clone(),
+    });
+    let facts = facts.collect();
+    let outcome = Outcome { facts, ..outcome };
+    Some(observing(outcome, |observed| {
+        let Some(bracket) = &mut observed.bracket else {
+            return;
+        };
+        let own = magnitude(bracket.upper, unit);
+        bracket.lower += before;
+        bracket.upper += before;
+        // The error stays what it is, beside a larger λ.
+        let share = own / magnitude(bracket.upper, unit);
+        observed.stated_error = observed.stated_error.map(|error| error * share);
+    }))
+}
