@@ -335,7 +335,8 @@ def moves(rng, _kind):
     else:
         lines = coursed(rng, kind)
         count = next(line for line in lines if line.startswith("courses")).split('"')[1]
-        first = int(rng.integers(1, len(count) + 1))
+        # From a unit on, as a gap stands on nothing.
+        first = int(rng.choice([k + 1 for k, piece in enumerate(count) if piece != "g"]))
         last = int(rng.integers(first, len(count) + 1))
         where = [f'units = "{first}-{last}"']
     lines = [line.replace("both", "right") if line.startswith("push") else line for line in lines]

@@ -6,7 +6,11 @@ use super::program::Program;
 use crate::scene::{Scene, Sense, SupportMotion};
 
 /// Reactions that have no limit are taken to be this many times the weight.
-const UNLIMITED: f64 = 10.0;
+const UNLIMITED: f64 = 2.0;
+
+/// Part of the admissible reactions by which the first lies inside of the end: at the end itself nothing
+/// proves that the scene stands (16 of 200 random scenes). It is less than what verified ends are apart.
+const INSIDE: f64 = 3e-7;
 
 /// The scene with supports that move. λ = 0 stands for the largest admissible reaction where they move
 /// away from the wall, for the least where they move against it; where no reaction holds the scene, for
@@ -31,9 +35,10 @@ pub(crate) fn moving(scene: Scene, motion: &SupportMotion) -> Scene {
             let far = UNLIMITED * scene.total_weight();
             let least = (-least).max((-far).min(most - far));
             let most = most.min(far.max(far + least));
+            let inside = INSIDE * (most - least);
             match motion.sense {
-                Sense::Away => (most, most - least),
-                Sense::Against => (least, most - least),
+                Sense::Away => (most - inside, most - least),
+                Sense::Against => (least + inside, most - least),
             }
         });
     let (start, range) = ends.unwrap_or_default();
