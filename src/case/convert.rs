@@ -4,6 +4,7 @@ use std::fmt::Write;
 
 use super::geometry::Geometry;
 use super::model::Case;
+use super::moved::{tables, with_parts};
 use super::reference::{Quantity, Reference};
 use crate::method::{Kind, kind};
 use crate::scene::{Assembly, Force, Friction, Point, Polygon, TOUCHING, Vector};
@@ -26,7 +27,10 @@ impl Case {
     /// # Panics
     /// As [`Geometry::scene`].
     pub fn as_blocks(&self, csv: &str) -> BlocksFiles {
-        let assembly = self.geometry.assembly();
+        let mut assembly = self.geometry.assembly();
+        if let Some(motion) = &self.motion {
+            with_parts(&mut assembly, motion);
+        }
         BlocksFiles {
             toml: self.blocks_toml(&assembly, csv),
             csv: corners(&assembly),
@@ -92,6 +96,7 @@ impl Case {
         for force in &assembly.forces.extra {
             text.push_str(&load(force, &assembly.blocks[force.block].name));
         }
+        text.extend(self.motion.as_ref().map(tables));
         for reference in self.references.iter().filter(|r| holds_for_blocks(r)) {
             text.push_str(&written(reference));
         }
@@ -150,7 +155,7 @@ fn load(force: &Force, block: &str) -> String {
     )
 }
 
-fn pair(vector: Vector) -> String {
+pub(super) fn pair(vector: Vector) -> String {
     format!("[{:?}, {:?}]", vector.x, vector.y)
 }
 
@@ -193,6 +198,21 @@ mod tests {
     use super::*;
     use crate::case::find::library;
     use crate::scene::HeadJoints;
+
+    /// A support that moves is the same one, and the ground under some units a support of its own.
+    #[test]
+    fn a_support_that_moves_comes_back() {
+        let wall = "unit = { length = 1, height = 1, weight = 1 }\ncourses = [\"1111\"]\nfriction = 0.5\n\
+                    [[move]]\nunits = \"2-3\"\ndirection = [0, -2]\nmoves = \"away\"\npushed = 0.1\n";
+        let case = Case::read("a.toml", wall.as_bytes()).unwrap();
+        let files = case.as_blocks("blocks.csv");
+        let beside = |_: &str| Ok(files.csv.clone().into_bytes());
+        let blocks = Case::read_with("a.toml", files.toml.as_bytes(), &beside).unwrap();
+        let [expected, found] = [case, blocks].map(|case| case.scene(HeadJoints::Contact));
+        assert_eq!(found.blocks(), expected.blocks());
+        assert_eq!(found.reaction(), expected.reaction());
+        assert_eq!(found.joints().len(), expected.joints().len());
+    }
 
     /// Every built-in case comes back with the same blocks, joints and forces, to the last bit.
     #[test]

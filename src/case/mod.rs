@@ -10,6 +10,7 @@ mod drawing;
 mod find;
 mod geometry;
 mod model;
+mod moved;
 mod name;
 mod outside_name;
 mod printable;

@@ -7,7 +7,8 @@ use std::path::Path;
 use crate::case::{self, Case, Geometry, Template};
 use crate::files::write_whole;
 use crate::method::{METHODS, PushoverSettings, pushover};
-use crate::scene::{Forces, Friction, HeadJoints, Joint, JointClass, Push, Scene, Side};
+use crate::number::short;
+use crate::scene::{Forces, Friction, HeadJoints, Joint, JointClass, Push, Scene, Sense, Side};
 use crate::study::sweep::{self, Sweep};
 use crate::text::{GridColumn, grid, words};
 
@@ -94,6 +95,24 @@ fn description(case: &Case) -> String {
     }
     if let Geometry::Blocks(_) = case.geometry {
         text.push_str(&steep_joints(&case.scene(HeadJoints::Contact)));
+    }
+    if let Some(motion) = &case.motion {
+        for support in &motion.supports {
+            let [x, y] = [support.away.x, support.away.y].map(|part| short(part, 4));
+            let _ = writeln!(
+                text,
+                "{} moves {} the wall, which is {} [{x}, {y}]",
+                support.name,
+                match motion.sense {
+                    Sense::Away => "away from",
+                    Sense::Against => "against",
+                },
+                match motion.sense {
+                    Sense::Away => "along",
+                    Sense::Against => "against",
+                },
+            );
+        }
     }
     for r in &case.references {
         let joints = r.head_joints.map_or("both", |h| h.name());

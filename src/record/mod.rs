@@ -52,7 +52,7 @@ pub fn fingerprint(head_joints: HeadJoints, scene: &Scene) -> String {
         parts.join(", "),
         short(high.x - low.x, 3),
         short(high.y - low.y, 3),
-        short(scene.total_weight(), 3),
+        short(scene.weight(), 3),
     )
 }
 

@@ -41,6 +41,7 @@ pub struct Row {
     /// which tells what a small λ is.
     pub multiplier_unit: f64,
     /// Where a support moves, what λ says of its reaction.
+    #[serde(default)]
     pub reaction: Option<Reaction>,
     /// The answer for that direction, its status set by the judge.
     pub outcome: Outcome,

@@ -84,6 +84,9 @@ impl Scene {
     /// # Errors
     /// [`Irregularity`], the first that was met.
     pub fn regular(&self) -> Result<&RegularWall, Irregularity> {
+        if self.reaction.is_some() {
+            return Err(Irregularity::SupportMoves);
+        }
         let wall = self.wall.as_ref().ok_or(Irregularity::NotCoursed)?;
         wall.regular.as_ref().map_err(Clone::clone)
     }
@@ -92,6 +95,12 @@ impl Scene {
     pub fn total_weight(&self) -> f64 {
         let loads = self.blocks.iter().flat_map(|block| &block.loads);
         loads.map(|load| load.dead.norm()).sum()
+    }
+
+    /// The same without what holds a support that moves.
+    pub(crate) fn weight(&self) -> f64 {
+        let reaction = self.reaction.as_ref();
+        reaction.map_or_else(|| self.total_weight(), |reaction| reaction.weight)
     }
 
     /// Sum of the magnitudes of all live forces for λ = 1.

@@ -61,6 +61,9 @@ pub enum Irregularity {
     /// Courses of different widths.
     #[error("course {0} is not as wide as the first")]
     Width(usize),
+    /// A support moves.
+    #[error("a support moves, and the closed form knows pushes alone")]
+    SupportMoves,
     /// Not made of courses.
     #[error("the scene is not a coursed wall")]
     NotCoursed,

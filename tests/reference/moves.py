@@ -91,7 +91,8 @@ def moving(file, head_joints, push="right"):
 
 
 def extreme(laid, rates, sign):
-    """The largest reaction (sign 1) or the least (-1) of associative friction; infinite where there is no limit."""
+    """The largest reaction (sign 1) or the least (-1) of associative friction; infinite without a limit, NaN where
+    nothing holds the blocks, None where the solver gave up."""
     blocks, joints = laid["blocks"], laid["joints"]
     size = max(np.ptp([corner for block in blocks for corner in block["corners"]], axis=0))
     weight = sum(np.hypot(*block["dead"][:2]) for block in blocks)
@@ -118,7 +119,8 @@ def extreme(laid, rates, sign):
     found = linprog(cost, A_ub=system, b_ub=right, bounds=(None, None), method="highs",
                     options={"primal_feasibility_tolerance": 1e-10, "dual_feasibility_tolerance": 1e-10})
     # Without a motion of the blocks the support cannot move; without a limit of the cost nothing holds them.
-    return {0: lambda: sign * found.fun * weight, 2: lambda: sign * np.inf}.get(found.status, lambda: np.nan)()
+    ends = {0: lambda: sign * found.fun * weight, 2: lambda: sign * np.inf, 3: lambda: np.nan}
+    return ends.get(found.status, lambda: None)()
 
 
 def compared(row, file):
@@ -130,6 +132,8 @@ def compared(row, file):
     end, other = (extreme(laid, rates, way) for way in (sign, -sign))
     weight = sum(np.hypot(*block["dead"][:2]) for block in laid["blocks"])
     lower, upper = row["lower"], row["upper"]
+    if end is None or other is None:
+        return None, "not solved here"
     if np.isnan(end) or np.isnan(other):
         return None if lower is None else f"[{lower}, {upper}], and nothing holds it", "falls"
     if lower is None:

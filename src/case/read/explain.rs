@@ -111,7 +111,7 @@ fn type_help(written: &str, expected: &str) -> String {
         }
         "an `[arch]` table" => "write `[arch]` in a line of its own, its keys below".into(),
         "a `[blocks]` table" => "write `[blocks]` in a line of its own, its keys below".into(),
-        "a `[[block]]` or `[[support]]` table" | "a `[[load]]` table" => {
+        "a `[[block]]` or `[[support]]` table" | "a `[[load]]` table" | "a `[[move]]` table" => {
             "write the key in two brackets in a line of its own, `[[block]]`, its keys below".into()
         }
         "a table of pieces" | "a table of a piece" => format!("write `{}`", example("pieces")),

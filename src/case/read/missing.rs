@@ -13,7 +13,7 @@ pub(super) fn missing_key(span: Range<usize>, key: &str) -> Complaint {
 }
 
 /// What is written for a key that has to be there, or is a list.
-const EXAMPLES: [(&str, &str); 25] = [
+const EXAMPLES: [(&str, &str); 29] = [
     ("unit", "{ length = 4.0, height = 1.75, weight = 1.0 }"),
     ("courses", "[\"h1111h\", \"11111\"]"),
     ("friction", "0.65"),
@@ -35,6 +35,10 @@ const EXAMPLES: [(&str, &str); 25] = [
     ("corners", "[[0, 0], [4, 0], [4, 1.75], [0, 1.75]]"),
     ("along", "[[0.0, 1.0], [2.0, 1.0]]"),
     ("supports", "[\"ground\"]"),
+    ("support", "\"right\""),
+    ("units", "\"5-8\""),
+    ("direction", "[0.0, -1.0]"),
+    ("moves", "\"away\""),
     ("course", "1"),
     ("piece", "1"),
     ("bed", "0.65"),
