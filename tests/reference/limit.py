@@ -37,7 +37,13 @@ class Wall:
                     for row, v in enumerate((d[0], d[1], arm[0] * d[1] - arm[1] * d[0])):
                         if v:
                             rows.append(3 * body + row), cols.append(3 * k + col), vals.append(sign * v)
-        self.A = sp.csr_matrix((vals, (rows, cols)), shape=(3 * len(blocks), 3 * m))
+        if "support" in scene:
+            # One equation more: what the joints exert on a support along its motion, its reaction and the change of it.
+            for (k, kind), rate in scene["support"]["rates"].items():
+                rows.append(3 * len(blocks)), cols.append(3 * k + kind), vals.append(rate)
+            self.dead = np.r_[self.dead, -scene["support"]["start"] / total, 0.0, 0.0]
+            self.live = np.r_[self.live, -scene["support"]["sign"] / total, 0.0, 0.0]
+        self.A = sp.csr_matrix((vals, (rows, cols)), shape=(self.dead.size, 3 * m))
         self.E = sp.hstack([self.A, sp.csr_matrix(self.live[:, None])]).tocsr()
         k = np.arange(m)
         cap = sp.csr_matrix((np.r_[self.mu, self.mu], (np.r_[k, k], np.r_[3 * k, 3 * k + 1])), shape=(m, 3 * m + 1))

@@ -123,6 +123,20 @@ def extreme(laid, rates, sign):
     return ends.get(found.status, lambda: None)()
 
 
+def supported(file, head_joints, push="right"):
+    """The scene for `limit.py`, whose multiplier is the change of the reaction from the other end; and both ends."""
+    laid, rates = moving(file, head_joints, push)
+    sign = 1.0 if file["move"][0]["moves"] == "against" else -1.0
+    end, start = (extreme(laid, rates, way) for way in (sign, -sign))
+    of_joints = {}
+    for k, joint in enumerate(laid["joints"]):
+        if np.abs(rates[k]).any():
+            # What acts on the block acts on the support the other way.
+            for kind, (at, direction) in enumerate(((0, "normal"), (1, "normal"), (0, "tangent"))):
+                of_joints[k, kind] = -rates[k][at] @ joint[direction]
+    return {**laid, "support": {"rates": of_joints, "start": start, "sign": sign}}, end
+
+
 def compared(row, file):
     """What is wrong with an answer, or a word for what it is."""
     heads = row["case"].endswith("@open")

@@ -30,6 +30,7 @@ from falls import letter
 from geometry import read_case, tomllib
 from lay import scene, settings
 from limit import Wall, states
+from moves import supported
 
 EXACT = 1e-5  # most difference of any value, whatever a result may be off
 LARGE, FEW = 800, 2  # joints from which on a search has so few starts
@@ -42,17 +43,20 @@ def wanted(reference):
         return ("at_rest",)
     if method == "macro-block" and quantity in ("lower", "upper", "tan_beta"):
         return (quantity,)
-    if method == "associative" and quantity in ("lambda", "lower", "upper"):
+    if method == "associative" and quantity in ("lambda", "lower", "upper", "reaction"):
         return ("associative",)
-    if method == "pushover" and quantity == "lambda":
+    if method == "pushover" and quantity in ("lambda", "reaction"):
         return ("lowest",)
     if method == "interval":
-        return {"lower": ("lowest",), "upper": ("highest",), "lambda": ("lowest", "highest")}.get(quantity, ())
+        both = ("lowest", "highest")
+        return {"lower": ("lowest",), "upper": ("highest",), "lambda": both, "reaction": both}.get(quantity, ())
     return ()
 
 
 def numbers(file, head_joints, needs, many):
     """The numbers of a setting of a case by name; of both directions of the push the smaller ones."""
+    if "move" in file:
+        return reactions(file, head_joints, needs, many)
     sides = []
     for push in settings(file)[1]:
         laid, side = scene(file, head_joints, push), {}
@@ -68,6 +72,15 @@ def numbers(file, head_joints, needs, many):
         sides.append(side)
     # A NaN of one side is one of the case.
     return {name: float(np.min([side[name] for side in sides])) for name in sides[0]}
+
+
+def reactions(file, head_joints, needs, many):
+    """The same of a support that moves: its reactions. What the pushover is held against is the one reached first."""
+    laid, end = supported(file, head_joints, settings(file)[1][0])
+    start, sign = laid["support"]["start"], laid["support"]["sign"]
+    found = states(Wall(laid), many) if needs & {"lowest", "highest"} else None
+    first, last, met = found or (float("nan"),) * 3
+    return {"associative": end, "lowest": start + sign * first, "highest": start + sign * last, "met": met}
 
 
 def work(task):
