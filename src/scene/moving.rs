@@ -187,6 +187,17 @@ fn both_ways((ends, normal): Guide) -> [Guide; 2] {
     [(ends, normal), ([ends[1], ends[0]], -normal)]
 }
 
+impl MovingSupport {
+    /// Distance of its farthest corner from its centroid.
+    fn reach(&self) -> f64 {
+        let centre = self.shape.centroid();
+        let corners = self.shape.corners().iter();
+        corners.fold(0.0, |reach: f64, corner| {
+            reach.max((corner - centre).norm())
+        })
+    }
+}
+
 impl SupportMotion {
     /// What leaves a support its motion alone: two rails along it, or a pin that it turns about.
     fn guides(&self, support: &MovingSupport) -> Vec<Guide> {
@@ -197,10 +208,7 @@ impl SupportMotion {
         let along = support.away.normalize();
         let across = Vector::new(-along.y, along.x);
         let centre = support.shape.centroid();
-        let corners = support.shape.corners().iter();
-        let reach = corners.fold(0.0, |reach: f64, corner| {
-            reach.max((corner - centre).norm())
-        });
+        let reach = support.reach();
         let rail = |across: Vector| {
             // As in every joint, the normal is the direction of the ends turned clockwise.
             let along = Vector::new(-across.y, across.x) * reach;
@@ -218,7 +226,9 @@ impl SupportMotion {
             true => Vector::new(-difference.y, difference.x),
             false => support.away,
         };
-        ([at; 2], normal.normalize())
+        let normal = normal.normalize();
+        let along = Vector::new(-normal.y, normal.x) * support.reach();
+        ([at - along, at + along], normal)
     }
 
     /// Velocity of the first support's motion at a point.

@@ -17,6 +17,7 @@ mod interval_descends;
 mod invariance;
 mod judge_edges;
 mod lowest;
+mod moves;
 mod open_head_joints;
 mod paper_claims;
 mod properties;

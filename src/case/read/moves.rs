@@ -228,3 +228,102 @@ fn under(
         ),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::case::model::Case;
+
+    const WALL: &str = "unit = { length = 1, height = 1, weight = 1 }\ncourses = [\"11g1\", \"h11h\"]\n\
+                        friction = 0.5\n[[move]]\nunits = \"1-2\"\ndirection = [0, -1]\nmoves = \"away\"\n";
+    const BLOCKS: &str = "friction = 0.5\n[blocks]\n[[block]]\nname = \"a\"\nweight = 1\n\
+                          corners = [[0, 0], [4, 0], [4, 1], [0, 1]]\n[[support]]\nname = \"left\"\n\
+                          corners = [[0, -1], [1, -1], [1, 0], [0, 0]]\n[[support]]\nname = \"right\"\n\
+                          corners = [[3, -1], [4, -1], [4, 0], [3, 0]]\n[[move]]\nsupport = \"right\"\n\
+                          direction = [0, -1]\nmoves = \"away\"\n";
+
+    fn refused(text: &str, from: &str, to: &str, expected: &str) {
+        assert!(text.contains(from), "{from}");
+        let complaint = Case::read("a.toml", text.replace(from, to).as_bytes()).unwrap_err();
+        let shown = complaint.to_string();
+        assert!(shown.contains(expected), "{to} gives\n{shown}");
+        assert!(shown.contains("help: "), "{shown}");
+    }
+
+    #[test]
+    fn what_cannot_move_is_refused() {
+        for (from, to, expected) in [
+            (
+                "units = \"1-2\"",
+                "units = \"5\"",
+                "the lowest course has no pieces 5",
+            ),
+            ("units = \"1-2\"", "units = \"3\"", "the pieces 3 are gaps"),
+            ("units = \"1-2\"", "units = \"left\"", "names no units"),
+            (
+                "units = \"1-2\"",
+                "support = \"ground\"",
+                "missing key `units`",
+            ),
+            ("[0, -1]", "[0, 0]", "a direction without length"),
+            ("\"away\"", "\"awy\"", "did you mean `moves = \"away\"`?"),
+            (
+                "friction",
+                "push = \"both\"\nfriction",
+                "a push to both sides",
+            ),
+            ("moves =", "pushed = -1\nmoves =", "`pushed` is negative"),
+            (
+                "[[move]]",
+                "settlement = 0.01\n[[move]]",
+                "write a `[[move]]`",
+            ),
+        ] {
+            refused(WALL, from, to, expected);
+        }
+        for (from, to, expected) in [
+            (
+                "support = \"right\"",
+                "support = \"rigth\"",
+                "did you mean `right`?",
+            ),
+            (
+                "support = \"right\"",
+                "units = \"1\"",
+                "`units` of a scene without courses",
+            ),
+            (
+                "moves =",
+                "about = [3.5, 4]\nmoves =",
+                "a direction that no turning has",
+            ),
+        ] {
+            refused(BLOCKS, from, to, expected);
+        }
+    }
+
+    #[test]
+    fn several_supports_that_do_not_move_as_one_are_refused() {
+        let second = "[[move]]\nsupport = \"left\"\ndirection = [0, -1]\nmoves = \"away\"\n";
+        let both = format!("{BLOCKS}{second}");
+        assert!(Case::read("a.toml", both.as_bytes()).is_ok());
+        for (from, to, expected) in [
+            (
+                "support = \"left\"",
+                "support = \"right\"",
+                "`right` moves twice",
+            ),
+            (
+                "moves = \"away\"\n[[move]]",
+                "moves = \"against\"\n[[move]]",
+                "do not move as one",
+            ),
+            (
+                "support = \"left\"",
+                "rate = 2.0\nsupport = \"left\"",
+                "but not as one",
+            ),
+        ] {
+            refused(&both, from, to, expected);
+        }
+    }
+}

@@ -5,6 +5,7 @@ use super::ending::Ending;
 use super::equilibration::{UnitPower, needs_own_units};
 use super::program::Program;
 use super::reduction::ScenePart;
+use super::scale::Scale;
 use crate::answer::Work;
 use crate::mechanics::{BlockResidual, Mechanism, Motion, VERIFIED_RESIDUAL, falling_violation};
 use crate::scene::{Scene, Vector, connected};
@@ -30,11 +31,14 @@ pub(super) fn programs(scene: &Scene) -> impl Iterator<Item = Program> + '_ {
         &[UnitPower::CubeRoot]
     };
     let attempts = (powers.iter()).flat_map(|&power| OPENINGS.map(|opening| (power, opening)));
-    attempts.map(move |(power, opening)| {
+    let attempts = attempts.map(move |(power, opening)| {
         let mut program = Program::with_slack(scene, 0.0, power);
         program.set_opening(opening);
         program
-    })
+    });
+    // What guides a support locks, so that the solver may see no limit of the slack.
+    let guided = scene.reaction().into_iter();
+    attempts.chain(guided.map(move |_| Program::at_multiplier(scene, 0.0, Scale::of(scene))))
 }
 
 /// Whether a mechanism proves that the scene falls.
