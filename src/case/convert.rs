@@ -6,8 +6,9 @@ use super::geometry::Geometry;
 use super::model::Case;
 use super::moved::{tables, with_parts};
 use super::reference::{Quantity, Reference};
+use super::written::{pair, quoted};
 use crate::method::{Kind, kind};
-use crate::scene::{Assembly, Force, Friction, Point, Polygon, TOUCHING, Vector};
+use crate::scene::{Assembly, Force, Friction, Point, Polygon, TOUCHING};
 
 /// The two files of a case of explicit blocks.
 #[derive(Clone, Debug, PartialEq)]
@@ -155,10 +156,6 @@ fn load(force: &Force, block: &str) -> String {
     )
 }
 
-pub(super) fn pair(vector: Vector) -> String {
-    format!("[{:?}, {:?}]", vector.x, vector.y)
-}
-
 /// Whether a value is expected of the same blocks without their courses.
 fn holds_for_blocks(reference: &Reference) -> bool {
     let of_courses = [Quantity::TanBeta, Quantity::C, Quantity::E];
@@ -186,11 +183,6 @@ fn written(reference: &Reference) -> String {
         let _ = writeln!(text, "deviation = {}", quoted(deviation));
     }
     text
-}
-
-/// A text as TOML writes it.
-pub(super) fn quoted(text: &str) -> String {
-    toml::Value::String(text.to_owned()).to_string()
 }
 
 #[cfg(test)]

@@ -18,6 +18,7 @@ mod read;
 mod reference;
 mod suggestion;
 mod template;
+mod written;
 
 pub use complaint::Complaint;
 pub(crate) use complaint::Document;

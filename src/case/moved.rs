@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::convert::{pair, quoted};
+use super::written::{pair, quoted};
 use crate::scene::{Assembly, Polygon, Support, SupportMotion};
 
 /// Gives the parts of the ground that move supports of their own, and what lies between them others.

@@ -13,6 +13,7 @@ mod outside;
 mod proof;
 mod reaction;
 mod references;
+mod sentence;
 
 pub(crate) use both::of_wall;
 pub use check::{Check, Verdict};

@@ -3,9 +3,9 @@
 use super::block::Block;
 use super::joints::Joint;
 use super::labels::Labels;
-use super::moving::Reaction;
 use super::polygon::{Point, Polygon};
 use super::push::{HeadJoints, Push};
+use super::reaction::Reaction;
 use super::regular::{Coursing, Irregularity, RegularWall, WallFacts};
 
 /// The scene that all methods share. Forces, not masses; no g, no velocities. Made by

@@ -2,13 +2,11 @@
 //! has one degree of freedom, and its reaction against the motion is the live load. Whoever solves or
 //! judges a scene needs no further rule for it.
 
-use serde::{Deserialize, Serialize};
-
 use super::block::{Block, Load};
 use super::joints::{Joint, JointClass, Side};
 use super::model::Scene;
 use super::polygon::{Point, Polygon, Vector};
-use crate::number::{above, below};
+use super::reaction::{Reaction, Sense};
 
 /// A motion of one support or of several as one, to the first order.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,25 +19,6 @@ pub struct SupportMotion {
     pub sense: Sense,
     /// Multiplier of the live load that acts all the while.
     pub pushed: f64,
-}
-
-/// Which way a support moves.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Sense {
-    /// Away from the wall: its reaction falls.
-    Away,
-    /// Against the wall: its reaction rises.
-    Against,
-}
-
-impl Sense {
-    /// The word in cases.
-    pub fn name(self) -> &'static str {
-        match self {
-            Sense::Away => "away",
-            Sense::Against => "against",
-        }
-    }
 }
 
 /// A support that moves.
@@ -55,45 +34,6 @@ pub struct MovingSupport {
     pub blocks: Option<Vec<usize>>,
     /// Velocity of its centroid away from the wall; of length 1 for the first support.
     pub away: Vector,
-}
-
-/// What λ says in a scene with a support that moves: λ is the change of the support's reaction from
-/// the one that it begins with, which λ = 0 stands for.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub struct Reaction {
-    /// The support's name.
-    pub support: String,
-    /// The reaction that it begins with, in the case's unit of force, positive towards the wall.
-    pub start: f64,
-    /// How far λ can be with associative friction, roughly: a program says so, and nothing proves it.
-    pub range: f64,
-    /// Whether it falls or rises from there.
-    pub sense: Sense,
-    /// Weight of the scene without its live load, in the same unit.
-    pub weight: f64,
-}
-
-impl Reaction {
-    /// +1 where the reaction rises with λ, −1 where it falls.
-    pub fn sign(&self) -> f64 {
-        match self.sense {
-            Sense::Away => -1.0,
-            Sense::Against => 1.0,
-        }
-    }
-
-    /// The reaction at a λ, in the case's unit of force.
-    pub fn at(&self, lambda: f64) -> f64 {
-        self.start + self.sign() * lambda
-    }
-
-    /// The same with fixed decimals, rounded towards where it begins.
-    pub fn inwards(&self, lambda: f64, decimals: usize) -> String {
-        match self.sense {
-            Sense::Away => above(self.at(lambda), decimals),
-            Sense::Against => below(self.at(lambda), decimals),
-        }
-    }
 }
 
 impl Scene {
@@ -138,11 +78,9 @@ impl Scene {
                     friction: 0.0,
                     class: JointClass::Guide,
                 }));
-            let live = if place == 0 {
-                support.away * -reaction.sign()
-            } else {
-                Vector::zeros()
-            };
+            // Each has its share, so that none is without a load that its forces are measured by.
+            let share = -reaction.sign() / motion.supports.len() as f64;
+            let live = support.away * (share / support.away.norm_squared());
             scene.blocks.push(Block {
                 shape: support.shape.clone(),
                 loads: vec![Load {

@@ -11,6 +11,7 @@ mod limit;
 mod outside;
 mod pushover;
 mod reaction;
+mod read;
 mod search;
 mod sequential;
 mod side;

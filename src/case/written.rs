@@ -1,0 +1,13 @@
+//! Values as a case file has them.
+
+use crate::scene::Vector;
+
+/// A vector as TOML writes it.
+pub(super) fn pair(vector: Vector) -> String {
+    format!("[{:?}, {:?}]", vector.x, vector.y)
+}
+
+/// A text as TOML writes it.
+pub(super) fn quoted(text: &str) -> String {
+    toml::Value::String(text.to_owned()).to_string()
+}
