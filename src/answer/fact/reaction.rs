@@ -37,7 +37,7 @@ impl fmt::Display for ReactionFact {
             }
             ReactionFact::NotAtRest(reaction) => write!(
                 f,
-                "with a reaction of {}, midway between what friction admits, it does not come to rest",
+                "with a reaction of {}, between the ends that friction admits, it does not come to rest",
                 number(*reaction, 5)
             ),
             ReactionFact::Turns => write!(

@@ -90,7 +90,7 @@ fn support(
                     .map(|support| support.name.as_str())
             };
             let found = names().position(|name| name == word.get_ref());
-            let index = found.ok_or_else(|| unknown_support(word, names()))?;
+            let index = found.ok_or_else(|| unknown_block(word, names()))?;
             let shape = assembly.supports[index].shape.clone();
             (word.get_ref().clone(), index, None, shape)
         }
@@ -179,14 +179,6 @@ fn turning(written: &Spanned<Pair>, direction: Vector, arm: Vector) -> Result<Ve
             )
             .help("write roughly how its middle moves as it leaves the wall, or another `about`")),
     }
-}
-
-fn unknown_support<'a>(
-    word: &Spanned<String>,
-    known: impl Iterator<Item = &'a str> + Clone,
-) -> Complaint {
-    let complaint = unknown_block(word, known);
-    complaint.help("`[[move]]` names a support of the case; `trilith show` lists them")
 }
 
 /// Blocks of the lowest course from one piece to another, and the ground below them as deep as a

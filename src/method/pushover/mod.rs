@@ -41,7 +41,7 @@ use crate::method::{Collapse, Method, PushoverSettings, Settings};
 use crate::scene::Scene;
 use levels::by_levels;
 use model::Model;
-use moving::from_midway;
+use moving::from_within;
 use observing::observing;
 use parameters::{Asked, FIRST_SLIP};
 use parts::weakest;
@@ -60,7 +60,7 @@ impl Method for Pushover {
 
     fn solve(&self, scene: &Scene, settings: &Settings) -> Outcome {
         let pushed = |scene: &Scene| self.pushed(scene, &settings.pushover);
-        from_midway(scene, pushed).unwrap_or_else(|| pushed(scene))
+        from_within(scene, pushed).unwrap_or_else(|| pushed(scene))
     }
 }
 

@@ -1,26 +1,26 @@
-//! The pushover of a support that moves: from a reaction midway between the ends that friction admits,
-//! for at either end the scene is about to move before anything changes.
+//! The pushover of a support that moves: from a reaction a third of the way between the ends that friction
+//! admits, for at either end the scene is about to move before anything changes.
 
 use crate::answer::{Fact, Outcome, ReactionFact, Status, magnitude};
 use crate::scene::{JointClass, Scene};
 
 use super::observing::observing;
 
-/// The answer of a scene with a support that moves, by the pushover of one that begins midway; `None`
+/// The answer of a scene with a support that moves, by the pushover of one that begins further in; `None`
 /// where none moves.
-pub(super) fn from_midway(scene: &Scene, pushover: impl Fn(&Scene) -> Outcome) -> Option<Outcome> {
+pub(super) fn from_within(scene: &Scene, pushover: impl Fn(&Scene) -> Outcome) -> Option<Outcome> {
     let reaction = scene.reaction()?;
     let mut guides = scene.joints().iter();
     if guides.any(|joint| joint.class == JointClass::Guide && joint.length() == 0.0) {
         let turns = ReactionFact::Turns;
         return Some(Outcome::without_number(Status::NotApplicable, turns));
     }
-    let before = 0.5 * reaction.range;
+    let before = reaction.range / 3.0;
     let outcome = pushover(&scene.clone().with_start(reaction.at(before), before));
     if outcome.status == Status::Falls {
         // It stands with another reaction, and may with this one.
-        let midway = ReactionFact::NotAtRest(reaction.at(before));
-        return Some(Outcome::without_number(Status::Undecided, midway));
+        let within = ReactionFact::NotAtRest(reaction.at(before));
+        return Some(Outcome::without_number(Status::Undecided, within));
     }
     let unit = scene.multiplier_unit();
     let facts = outcome.facts.iter().map(|fact| match fact {
