@@ -18,6 +18,10 @@ const HINGES: usize = 8;
 /// Part of the fastest corner's velocity below which a joint neither opens nor slips.
 const STILL: f64 = 0.02;
 
+/// Part of the same below which the live load, or the support that it acts on, does not move: rates
+/// over its motion would be noise.
+const CARRIED: f64 = 1e-6;
+
 /// Sizes of what moves beyond which a centre of rotation is so far away that nothing turns.
 const FAR: f64 = 20.0;
 
@@ -113,7 +117,8 @@ impl<'a> Moved<'a> {
         let mut order: Vec<(usize, f64)> = openings.enumerate().collect();
         order.retain(|(_, opening)| *opening > STILL * self.fastest);
         order.sort_by_key(|one| Reverse(self.rank(one.1)));
-        let order = order.into_iter().take(NAMED).filter(|_| motion > 0.0);
+        let order = order.into_iter().take(NAMED);
+        let order = order.filter(|_| motion > CARRIED * self.fastest);
         order
             .map(|(joint, opening)| {
                 (

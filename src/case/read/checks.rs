@@ -60,15 +60,33 @@ pub(super) fn unknown_block<'a>(
     word: &Spanned<String>,
     known: impl Iterator<Item = &'a str> + Clone,
 ) -> Complaint {
+    unknown("block", word, known)
+}
+
+pub(super) fn unknown_support<'a>(
+    word: &Spanned<String>,
+    known: impl Iterator<Item = &'a str> + Clone,
+) -> Complaint {
+    unknown("support", word, known)
+}
+
+fn unknown<'a>(
+    what: &str,
+    word: &Spanned<String>,
+    known: impl Iterator<Item = &'a str> + Clone,
+) -> Complaint {
     let name = shorten(word.get_ref(), 60);
     // Every short name is near every other.
     let near = nearest(&name, known.clone()).filter(|near| near.chars().count() > 2);
     let help = match near {
         Some(near) => format!("did you mean `{near}`?"),
-        None => format!("the blocks are {}", listed(known.take(20))),
+        None => format!("the {what}s are {}", listed(known.take(20))),
     };
-    word.wrong(format!("unknown block `{name}`"), "no such block")
-        .help(help)
+    word.wrong(
+        format!("unknown {what} `{name}`"),
+        format!("no such {what}"),
+    )
+    .help(help)
 }
 
 pub(super) fn positive(key: &str, value: &Spanned<Number>) -> Result<f64, Complaint> {

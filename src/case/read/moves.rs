@@ -2,13 +2,16 @@
 
 use toml::Spanned;
 
-use super::checks::{Written, choose, coordinates, not_negative, positive_or_one, unknown_block};
+use super::checks::{Written, choose, coordinates, not_negative, positive_or_one, unknown_support};
 use super::file::{CaseFile, MoveTable};
+use super::leaves::leaves_the_wall;
 use super::missing::missing_key;
 use super::values::Pair;
 use crate::case::complaint::Complaint;
 use crate::case::geometry::Geometry;
-use crate::scene::{Assembly, MovingSupport, Point, Polygon, Sense, SupportMotion, Vector, Wall};
+use crate::scene::{
+    Assembly, HeadJoints, MovingSupport, Point, Polygon, Push, Sense, SupportMotion, Vector, Wall,
+};
 
 /// The motion of a file, where there is one.
 pub(super) fn motion(
@@ -59,6 +62,8 @@ pub(super) fn motion(
         motion.supports.push(support);
         one_motion(table, &motion)?;
     }
+    let scene = geometry.scene(HeadJoints::Contact, Push::Right);
+    leaves_the_wall(&file.moves, &motion, &scene)?;
     Ok(Some(motion))
 }
 
@@ -90,7 +95,7 @@ fn support(
                     .map(|support| support.name.as_str())
             };
             let found = names().position(|name| name == word.get_ref());
-            let index = found.ok_or_else(|| unknown_block(word, names()))?;
+            let index = found.ok_or_else(|| unknown_support(word, names()))?;
             let shape = assembly.supports[index].shape.clone();
             (word.get_ref().clone(), index, None, shape)
         }
@@ -276,7 +281,17 @@ mod tests {
             (
                 "support = \"right\"",
                 "support = \"rigth\"",
-                "did you mean `right`?",
+                "unknown support `rigth`",
+            ),
+            (
+                "direction = [0, -1]",
+                "direction = [0, 1]",
+                "presses `right` into the wall",
+            ),
+            (
+                "[4, 0], [3, 0]]",
+                "[4, -0.5], [3, -0.5]]",
+                "no block touches `right`",
             ),
             (
                 "support = \"right\"",
