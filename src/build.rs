@@ -14,7 +14,12 @@ use std::path::{Path, PathBuf};
 use fingerprint::Fingerprint;
 
 fn main() {
-    println!("cargo::rerun-if-changed=src");
+    for entry in fs::read_dir("src").into_iter().flatten().flatten() {
+        let path = entry.path();
+        if path != Path::new(PYTHON) {
+            println!("cargo::rerun-if-changed={}", path.display());
+        }
+    }
     println!("cargo::rerun-if-changed=cases");
     println!("cargo::rerun-if-changed=Cargo.lock");
     println!("cargo::rustc-env=TRILITH_SOURCES={}", sources());
@@ -25,13 +30,16 @@ fn main() {
     embed();
 }
 
+/// The module that drives the program, which is no part of it.
+const PYTHON: &str = "src/python";
+
 /// Fingerprint of the sources, of the cases that are built in, and of the versions of the
 /// dependencies.
 fn sources() -> String {
     let mut files = vec!["Cargo.lock".to_owned()];
     files.extend(files_below(Path::new("src")));
     files.extend(files_below(Path::new("cases")));
-    files.retain(|path| !path.starts_with(CERTIFICATES));
+    files.retain(|path| !path.starts_with(CERTIFICATES) && !Path::new(path).starts_with(PYTHON));
     files.sort();
     let mut sources = Fingerprint::new();
     for file in files {

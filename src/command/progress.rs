@@ -1,14 +1,16 @@
-//! Progress of long work, with the time left: on standard error, and only where that is a terminal.
+//! Progress of long work, with the time left, on standard error: a bar where that is a terminal, and
+//! lines where a program asks for them.
 
 use std::fmt::Write;
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
+use super::screen::tells_progress;
 use crate::run::{Progress, Remaining, Row, Task};
 use indicatif::{ProgressBar, ProgressState, ProgressStyle};
 
 /// A bar that fills with the seconds expected of the work: tasks differ much in length. In a pipe,
-/// nothing is ever printed.
+/// nothing is printed but the lines that `--progress lines` asks for.
 pub(super) struct Bar {
     bar: ProgressBar,
     known: Arc<Mutex<Known>>,
@@ -86,7 +88,14 @@ impl Progress for Bar {
 
     fn done(&self, task: &Task, row: &Row) {
         let expected = task.expected_seconds();
-        self.known().remaining.end(task.id(), expected, row.seconds);
+        let mut known = self.known();
+        known.remaining.end(task.id(), expected, row.seconds);
+        if tells_progress() {
+            let now = known.now();
+            let (share, left) = (known.remaining.share_done(now), known.remaining.left(now));
+            eprintln!("progress {share:.4} {left:.1}");
+        }
+        drop(known);
         self.bar
             .set_message(format!("({} is done)", task.describe()));
     }

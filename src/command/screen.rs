@@ -7,7 +7,7 @@ use std::sync::OnceLock;
 use crate::text::{LEAST_WIDTH, Layout, wrapped};
 use anstream::{AutoStream, ColorChoice};
 use anstyle::{AnsiColor, Style};
-use clap::Args;
+use clap::{Args, ValueEnum};
 
 use super::stop::Stop;
 
@@ -27,6 +27,17 @@ pub(super) struct ScreenArguments {
     /// When verdicts and complaints are coloured; `NO_COLOR` in the environment means never.
     #[arg(long, global = true, value_name = "WHEN", default_value = "auto", help_heading = HEADING)]
     color: clap::ColorChoice,
+    /// How standard error tells how far long work is: a bar on a terminal, or lines for a program,
+    /// `progress SHARE SECONDS`: the share of the work that is done, and the time left.
+    #[arg(long, global = true, value_name = "HOW", default_value = "bar", help_heading = HEADING,
+          hide_short_help = true)]
+    progress: ProgressArgument,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum ProgressArgument {
+    Bar,
+    Lines,
 }
 
 /// The layouts of standard output and of standard error.
@@ -34,6 +45,7 @@ pub(super) struct ScreenArguments {
 struct Screen {
     out: Layout,
     error: Layout,
+    tells_progress: bool,
 }
 
 static SCREEN: OnceLock<Screen> = OnceLock::new();
@@ -60,6 +72,7 @@ impl ScreenArguments {
         let _ = SCREEN.set(Screen {
             out: layout(width(columns(&out)), AutoStream::choice(&out)),
             error: layout(width(columns(&error)), AutoStream::choice(&error)),
+            tells_progress: self.progress == ProgressArgument::Lines,
         });
     }
 }
@@ -75,6 +88,11 @@ fn columns(stream: &impl IsTerminal) -> Option<usize> {
 /// How standard output is laid out.
 pub(super) fn layout() -> Layout {
     SCREEN.get().copied().unwrap_or_default().out
+}
+
+/// Whether progress is told in lines.
+pub(super) fn tells_progress() -> bool {
+    SCREEN.get().copied().unwrap_or_default().tells_progress
 }
 
 /// Prints to standard output; a closed pipe ends the program quietly, as `head` expects.
