@@ -18,7 +18,7 @@ const OPTIONS: &str = "help: options are `--support LAYER`, `--without LAYER`, `
                        `trilith import` `--tolerance 0.01`";
 
 #[derive(Args)]
-#[command(next_help_heading = "Drawings (.dxf)")]
+#[command(next_help_heading = "Drawings (.dxf) and models of COMPAS (.json)")]
 pub(super) struct DrawingArguments {
     /// Layer of the outlines that never move [default: `support` or `ground`, else the lowest wide
     /// outline].
@@ -69,10 +69,14 @@ impl Unit {
     }
 }
 
-/// Whether an argument names a drawing.
+/// Whether an argument names a drawing, or a model.
 pub(super) fn is_drawing(argument: &str) -> bool {
     let end = Path::new(argument).extension();
-    end.is_some_and(|end| end.eq_ignore_ascii_case("dxf"))
+    end.is_some_and(|end| {
+        ["dxf", "json"]
+            .iter()
+            .any(|known| end.eq_ignore_ascii_case(known))
+    })
 }
 
 impl DrawingArguments {

@@ -1,7 +1,8 @@
-//! `trilith export --dxf`.
+//! `trilith export --dxf` and `--compas`.
 
-use std::path::Path;
+use std::path::PathBuf;
 
+use crate::external;
 use crate::files::write_whole;
 use crate::mechanics::thrust;
 use crate::method::{Settings, methods};
@@ -14,12 +15,18 @@ use super::head_joints::HeadJointsArgument;
 use super::screen::print_lines;
 use super::stop::Stop;
 
-/// Writes a case as a drawing, with the mechanism and the thrust of a method's answer.
+/// The file that is written, of which there is one.
+pub(super) struct Target {
+    pub(super) dxf: Option<PathBuf>,
+    pub(super) compas: Option<PathBuf>,
+}
+
+/// Writes a case as a drawing or a model, with the mechanism and the thrust or forces of a method's answer.
 pub(super) fn export(
     argument: &str,
     head_joints: Option<HeadJointsArgument>,
     push: Option<Push>,
-    path: &Path,
+    target: &Target,
     method: &str,
 ) -> Result<u8, Stop> {
     let mut case = one_case(argument)?;
@@ -53,8 +60,19 @@ pub(super) fn export(
     };
     let scene = result.scene(row);
     let forces = row.outcome.evidence.forces();
-    let thrust = forces.map(|(_, forces)| thrust(scene, forces));
-    let text = dxf(scene, row.outcome.evidence.mechanism(), thrust.as_ref());
+    let mechanism = row.outcome.evidence.mechanism();
+    let (path, text) = match (&target.dxf, &target.compas) {
+        (Some(path), _) => {
+            let thrust = forces.map(|(_, forces)| thrust(scene, forces));
+            (path, dxf(scene, mechanism, thrust.as_ref()))
+        }
+        (None, Some(path)) => {
+            let forces = forces.map(|(_, forces)| forces);
+            let assembly = case.geometry.assembly();
+            (path, external::compas(scene, &assembly, mechanism, forces))
+        }
+        (None, None) => return Err(Stop::bad_input("error: no file is named")),
+    };
     write_whole(path, &text).map_err(|e| Stop::not_written(path.display(), e))?;
     print_lines(&format!("wrote {}\n", path.display()))?;
     Ok(0)

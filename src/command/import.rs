@@ -17,8 +17,8 @@ use super::stop::Stop;
 
 #[derive(Args)]
 pub(super) struct ImportArguments {
-    /// The drawing: a DXF in text form, of R12 or later.
-    #[arg(value_name = "FILE.dxf")]
+    /// The drawing: a DXF in text form, of R12 or later; or the JSON of a model of COMPAS.
+    #[arg(value_name = "FILE.dxf|FILE.json")]
     drawing: String,
     /// The case file to write [default: the drawing's name with `.toml`]; its CSV comes beside it.
     #[arg(short, long, value_name = "FILE.toml")]
@@ -37,7 +37,10 @@ pub(super) struct ImportArguments {
 pub(super) fn import(arguments: &ImportArguments) -> Result<u8, Stop> {
     let drawing = &arguments.drawing;
     if !is_drawing(drawing) {
-        let text = format!("error: {drawing} is no drawing\nhelp: name a file that ends in `.dxf`");
+        let text = format!(
+            "error: {drawing} is no drawing\nhelp: name a file that ends in `.dxf`, or a model \
+             of COMPAS that ends in `.json`"
+        );
         return Err(Stop::bad_input(text));
     }
     let path = match &arguments.output {

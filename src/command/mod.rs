@@ -92,18 +92,21 @@ enum Command {
         #[arg(long)]
         push: Option<external::PushArgument>,
         /// Write a DXF drawing instead, with blocks, mechanism and thrust on layers.
-        #[arg(long, value_name = "FILE.dxf")]
+        #[arg(long, value_name = "FILE.dxf", group = "file")]
         dxf: Option<std::path::PathBuf>,
-        /// The method whose mechanism and thrust are drawn.
+        /// Write a BlockModel of COMPAS instead, with the mechanism and contact forces.
+        #[arg(long, value_name = "FILE.json", group = "file")]
+        compas: Option<std::path::PathBuf>,
+        /// The method whose mechanism and forces are in the file.
         #[arg(
             long,
             value_name = "NAME",
-            requires = "dxf",
+            requires = "file",
             default_value = "associative"
         )]
         method: String,
     },
-    /// Make a case from a DXF drawing: every closed outline becomes a block.
+    /// Make a case from a DXF drawing or a model of COMPAS: every closed outline becomes a block.
     #[command(after_long_help = reference::IMPORT)]
     Import(import::ImportArguments),
     /// Write a case of any form as explicit blocks, a case file with a CSV beside it.
@@ -156,15 +159,20 @@ pub fn main() -> ExitCode {
             head_joints,
             push,
             dxf: None,
+            compas: None,
             ..
         } => external::export(&case, head_joints, push.map(Into::into)),
         Command::Export {
             case,
             head_joints,
             push,
-            dxf: Some(path),
+            dxf,
+            compas,
             method,
-        } => export::export(&case, head_joints, push.map(Into::into), &path, &method),
+        } => {
+            let file = export::Target { dxf, compas };
+            export::export(&case, head_joints, push.map(Into::into), &file, &method)
+        }
         Command::Import(arguments) => import::import(&arguments),
         Command::Convert(arguments) => convert::convert(&arguments),
         Command::Schema { of } => external::schema(of),

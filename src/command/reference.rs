@@ -33,7 +33,13 @@ INSERTs of them; each is named by its handle. SPLINE, HATCH and whatever else
 is no outline are refused with layer and handle; --without leaves a layer out.
 Lengths become metres. Edges that face each other within --tolerance are laid
 on one line, and every corner that moves is listed; wider gaps, up to 1.5 %,
-and overlaps are refused with coordinates.";
+and overlaps are refused with coordinates.
+
+Of COMPAS a BlockModel (compas_dem) and an Assembly (compas_assembly) are read,
+as `to_json` writes them, whose blocks are prisms across one upright plane, x-z
+by custom; `is_support` says what never moves. A block weighs its area times
+its depth, times the density of its material where every block has one. Blocks
+have the names of their elements, or else their numbers in the graph.";
 
 /// Behind the options of `chart`.
 pub(super) const CHART: &str = "\
@@ -65,4 +71,10 @@ verified range is marked. A number alone is an estimate and may be off by the
 `stated_error` that it gives, or by 1e-4; forces and velocities that hold are
 `verified`; a claim that they do not bear out is `failed`, and so are crashes,
 hangs and nonsense. A case may name the program in a reference (`method =
-\"NAME\"`).";
+\"NAME\"`).
+
+--compas writes a BlockModel of compas_dem: blocks in x-z about y = 0, as deep
+as they weigh over their areas; `displacement` and `rotation` of the mechanism
+(of the centroid, about -y; only ratios count) as attributes of the graph's
+nodes; and contacts with their forces, on the block that comes second, as
+attributes of its edges.";

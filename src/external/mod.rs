@@ -6,6 +6,7 @@
 //! it can earn `verified`, and can be refuted.
 
 mod answer;
+mod compas;
 mod list;
 mod method;
 mod outside;
@@ -16,6 +17,7 @@ mod states;
 mod text;
 
 pub use answer::{AnswerFile, answer_schema};
+pub(crate) use compas::compas;
 pub use list::parse;
 pub(crate) use list::read;
 pub use outside::External;

@@ -13,6 +13,7 @@ mod atlas;
 mod bad_input;
 mod chart;
 mod command_line;
+mod compas;
 mod draw;
 mod drawings;
 mod external;

@@ -18,6 +18,8 @@ pub(super) struct Drawn {
     pub name: String,
     pub path: Path,
     pub shape: Polygon,
+    /// Weight over the area of the elevation.
+    pub weight: f64,
 }
 
 /// Every closed outline of the drawing, in metres where the unit is known.
@@ -75,7 +77,12 @@ pub(super) fn drawn(
         while !names.insert(name.clone()) {
             name.push('\'');
         }
-        drawn.push(Drawn { name, path, shape });
+        drawn.push(Drawn {
+            name,
+            path,
+            shape,
+            weight: options.specific_weight,
+        });
     }
     Ok(drawn)
 }

@@ -197,9 +197,11 @@ fn entities<'a>(groups: &'a [Group<'a>]) -> Vec<Entity<'a>> {
     found
 }
 
-/// What finds something in a drawing: its handle, where it has one, and its layer.
+/// What finds something in a drawing: its handle, where it has one, and its layer; in a model, which has
+/// none, its GUID.
 pub(super) fn handle_and_layer(handle: &str, layer: &str) -> String {
     match handle {
+        handle if layer.is_empty() => handle.to_owned(),
         "" => format!("layer `{layer}`"),
         handle => format!("handle {handle}, layer `{layer}`"),
     }

@@ -1,5 +1,6 @@
 //! From a drawing to a case of explicit blocks.
 
+use super::compas;
 use super::drawn::{Drawn, complain, drawn, shape};
 use super::groups::document;
 use super::heal::heal;
@@ -23,24 +24,34 @@ pub struct Imported {
 }
 
 impl Case {
-    /// Reads a drawing: every closed outline is a block, or a support.
+    /// Reads a drawing: every closed outline is a block, or a support. A file `.json` is a model of
+    /// COMPAS, of which every block is one.
     ///
     /// # Errors
-    /// What cannot be a wall, with the entity's name, handle and layer.
+    /// What cannot be a wall, with the entity's name, handle and layer, or the block's name.
     pub fn from_drawing(
         path: &str,
         bytes: &[u8],
         options: &DrawingOptions,
     ) -> Result<Imported, Complaint> {
         let name = plain_name(path);
-        let document = document(path, bytes)?;
+        let is_model = compas::is_model(path);
+        let document = match is_model {
+            true => Document::read(path, bytes)?,
+            false => document(path, bytes)?,
+        };
         let mut remarks = vec![String::new()];
         let assembly = assembly(&document, options, &mut remarks)
             .map_err(|complaint| complaint.in_document(&document))?;
         remarks[0] = format!(
-            "{} blocks and {} supports from closed outlines",
+            "{} blocks and {} supports from {}",
             assembly.blocks.len(),
-            assembly.supports.len()
+            assembly.supports.len(),
+            if is_model {
+                "a model of COMPAS"
+            } else {
+                "closed outlines"
+            }
         );
         let file = path.rsplit('/').next().unwrap_or(path);
         Ok(Imported {
@@ -48,7 +59,11 @@ impl Case {
                 motion: None,
                 title: name.clone(),
                 name,
-                source: format!("the drawing {}", printable(file)),
+                source: format!(
+                    "the {} {}",
+                    ["drawing", "model"][usize::from(is_model)],
+                    printable(file)
+                ),
                 geometry: Geometry::Blocks(assembly),
                 pushes: options.pushes.clone(),
                 head_joints: options.head_joints.clone(),
@@ -75,8 +90,13 @@ fn assembly(
     options: &DrawingOptions,
     remarks: &mut Vec<String>,
 ) -> Result<Assembly, Complaint> {
-    let mut drawn = drawn(document, options, remarks)?;
-    let fixed = supports(&drawn, options, remarks)?;
+    let (mut drawn, fixed) = if compas::is_model(&document.path) {
+        compas::drawn(document, options, remarks)?
+    } else {
+        let drawn = drawn(document, options, remarks)?;
+        let fixed = supports(&drawn, options, remarks)?;
+        (drawn, fixed)
+    };
     if options.tolerance > 0.0 {
         healed(&mut drawn, options, remarks)?;
     }
@@ -142,7 +162,7 @@ fn assembled(drawn: &[Drawn], fixed: &[bool], options: &DrawingOptions) -> Assem
         } else {
             blocks.push(NamedBlock {
                 name,
-                weight: options.specific_weight * shape.area(),
+                weight: body.weight * shape.area(),
                 centre: shape.centroid(),
                 shape,
             });

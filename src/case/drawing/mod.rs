@@ -1,9 +1,11 @@
-//! Walls as they are drawn: from a DXF to a case.
+//! Walls as they are drawn: from a DXF, or a model of COMPAS, to a case.
 //!
 //! ```text
 //! text ── groups ──▶ entities ── paths ──▶ closed outlines ── heal ──▶ blocks and supports
+//! JSON ── compas ─────────────────────────▶
 //! ```
 
+mod compas;
 mod curves;
 mod drawn;
 mod entities;

@@ -28,10 +28,11 @@ pub(super) fn sound(
     };
     let near = |d: &Drawn| {
         let at = d.shape.centroid();
-        format!(
-            "`{}` (layer `{}`, at {:.4}, {:.4})",
-            d.name, d.path.layer, at.x, at.y
-        )
+        let layer = match d.path.layer.as_str() {
+            "" => String::new(),
+            layer => format!("layer `{layer}`, "),
+        };
+        format!("`{}` ({layer}at {:.4}, {:.4})", d.name, at.x, at.y)
     };
     let unsound = assembly.check().err();
     if let Some(Unsound::Overlap { one, other, depth }) = unsound {

@@ -93,6 +93,17 @@ class Case:
 
         return draw(self, methods, forces=forces, head_joints=head_joints)
 
+    def to_compas(self, path: Pathlike, *, method: str = "associative", head_joints: str = "") -> None:
+        """Writes a BlockModel of compas_dem with a method's mechanism and contact forces.
+
+        Blocks stand in x–z about y = 0, as deep as they weigh over their areas. ``displacement``
+        [x, y, z] of the centroid and ``rotation`` about -y (only ratios count) are attributes of the
+        graph's nodes; contacts carry their forces, on the block that comes second.
+        """
+        from trilith._drawing import write_compas
+
+        write_compas(self, path, method, head_joints)
+
     def scene(self, *, push: str = "", head_joints: str = "") -> Any:
         """Blocks, joints and loads as arrays, as an outside method gets them: a `Scene`.
 

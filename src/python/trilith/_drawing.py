@@ -1,4 +1,4 @@
-"""Drawings of walls and how they collapse."""
+"""Drawings of walls and how they collapse, and models for other programs."""
 
 from __future__ import annotations
 
@@ -46,3 +46,11 @@ def draw(case: Case, methods: Sequence[str], *, forces: bool = False, head_joint
         if forces:
             arguments.append("--forces")
         return Drawing(run(arguments, folder=path).out)
+
+
+def write_compas(case: Case, path: Pathlike, method: str, head_joints: str) -> None:
+    """Writes a BlockModel of COMPAS."""
+    with tempfile.TemporaryDirectory(prefix="trilith-") as folder:
+        arguments = ["export", *Folder(folder, [case]).arguments, "--method", method]
+        arguments += ["--head-joints", head_joints] if head_joints else []
+        run([*arguments, "--compas", os.path.abspath(os.fspath(path))], folder=folder)

@@ -20,25 +20,30 @@ def load(path: Pathlike) -> Case:
     """
     argument = os.fspath(path)
     name = os.path.splitext(os.path.basename(argument))[0] if argument.endswith(".toml") else argument
-    if os.path.exists(argument):
-        argument = os.path.abspath(argument)
-    else:
+    if os.path.isfile(argument):
+        return _named(name, os.path.abspath(argument))
+    known = _listed().get(argument)
+    if known is None:
+        # The program says what is wrong.
         run(["show", argument])
-    case = Case(name=name)
-    case._argument = argument
-    return case
+    return _named(name, known or argument)
 
 
 def library() -> list[Case]:
     """Every case that is built into the program, in the order of ``trilith list``."""
-    listed = run(["list"]).out.split("\n\n")[0].splitlines()
-    cases = []
-    for line in listed[2:]:
-        name = line.split()[0]
-        case = Case(name=name)
-        case._argument = name
-        cases.append(case)
-    return cases
+    return [_named(name, file) for name, file in _listed().items()]
+
+
+def _listed() -> dict[str, str]:
+    """The built-in cases and their files, by which no folder can be meant."""
+    lines = run(["list"]).out.split("\n\n")[0].splitlines()[2:]
+    return {line.split()[0]: line.split()[1] for line in lines}
+
+
+def _named(name: str, argument: str) -> Case:
+    case = Case(name=name)
+    case._argument = argument
+    return case
 
 
 def template(kind: str = "wall") -> str:
@@ -90,17 +95,17 @@ def read_compas(model: Pathlike | Any, friction: float, **options: Any) -> Case:
     with tempfile.TemporaryDirectory(prefix="trilith-") as folder:
         path = os.path.join(folder, f"{PLAIN.sub('-', getattr(model, 'name', '') or 'model')}.json")
         model.to_json(path)
-        return _imported(path, friction, options)
+        return _imported(path, friction, options, hidden=folder)
 
 
-def _imported(path: str, friction: float, options: dict[str, Any]) -> Case:
+def _imported(path: str, friction: float, options: dict[str, Any], hidden: str = "") -> Case:
     with tempfile.TemporaryDirectory(prefix="trilith-") as folder:
         name = PLAIN.sub("-", os.path.splitext(os.path.basename(path))[0]) or "case"
         target = os.path.join(folder, f"{name}.toml")
         arguments = ["import", path, "-o", target, f"--friction={float(friction)!r}"]
         for option, value in options.items():
             arguments.append(f"--{option.replace('_', '-')}={value}")
-        done = run(arguments, folder=folder)
+        done = run(arguments, folder=hidden or folder)
         warn(done.said)
         case = Case(name=name)
         case._text = _text(target)
