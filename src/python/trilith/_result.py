@@ -190,9 +190,10 @@ class Result:
         return self.sides[0].scene
 
     @property
-    def answer(self) -> Answer:
-        """What all methods that ran come to for this case and these head joints."""
-        return Answer(self.data["conclusion"])
+    def answer(self) -> Answer | None:
+        """What all methods that ran come to for this case and these head joints; None of no method."""
+        conclusion = self.data["conclusion"]
+        return None if conclusion is None else Answer(conclusion)
 
     def draw(self, forces: bool = False) -> Drawing:
         """A drawing of the case with this answer; the method runs again for it."""

@@ -65,7 +65,8 @@ class Results:
     @property
     def answers(self) -> dict[str, Answer]:
         """What the methods come to, for every case and setting of head joints by its name."""
-        return {row.case: row.answer for row in self._rows}
+        answers = ((row.case, row.answer) for row in self._rows)
+        return {case: answer for case, answer in answers if answer is not None}
 
     @property
     def answer(self) -> Answer:
@@ -106,7 +107,7 @@ class Results:
         lines = [f"{row.case}  {row.method}  {in_words(row)}  {row.status}" for row in self._rows[:50]]
         lines += [f"and {len(self) - 50} more"] if len(self) > 50 else []
         lines += [f"{name}: {answer}" for name, answer in list(self.answers.items())[:10]]
-        return "\n".join([*lines, *([f"PARTIAL: {self.partial}"] if self.partial else [])])
+        return "\n".join([*lines, *([self.partial] if self.partial else [])])
 
     def _repr_html_(self) -> str:
         def cells(kind: str, values: Sequence[object]) -> str:
@@ -121,6 +122,6 @@ class Results:
             f"<p><b>{html.escape(n)}</b>: {html.escape(str(a))}</p>" for n, a in self.answers.items()
         ]
         if self.partial:
-            said.append(f"<p>PARTIAL: {html.escape(self.partial)}</p>")
+            said.append(f"<p>{html.escape(self.partial)}</p>")
         head = f"<thead><tr>{cells('th', TABLE)}</tr></thead>"
         return f"<table>{head}<tbody>{''.join(rows)}</tbody></table>{''.join(said)}"
