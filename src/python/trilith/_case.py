@@ -57,7 +57,8 @@ class Case:
             changed._keys = {**self._keys, **keys}
             return changed
         if self._argument is not None:
-            if not os.path.isfile(self._argument):
+            # A file is named by its whole path.
+            if not os.path.isabs(self._argument):
                 raise CaseError(
                     f"the case {self.name} is built in, and its keys stay as they are; write its "
                     "file with `trilith convert`, or make a case of your own"
