@@ -71,12 +71,13 @@ impl Unit {
 
 /// Whether an argument names a drawing, or a model.
 pub(super) fn is_drawing(argument: &str) -> bool {
+    is_of(argument, "dxf") || is_of(argument, "json")
+}
+
+/// Whether a file's name has this ending.
+fn is_of(argument: &str, ending: &str) -> bool {
     let end = Path::new(argument).extension();
-    end.is_some_and(|end| {
-        ["dxf", "json"]
-            .iter()
-            .any(|known| end.eq_ignore_ascii_case(known))
-    })
+    end.is_some_and(|end| end.eq_ignore_ascii_case(ending))
 }
 
 impl DrawingArguments {
@@ -146,8 +147,12 @@ impl DrawingArguments {
                 "error: cannot read {argument}: {error}\nhelp: {help}"
             ))
         })?;
-        let imported = Case::from_drawing(argument, &bytes, &self.options(tolerance)?)
-            .map_err(|complaint| Stop::bad_input(format!("{complaint}\n{OPTIONS}")))?;
+        let imported = Case::from_drawing(argument, &bytes, &self.options(tolerance)?).map_err(
+            |complaint| match is_of(argument, "dxf") {
+                true => Stop::bad_input(format!("{complaint}\n{OPTIONS}")),
+                false => Stop::bad_input(complaint.to_string()),
+            },
+        )?;
         let most = if all { usize::MAX } else { SHOWN };
         for remark in imported.remarks.iter().take(most) {
             tell!("{argument}: {remark}");
@@ -162,7 +167,7 @@ impl DrawingArguments {
     pub(super) fn case(&self, argument: &str) -> Result<Case, Stop> {
         if self.friction.is_none() {
             let text = format!(
-                "error: {argument}: a drawing says nothing about friction\nhelp: write `--friction 0.65`, \
+                "error: {argument} says nothing about friction\nhelp: write `--friction 0.65`, \
                  or `trilith import {argument}` and fill it in"
             );
             return Err(Stop::bad_input(text));

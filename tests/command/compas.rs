@@ -114,6 +114,19 @@ fn models_that_are_not_plane_are_refused_with_the_blocks_name() {
         true => [0.5 + (x - 0.5) / 2.0, y / 2.0, z],
         false => [x, y, z],
     };
+    let below = |[x, y, z]: [f64; 3]| match z > 1.0 {
+        true => [x, y, z],
+        false => [
+            x,
+            y,
+            z - 0.3 * f64::from(u8::from(z == 0.0 && x < 2.0 && x >= 0.0)),
+        ],
+    };
+    let overlap = read(&two(-0.5, 0.5, below)).unwrap_err();
+    assert!(
+        overlap.contains("`0` (at ") && overlap.contains("overlap, 3.000e-1 deep"),
+        "{overlap}"
+    );
     let refused = read(&two(-0.5, 0.5, pyramid)).unwrap_err();
     assert!(
         refused.contains("the block `1` is no prism across the plane x–z"),
@@ -227,6 +240,14 @@ fn a_model_that_is_written_is_read_as_the_same_blocks() {
     let (status, said) = trilith(folder.path(), &run);
     assert!(
         status == Some(0) && said.contains("from a model of COMPAS"),
+        "{said}"
+    );
+    let (status, said) = trilith(
+        folder.path(),
+        &[&run[..], &["--progress", "lines"]].concat(),
+    );
+    assert!(
+        status == Some(0) && said.contains("progress 1.0000 0.0\n"),
         "{said}"
     );
 }

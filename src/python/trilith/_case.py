@@ -168,8 +168,9 @@ class Wall(Case):
 class Arch(Case):
     """A circular voussoir arch of constant thickness on fixed springers.
 
-    Its voussoirs weigh what true annular sectors weigh; those of `Blocks` with the same corners are
-    polygons, which are lighter.
+    Its voussoirs weigh what true annular sectors weigh; `Blocks` with the same corners are polygons,
+    whose weights and centroids are others. Of 7 voussoirs over 157.5 degrees, 1.5 thick at a radius of
+    10, they are 2.6 % lighter and λ is 1.0 % higher.
 
     Args:
         mean_radius: radius of the middle of the ring.
