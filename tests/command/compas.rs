@@ -114,15 +114,9 @@ fn models_that_are_not_plane_are_refused_with_the_blocks_name() {
         true => [0.5 + (x - 0.5) / 2.0, y / 2.0, z],
         false => [x, y, z],
     };
-    let below = |[x, y, z]: [f64; 3]| match z > 1.0 {
-        true => [x, y, z],
-        false => [
-            x,
-            y,
-            z - 0.3 * f64::from(u8::from(z == 0.0 && x < 2.0 && x >= 0.0)),
-        ],
-    };
-    let overlap = read(&two(-0.5, 0.5, below)).unwrap_err();
+    let sunk = BLOCK.map(|[x, z]| [x, z - 0.3]);
+    let solid = |outline, is_support| (mesh(outline, -0.5, 0.5, |p| p), is_support);
+    let overlap = read(&assembly(&[solid(&GROUND, true), solid(&sunk, false)])).unwrap_err();
     assert!(
         overlap.contains("`0` (at ") && overlap.contains("overlap, 3.000e-1 deep"),
         "{overlap}"
