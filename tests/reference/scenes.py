@@ -318,7 +318,8 @@ def moves(rng, _kind):
     direction = [float(np.sin(tilt)), -float(np.cos(tilt))]
     if kind == "arch":
         lines, where = arch(rng, kind), [f'support = "{rng.choice(["left", "right"])}"']
-        tilt = rng.uniform(-0.8, 0.8)
+        # Outwards and down: one that rises may press the springing into the arch, which is refused.
+        tilt = rng.uniform(-0.8, 0.0)
         direction = [float(np.cos(tilt)) * (1 if "right" in where[0] else -1), float(np.sin(tilt))]
     elif kind == "piers":
         lines = irregular(rng, kind)
