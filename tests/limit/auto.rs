@@ -1,5 +1,7 @@
 //! `auto`: right or undecided, and never more model than needed.
 
+use std::path::Path;
+
 use crate::scenes;
 
 use trilith::answer::{Fact, Outcome, Status};
@@ -29,6 +31,10 @@ fn holds_on_the_library(blocks: std::ops::Range<usize>, least: usize) {
     let settings = Settings::default();
     let (mut compared, mut without) = (0, Vec::new());
     for case in library() {
+        // Where a support moves, λ is the change of the reaction that references give.
+        if Path::new(&format!("cases/moves/{}.toml", case.name)).exists() {
+            continue;
+        }
         for &head_joints in &case.head_joints {
             let sides = case.sides(head_joints);
             if !blocks.contains(&sides[0].blocks().len()) {
