@@ -134,6 +134,7 @@ impl Row {
             Some(reaction) => ends.read(reaction),
             None => ends,
         }
+        .one_to_the_nearest()
     }
 
     /// What people read for a λ: of a support that moves, its reaction.

@@ -95,6 +95,22 @@ impl Ends {
             upper: upper.map(|upper| end(upper, 1.0)),
         }
     }
+
+    /// The same, where both are one number to the printed digits, which stands for both, to the nearest.
+    pub(super) fn one_to_the_nearest(self) -> Self {
+        let nine = |end: Option<End>| end.map(|end| nine_digits(end.lambda));
+        if nine(self.lower) != nine(self.upper) {
+            return self;
+        }
+        let nearest = |end: End| End {
+            outwards: None,
+            ..end
+        };
+        Self {
+            lower: self.lower.map(nearest),
+            upper: self.upper.map(nearest),
+        }
+    }
 }
 
 /// One side's direction and answer.
@@ -186,18 +202,6 @@ pub(super) fn ends((push, outcome): Side, other: Option<Side>) -> Ends {
             [ends[0].filter(|_| !unknown), ends[1]]
         }
     };
-    let nine = |end: Option<End>| end.map(|end| nine_digits(end.lambda));
-    if nine(lower) == nine(upper) {
-        // One number to the printed digits, which stands for both ends: to the nearest.
-        let nearest = |end: End| End {
-            outwards: None,
-            ..end
-        };
-        return Ends {
-            lower: lower.map(nearest),
-            upper: upper.map(nearest),
-        };
-    }
     Ends { lower, upper }
 }
 

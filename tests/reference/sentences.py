@@ -111,10 +111,15 @@ def rounding(check, row):
         return
     for end, sign in (("lower", 1), ("upper", -1)):
         if proves in (end, "both") and row["lower"] != row["upper"]:
-            of_sides = [side[end] for side in row["sides"] if side[end] is not None]
-            exact = min(of_sides)
-            outwards = sign * (exact - row[end]) >= 0 or (end == "lower" and exact < 0 <= row[end])
-            check.demand(row, "rounding", outwards, f"{end} {row[end]} for {exact!r}")
+            exact = min(side[end] for side in row["sides"] if side[end] is not None)
+            shown = end
+            if reaction := row.get("reaction"):
+                # λ is the change of the reaction, which falls where the support moves away.
+                if reaction["moves"] == "away":
+                    shown, sign = {"lower": "upper", "upper": "lower"}[end], -sign
+                exact = reaction["start"] + (-exact if reaction["moves"] == "away" else exact)
+            outwards = sign * (exact - row[shown]) >= 0 or (end == "lower" and exact < 0 <= row[end])
+            check.demand(row, "rounding", outwards, f"{shown} {row[shown]} for {exact!r}")
     for push, text in re.findall(r"(?:pushed to the (\w+): )?it is proved that no collapse state with 0 ≤ λ < " + NUMBER, row["reason"]):
         of_sides = [side["lower"] for side in row["sides"] if side["lower"] is not None and push in ("", side["push"])]
         check.demand(row, "floor", float(text) <= min(of_sides), f"0 ≤ λ < {text} for {min(of_sides)!r}")
