@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::conclusion::{Basis, Conclusion, Difference, Doubt};
+use super::conclusion::{ALIKE, Basis, Conclusion, Difference, Doubt};
 use super::heard::LowerState;
 use crate::answer::{Status, write_motion_cap};
 use crate::number::{above, below, number, short};
@@ -26,14 +26,16 @@ pub(super) fn write(
         let Difference {
             method,
             explanation,
+            relative,
+            associative,
             ..
         } = difference;
-        match difference.associative {
-            None => write!(f, "; {method} stands, which is {explanation}")?,
-            Some(lambda) if of.bracket.is_some_and(|b| reads(b.lower) == reads(lambda)) => {
+        match (associative, relative) {
+            (None, _) => write!(f, "; {method} stands, which is {explanation}")?,
+            (_, Some(relative)) if relative.abs() <= ALIKE => {
                 write!(f, "; {method} gives the same")?;
             }
-            Some(lambda) => {
+            (&Some(lambda), _) => {
                 let bound = bound(reaction, lambda);
                 write!(f, "; {method} proves {bound}, which is {explanation}")?;
             }
@@ -42,11 +44,25 @@ pub(super) fn write(
     if of.bracket.is_some() {
         let share = short(100.0 * reaction.start / reaction.weight, 2);
         let start = number(reaction.start, 5);
-        let end = match reaction.sense {
-            Sense::Away => "at most",
-            Sense::Against => "at least",
-        };
-        write!(f, "; at rest it is {end} {start} ({share} % of the weight)")?;
+        let start = format!("{start} ({share} % of the weight)");
+        match (reaction.sense, reaction.limited) {
+            (Sense::Away, true) => {
+                write!(f, "; a linear program finds at most {start} at rest")?;
+            }
+            (Sense::Against, true) => {
+                write!(f, "; a linear program finds at least {start} at rest")?;
+            }
+            (sense, false) => {
+                let end = match sense {
+                    Sense::Away => "largest",
+                    Sense::Against => "least",
+                };
+                write!(
+                    f,
+                    "; no {end} reaction at rest is known, and it begins at {start} here"
+                )?;
+            }
+        }
     }
     let mut lead = "; NOT EXPLAINED: ";
     for doubt in &of.doubts {
@@ -98,7 +114,13 @@ fn write_best(
                 "{gives_way} {status}, and the {first} reaction of any collapse state found ({by})"
             )?;
             match of.highest_state {
-                Some(other) => write!(f, "; others were found up to {}", reads(other)),
+                Some(other) => {
+                    let way = match reaction.sense {
+                        Sense::Away => "down",
+                        Sense::Against => "up",
+                    };
+                    write!(f, "; others were found {way} to {}", reads(other))
+                }
                 None => Ok(()),
             }
         }

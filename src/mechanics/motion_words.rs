@@ -81,7 +81,7 @@ impl<'a> Moved<'a> {
     /// The blocks that move fastest.
     pub fn first_blocks(&self) -> Vec<String> {
         let speed = |block: usize| self.mechanism.speed(self.scene, block, None);
-        let blocks = 0..self.scene.blocks().len();
+        let blocks = (0..self.part_of.len()).filter(|&block| !self.scene.is_moving_support(block));
         let mut order: Vec<(usize, f64)> = blocks.map(|block| (block, speed(block))).collect();
         order.retain(|(_, speed)| *speed > STILL * self.fastest);
         // What is equal but for rounding keeps the order of the blocks.
@@ -145,16 +145,16 @@ impl<'a> Moved<'a> {
     /// The mechanism in words; `None` where nothing moves.
     pub fn words(&self) -> Option<String> {
         let moving: Vec<usize> = (0..self.parts.len())
-            .filter(|&part| self.parts[part].moves)
+            .filter(|&part| self.parts[part].moves && self.count(part) > 0)
             .collect();
-        if moving.is_empty() || self.fastest <= 0.0 {
+        if self.fastest <= 0.0 {
             return None;
         }
-        let blocks: usize = moving
-            .iter()
-            .map(|&part| self.parts[part].blocks.len())
-            .sum();
-        let all = self.scene.blocks().len();
+        if moving.is_empty() {
+            return self.scene.reaction().map(|_| "no block moves".to_owned());
+        }
+        let blocks: usize = moving.iter().map(|&part| self.count(part)).sum();
+        let all: usize = (0..self.parts.len()).map(|part| self.count(part)).sum();
         let who = match (blocks, all) {
             (1, 1) => "the block".to_owned(),
             (blocks, all) if blocks == all => format!("all {all} blocks"),
@@ -176,7 +176,7 @@ impl<'a> Moved<'a> {
             }
             None => {
                 let described = moving.iter().take(DESCRIBED).map(|&part| {
-                    let count = self.parts[part].blocks.len();
+                    let count = self.count(part);
                     let plural = if count == 1 { "block" } else { "blocks" };
                     format!("{count} {plural} {}", self.part_words(part))
                 });
@@ -219,14 +219,18 @@ impl<'a> Moved<'a> {
         }
     }
 
+    /// The blocks of a part; a support that moves is none.
+    fn count(&self, part: usize) -> usize {
+        let blocks = self.parts[part].blocks.iter();
+        blocks
+            .filter(|&&block| !self.scene.is_moving_support(block))
+            .count()
+    }
+
     /// What a part does, and on what.
     fn part_words(&self, part: usize) -> String {
         let first = self.parts[part].blocks[0];
-        let s = if self.parts[part].blocks.len() == 1 {
-            "s"
-        } else {
-            ""
-        };
+        let s = if self.count(part) == 1 { "s" } else { "" };
         let motion = self.mechanism.motions[first];
         let (low, high) = self.bounds(part);
         let speed = self.parts[part]

@@ -228,18 +228,19 @@ impl<'a> Panel<'a> {
     fn sentences(&self) -> Vec<String> {
         let (row, outcome) = (&*self.view.row, &self.view.row.outcome);
         let status = outcome.status.name();
+        let what = row.reaction.as_ref().map_or("λ =", |_| "reaction");
         if self.contents == Contents::Forces {
             let (lambda, forces) = outcome.evidence.forces().unzip();
             let lambda = lambda.unwrap_or(0.0);
             let largest = forces::largest(self.view.scene, forces);
             return vec![
-                format!("at λ = {}", number(row.reads(lambda), 5)),
+                format!("at {what} {}", number(row.reads(lambda), 5)),
                 format!("largest force {}", short(largest, 4)),
             ];
         }
         let mut lines = match outcome.bracket() {
             Some(_) => vec![format!(
-                "λ = {}, {status}",
+                "{what} {}, {status}",
                 (column("lambda").value)(row).shown()
             )],
             None => vec![format!("no multiplier: {status}")],

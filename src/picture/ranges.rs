@@ -41,7 +41,7 @@ pub struct Ranges {
     /// Upright lines over all ranges: their words and values.
     pub bounds: Vec<(String, f64)>,
     /// What the axis shows.
-    pub label: &'static str,
+    pub label: String,
 }
 
 /// One range.
@@ -89,7 +89,7 @@ pub fn ranges(picture: &Ranges, entries: &[LegendEntry], title: &str) -> String 
     let inside = ticks
         .into_iter()
         .filter(|(value, _)| (near[0]..=near[1]).contains(value));
-    area.x_axis(&mut svg, &inside.collect::<Vec<_>>(), picture.label);
+    area.x_axis(&mut svg, &inside.collect::<Vec<_>>(), &picture.label);
     for (_, value) in &picture.bounds {
         upright(&mut svg, &area, *value);
     }
@@ -240,7 +240,7 @@ mod tests {
             ranges: vec![range([0.639, 0.643]), range([0.64, 0.64])],
             shaded: Some(("wide".to_owned(), [0.48, 0.95], FAINT)),
             bounds: Vec::new(),
-            label: "λ",
+            label: "λ".to_owned(),
         };
         let [low, high] = near(&picture);
         assert!(

@@ -127,6 +127,7 @@ fn object(result: &CaseResult, row: &Row) -> JsonObject {
             "support": reaction.support,
             "moves": reaction.sense.name(),
             "start": reaction.start,
+            "limited": reaction.limited,
             "weight": digits(reaction.weight),
         });
         object.insert("reaction".to_owned(), begins);

@@ -73,7 +73,14 @@ fn answers(result: &CaseResult, layout: Layout) -> String {
         cells.iter().map(|cell| cell.shown()).collect()
     };
     let rows: Vec<Vec<String>> = result.rows.iter().map(shown).collect();
-    let columns = COLUMNS.map(|(name, spare)| grid_column(name).spare(spare));
+    let moves = result.rows.iter().any(|row| row.reaction.is_some());
+    let columns = COLUMNS.map(|(name, spare)| {
+        let column = grid_column(name).spare(spare);
+        match name {
+            "lambda" if moves => column.headed("reaction"),
+            _ => column,
+        }
+    });
     grid(layout, 0, &columns, &rows)
 }
 

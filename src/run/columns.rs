@@ -1,9 +1,9 @@
 //! The one list of columns. CSV, JSON, tables, the report, sweeps, chart and atlas name columns of
 //! it; a new one is one entry.
 
+use super::ends::{End, Ends};
 use super::row::Row;
-use super::sides::{End, Ends};
-use crate::answer::{Coverage, Status, magnitude};
+use crate::answer::{Coverage, Status};
 use crate::case::{Quantity, Reference, SourceKind};
 use crate::method::Kind;
 use crate::number::{nine_digits, number, short};
@@ -273,8 +273,7 @@ fn multiplier(row: &Row) -> Value {
         (None, Some(end)) => format!("≤ {}", end.outwards(decimals)),
         (Some(end), None) => format!("≥ {}", end.outwards(decimals)),
         (Some(low), Some(high)) => {
-            let unit = magnitude(high.lambda, row.multiplier_unit);
-            if high.lambda - low.lambda <= 2e-6 * unit {
+            if row.is_one_number() {
                 nearest(low)
             } else {
                 let [low, high] = [low, high].map(|end| end.outwards(decimals));

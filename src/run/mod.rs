@@ -6,6 +6,7 @@
 
 mod cases;
 mod columns;
+mod ends;
 pub(crate) mod execute;
 mod journal;
 mod kept;

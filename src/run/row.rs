@@ -5,8 +5,9 @@ use std::borrow::Cow;
 
 use serde::{Deserialize, Serialize};
 
-use super::sides::{self, Ends, OtherSide};
-use crate::answer::{Bracket, Fact, Outcome, Status, sentence};
+use super::ends::{Ends, Side, ends};
+use super::sides::{self, OtherSide};
+use crate::answer::{Bracket, Fact, Outcome, Status, magnitude, sentence};
 use crate::case::{Case, Quantity, Reference};
 use crate::judge::{Check, Computed, Recomputed, Verdict, computed, largest};
 use crate::mechanics::Crack;
@@ -113,7 +114,7 @@ impl Row {
         }
     }
 
-    fn two_sides(&self) -> (sides::Side<'_>, Option<sides::Side<'_>>) {
+    fn two_sides(&self) -> (Side<'_>, Option<Side<'_>>) {
         let mut sides = self.sides();
         let governing = sides.next().expect("there is one");
         (governing, sides.next())
@@ -128,13 +129,24 @@ impl Row {
     /// The ends of the range of λ, each with the push that it belongs to; of a support that moves, those
     /// of its reaction.
     pub(crate) fn ends(&self) -> Ends {
-        let (governing, other) = self.two_sides();
-        let ends = sides::ends(governing, other);
+        let ends = self.multiplier_ends();
         match &self.reaction {
             Some(reaction) => ends.read(reaction),
             None => ends,
         }
         .one_to_the_nearest()
+    }
+
+    /// The ends of λ itself.
+    fn multiplier_ends(&self) -> Ends {
+        let (governing, other) = self.two_sides();
+        ends(governing, other)
+    }
+
+    /// Whether the ends are one number to what a proof vouches for.
+    pub(crate) fn is_one_number(&self) -> bool {
+        let multiplier = self.multiplier_ends().bracket();
+        multiplier.is_some_and(|of| of.relative_width(self.multiplier_unit) <= SHOWN_AS_ONE)
     }
 
     /// What people read for a λ: of a support that moves, its reaction.
@@ -148,12 +160,20 @@ impl Row {
         self.ends().bracket()
     }
 
-    /// Error that the method states for its range, relative to λ: of both sides the larger.
+    /// Error that the method states for its range, relative to λ: of both sides the larger. Of a
+    /// support that moves, relative to its reaction.
     pub fn stated_error(&self) -> Option<f64> {
         let errors = self
             .sides()
             .filter_map(|(_, outcome)| outcome.evidence.stated_error());
-        errors.reduce(f64::max)
+        let error = errors.reduce(f64::max)?;
+        let Some(reaction) = &self.reaction else {
+            return Some(error);
+        };
+        let lambda = self.multiplier_ends().upper?.lambda;
+        let [change, reaction] =
+            [lambda, reaction.at(lambda)].map(|of| magnitude(of, self.multiplier_unit));
+        Some(error * change / reaction)
     }
 
     /// The largest residual; `None` where there was nothing to judge.
@@ -255,6 +275,9 @@ impl Row {
         })
     }
 }
+
+/// Ends nearer than this, relative to λ, are shown as one number.
+const SHOWN_AS_ONE: f64 = 2e-6;
 
 /// Name of a case's scene in tables and files: `CASE`, or `CASE@open` where head joints are open.
 pub fn scene_name(case: &str, head_joints: HeadJoints) -> String {

@@ -43,6 +43,7 @@ impl Scene {
         let reaction = Reaction {
             support: motion.supports[0].name.clone(),
             start: 0.0,
+            limited: false,
             range: 0.0,
             sense: motion.sense,
             weight: self.total_weight(),
@@ -97,12 +98,13 @@ impl Scene {
         scene
     }
 
-    /// The same scene where λ = 0 stands for this reaction, and λ can be this large, roughly.
-    pub(crate) fn with_start(mut self, start: f64, range: f64) -> Self {
+    /// The same scene where λ = 0 stands for this reaction, and λ can be this large, roughly. `limited`
+    /// says whether no state at rest has one further out.
+    pub(crate) fn with_start(mut self, start: f64, range: f64, limited: bool) -> Self {
         let Some(reaction) = &mut self.reaction else {
             return self;
         };
-        (reaction.start, reaction.range) = (start, range);
+        (reaction.start, reaction.range, reaction.limited) = (start, range, limited);
         let from_wall = reaction.sign() * start;
         self.with_loads(|load, _| {
             // Nothing else is live.
@@ -110,6 +112,12 @@ impl Scene {
                 load.dead = load.live * from_wall;
             }
         })
+    }
+
+    /// Whether a block is a support that moves.
+    pub(crate) fn is_moving_support(&self, block: usize) -> bool {
+        let mut joints = self.joints.iter();
+        joints.any(|joint| joint.class == JointClass::Guide && joint.to == block)
     }
 
     /// What λ says of a support that moves; `None` where none does.

@@ -31,6 +31,9 @@ pub struct Reaction {
     pub support: String,
     /// The reaction that it begins with, in the case's unit of force, positive towards the wall.
     pub start: f64,
+    /// Whether that is the end of the reactions that equilibrium and friction admit, as a linear program
+    /// finds it; else they have no such end, and it stands for a large one.
+    pub limited: bool,
     /// How far λ can be with associative friction, roughly: a program says so, and nothing proves it.
     pub range: f64,
     /// Whether it falls or rises from there.

@@ -46,6 +46,11 @@ impl GridColumn {
         Self { spare, ..self }
     }
 
+    /// The same below other words.
+    pub const fn headed(self, heading: &'static str) -> Self {
+        Self { heading, ..self }
+    }
+
     /// The same with coloured cells.
     pub const fn styled(self, style: fn(&str) -> Style) -> Self {
         Self { style, ..self }

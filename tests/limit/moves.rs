@@ -145,3 +145,34 @@ fn a_case_without_a_move_has_no_reaction() {
     assert!(row.reaction.is_none());
     assert!(!row.reason().contains("reaction"));
 }
+
+/// Between two fixed supports any thrust holds a block: no largest one is known, and what λ = 0 stands for
+/// is no reaction that a reader should take for one.
+#[test]
+fn a_reaction_without_a_limit_is_said_to_have_none() {
+    let clamped = "friction = 0.5
+[[block]]
+name = \"b\"
+weight = 1.0
+corners = [[0, 0], [1, 0], [1, 1], [0, 1]]
+[[support]]
+name = \"ground\"
+corners = [[-1, -1], [2, -1], [2, 0], [-1, 0]]
+[[support]]
+name = \"left\"
+corners = [[-1, 0], [0, 0], [0, 1], [-1, 1]]
+[[support]]
+name = \"right\"
+corners = [[1, 0], [2, 0], [2, 1], [1, 1]]
+[[move]]
+support = \"right\"
+direction = [1, 0]
+moves = \"away\"
+";
+    for (text, limited) in [(BEAM, true), (clamped, false)] {
+        let row = solved(text, "associative");
+        let reaction = row.reaction.as_ref().expect("a support moves");
+        assert_eq!(reaction.limited, limited, "{reaction:?}");
+    }
+    gives_way_at(clamped, 0.0);
+}

@@ -130,6 +130,13 @@ impl fmt::Display for Uniqueness {
             }
             None => write!(f, "the closed form does not apply; ")?,
         }
+        self.write_search(f)
+    }
+}
+
+impl Uniqueness {
+    /// What the search for lower states came to.
+    pub(super) fn write_search(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.ended_early {
             write!(f, "a state as low ended the search")
         } else {

@@ -5,7 +5,7 @@ use thiserror::Error;
 
 use super::super::bracket::Bracket;
 use super::super::self_check::{SelfCheck, Variation};
-use crate::number::number;
+use crate::number::{number, short};
 
 /// What a pushover ends with, or why it has no answer.
 #[derive(Clone, Debug, Error, PartialEq, Serialize, Deserialize)]
@@ -95,19 +95,22 @@ pub enum PushoverFact {
         time: f64,
     },
     /// The time steps allowed were used up.
-    #[error("the pushover used up the time steps allowed; the last load at rest was λ = {lambda}")]
+    #[error("the pushover used up the time steps allowed; the last load at rest was λ = {}", short(*.lambda, 6))]
     OutOfSteps {
         /// Last multiplier at rest.
         lambda: f64,
     },
     /// The scene stands at the largest multiplier that is tried.
-    #[error("the scene still stands at λ = {lambda}, and nothing larger is tried")]
+    #[error("the scene still stands at λ = {}, and nothing larger is tried", short(*.lambda, 6))]
     StillStands {
         /// Last multiplier at rest.
         lambda: f64,
     },
     /// The scene neither rests nor collapses within the time allowed.
-    #[error("at λ = {lambda} the scene neither rests nor collapses within the time allowed")]
+    #[error(
+        "at λ = {} the scene neither rests nor collapses within the time allowed",
+        short(*.lambda, 6)
+    )]
     Unclear {
         /// The multiplier.
         lambda: f64,

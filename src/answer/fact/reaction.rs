@@ -4,8 +4,9 @@ use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
+use super::{AutoFact, PushoverFact};
 use crate::certificate::Proved;
-use crate::number::number;
+use crate::number::{number, short};
 use crate::scene::Reaction;
 
 /// What is to be said of a support that moves.
@@ -27,6 +28,10 @@ pub enum ReactionFact {
     Uncertified,
     /// Nothing falls while the support is at rest.
     SupportMoves,
+    /// What the pushover ends with, each λ a reaction.
+    Pushover(PushoverFact),
+    /// What `auto` concludes, each λ a reaction.
+    Auto(AutoFact),
 }
 
 impl fmt::Display for ReactionFact {
@@ -70,7 +75,71 @@ impl fmt::Display for ReactionFact {
             ReactionFact::SupportMoves => {
                 write!(f, "nothing falls while the support stays where it is")
             }
+            ReactionFact::Pushover(fact) => write_pushover(f, fact),
+            ReactionFact::Auto(fact) => write_auto(f, fact),
         }
+    }
+}
+
+/// What the pushover says, where its own words speak of a multiplier.
+fn write_pushover(f: &mut fmt::Formatter<'_>, fact: &PushoverFact) -> fmt::Result {
+    match fact {
+        PushoverFact::OutOfSteps { lambda } => write!(
+            f,
+            "the pushover used up the time steps allowed; the last reaction at rest was {}",
+            short(*lambda, 5)
+        ),
+        PushoverFact::StillStands { lambda } => write!(
+            f,
+            "the scene still stands with a reaction of {}, and no further change is tried",
+            short(*lambda, 5)
+        ),
+        PushoverFact::Unclear { lambda } => write!(
+            f,
+            "with a reaction of {} the scene neither rests nor collapses within the time allowed",
+            short(*lambda, 5)
+        ),
+        PushoverFact::NearZero { .. } => write!(
+            f,
+            "the change of the reaction is too near to 0 to tell whether the scene falls without it"
+        ),
+        other => write!(f, "{other}"),
+    }
+}
+
+/// What `auto` says, where its own words speak of a multiplier.
+fn write_auto(f: &mut fmt::Formatter<'_>, fact: &AutoFact) -> fmt::Result {
+    match fact {
+        AutoFact::CollapsesWithoutBound { lambda } => write!(
+            f,
+            "the reaction at collapse is not unique: a collapse state is found at {}, and with \
+             associative friction none exists",
+            short(*lambda, 5)
+        ),
+        AutoFact::NoState { associative } => write!(
+            f,
+            "no collapse state is proved before the associative reaction, {}",
+            short(*associative, 5)
+        ),
+        AutoFact::LowerHeard { lambda, .. } => write!(
+            f,
+            "it may give way sooner: the sequential method gives {}, and a longer search found no state \
+             before that of the answer",
+            short(*lambda, 5)
+        ),
+        AutoFact::Uniqueness(gap) => {
+            if !gap.unique {
+                write!(f, "the reaction at collapse is not unique: ")?;
+            }
+            let width = short(100.0 * gap.relative_width, 2);
+            write!(
+                f,
+                "the first state found and that with associative friction are {width} % of the change of \
+                 the reaction apart; "
+            )?;
+            gap.write_search(f)
+        }
+        other => write!(f, "{other}"),
     }
 }
 

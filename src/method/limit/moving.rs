@@ -33,14 +33,14 @@ pub(crate) fn moving(scene: Scene, motion: &SupportMotion) -> Scene {
         .zip(end(Sense::Away))
         .map(|(most, least)| {
             let far = UNLIMITED * scene.total_weight();
-            let least = (-least).max((-far).min(most - far));
-            let most = most.min(far.max(far + least));
-            let inside = INSIDE * (most - least);
+            let low = (-least).max((-far).min(most - far));
+            let high = most.min(far.max(far + low));
+            let inside = INSIDE * (high - low);
             match motion.sense {
-                Sense::Away => (most - inside, most - least),
-                Sense::Against => (least + inside, most - least),
+                Sense::Away => (high - inside, high - low, high == most),
+                Sense::Against => (low + inside, high - low, low == -least),
             }
         });
-    let (start, range) = ends.unwrap_or_default();
-    scene.with_motion(motion).with_start(start, range)
+    let (start, range, limited) = ends.unwrap_or_default();
+    scene.with_motion(motion).with_start(start, range, limited)
 }

@@ -16,15 +16,16 @@ pub(super) fn from_within(scene: &Scene, pushover: impl Fn(&Scene) -> Outcome) -
         return Some(Outcome::without_number(Status::NotApplicable, turns));
     }
     let before = reaction.range / 3.0;
-    let outcome = pushover(&scene.clone().with_start(reaction.at(before), before));
+    let within = reaction.at(before);
+    let outcome = pushover(&scene.clone().with_start(within, before, false));
     if outcome.status == Status::Falls {
         // It stands with another reaction, and may with this one.
-        let within = ReactionFact::NotAtRest(reaction.at(before));
-        return Some(Outcome::without_number(Status::Undecided, within));
+        let reason = ReactionFact::NotAtRest(within);
+        return Some(Outcome::without_number(Status::Undecided, reason));
     }
     let unit = scene.multiplier_unit();
     let facts = outcome.facts.iter().map(|fact| match fact {
-        Fact::Pushover(fact) => fact.clone().with_lambda(|lambda| before + lambda).into(),
+        Fact::Pushover(fact) => fact.clone().with_lambda(&|lambda| before + lambda).into(),
         other => other.clone(),
     });
     let facts = facts.collect();

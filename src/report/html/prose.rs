@@ -14,7 +14,8 @@ pub fn reading() -> Markup {
     });
     html! {
         p { "λ is the multiplier of the horizontal live load at collapse; for a wall also the horizontal "
-            "acceleration in units of g. Head joints (perpends) are " b { "open" } " where they carry nothing, "
+            "acceleration in units of g. Where a support moves, its reaction at collapse stands in place of λ. \
+             Head joints (perpends) are " b { "open" } " where they carry nothing, "
             "as in dry-laid masonry before it is pushed, or in " b { "contact" } ", where they carry Coulomb "
             "friction. The crack's slope is tan β = ((c + e)/2 − s)/H: c is the width along the top that moves "
             "as one body, e the width that moves at all, s half a unit." }

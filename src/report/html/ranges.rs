@@ -50,8 +50,13 @@ pub fn range_figure(result: &CaseResult) -> Option<String> {
         .iter()
         .filter(|row| row.kind() == Kind::AssociativeBounds && row.status() == Status::Verified);
     let bounds: Vec<(String, f64)> = bounds
-        .filter_map(|row| Some((row.scene_name(), row.bracket()?.upper)))
+        .filter_map(|row| Some((row.scene_name(), row.reads(row.outcome.bracket()?.upper))))
         .collect();
+    let moves = rows.iter().find_map(|row| row.reaction.as_ref());
+    let label = match moves {
+        Some(reaction) => format!("reaction of {} at collapse", reaction.support),
+        None => "collapse multiplier λ".to_owned(),
+    };
     let mut entries = Vec::new();
     let disc = |filling, words: &str| {
         let look = Look {
@@ -67,7 +72,10 @@ pub fn range_figure(result: &CaseResult) -> Option<String> {
         entries.push(disc(Filling::Open, "not proved"));
     }
     if !bounds.is_empty() {
-        let words = "λ with associative friction, a proved upper bound";
+        let words = match moves {
+            Some(_) => "the reaction with associative friction, a proved bound",
+            None => "λ with associative friction, a proved upper bound",
+        };
         entries.push(LegendEntry::new(Sample::Line(dashed_line(INK)), words));
     }
     if ranges.iter().any(|range| !range.known.is_empty()) {
@@ -83,7 +91,7 @@ pub fn range_figure(result: &CaseResult) -> Option<String> {
         ranges,
         shaded,
         bounds,
-        label: "collapse multiplier λ",
+        label,
     };
     Some(drawn(&picture, &entries, &result.case.name))
 }
@@ -101,7 +109,7 @@ fn mark(row: &Row, both: bool) -> RangeMark {
         reference.kind != SourceKind::Independent
             && matches!(
                 reference.quantity,
-                Quantity::Lambda | Quantity::Lower | Quantity::Upper
+                Quantity::Lambda | Quantity::Reaction | Quantity::Lower | Quantity::Upper
             )
     });
     RangeMark {

@@ -25,7 +25,12 @@ pub fn replay(result: &CaseResult, row: &Row) -> Markup {
         .replace("</", "<\\/");
     let frames = poses.frames.len();
     let id = format!("replay-{}-{}", result.case.name, row.head_joints.name());
-    let upper = row.bracket().map_or(0.0, |bracket| bracket.upper);
+    // The replay is of the larger λ, which is the farther change of a reaction.
+    let lambda = row.outcome.bracket().map_or(0.0, |bracket| bracket.upper);
+    let (what, upper) = match row.reaction {
+        Some(_) => ("a reaction of", row.reads(lambda)),
+        None => ("λ =", lambda),
+    };
     html! {
         h3 id=(id) { "The collapse, replayed" }
         figure.replay aria-labelledby=(id) {
@@ -37,7 +42,7 @@ pub fn replay(result: &CaseResult, row: &Row) -> Markup {
                         aria-label="Frame of the replay"; }
                 output { "t = 0" }
             }
-            figcaption { "Pushover at λ = " (number(upper, 5)) ", " (row.head_joints.name())
+            figcaption { "Pushover at " (what) " " (number(upper, 5)) ", " (row.head_joints.name())
                 " head joints: the motion without damping after the collapse was called, as large as it \
                  is, until the farthest corner had moved by " (number(farthest, 2)) ". Time t is in √(L/g), L \
                  being the unit of length: 0.319 s where that is the metre."
