@@ -3,12 +3,12 @@
 use std::fmt::Write;
 
 use super::written::{pair, quoted};
-use crate::scene::{Assembly, Polygon, Support, SupportMotion};
+use crate::scene::{Assembly, Support, SupportMotion, beside};
 
 /// Gives the parts of the ground that move supports of their own, and what lies between them others.
 pub(super) fn with_parts(assembly: &mut Assembly, motion: &SupportMotion) {
     let parts = motion.supports.iter().filter(|part| part.blocks.is_some());
-    let mut parts: Vec<Support> = parts
+    let parts: Vec<Support> = parts
         .map(|part| Support {
             name: part.name.clone(),
             shape: part.shape.clone(),
@@ -17,27 +17,17 @@ pub(super) fn with_parts(assembly: &mut Assembly, motion: &SupportMotion) {
     if parts.is_empty() {
         return;
     }
-    parts.sort_by(|a, b| a.shape.bounds().0.x.total_cmp(&b.shape.bounds().0.x));
-    let (low, high) = assembly.supports.remove(0).shape.bounds();
-    let mut from = low.x;
-    for part in parts {
-        let (left, right) = part.shape.bounds();
-        assembly
-            .supports
-            .extend(ground(from, left.x, [low.y, high.y]));
-        assembly.supports.push(part);
-        from = right.x;
-    }
+    let ground = assembly.supports.remove(0).shape;
+    let still = beside(&ground, parts.iter().map(|part| &part.shape)).into_iter();
+    let still = still.map(|shape| Support {
+        name: format!("ground from {:?}", shape.bounds().0.x),
+        shape,
+    });
+    assembly.supports.extend(still.chain(parts));
+    let left = |support: &Support| support.shape.bounds().0.x;
     assembly
         .supports
-        .extend(ground(from, high.x, [low.y, high.y]));
-}
-
-/// Ground from one place to another, where there is any.
-fn ground(from: f64, to: f64, [low, high]: [f64; 2]) -> Option<Support> {
-    let shape = Polygon::rectangle(from, to, low, high).ok()?;
-    let name = format!("ground from {from:?}");
-    Some(Support { name, shape })
+        .sort_by(|a, b| left(a).total_cmp(&left(b)));
 }
 
 /// The `[[move]]` tables.

@@ -27,10 +27,14 @@ const LONGEST: f64 = 0.2;
 /// the last digit.
 pub fn dxf(scene: &Scene, mechanism: Option<&Mechanism>, thrust: Option<&Thrust>) -> String {
     let mut drawing = Drawing::new();
-    for block in scene.blocks() {
-        drawing.polyline("blocks", block.shape.corners(), true);
+    for (index, block) in scene.blocks().iter().enumerate() {
+        let layer = match scene.is_moving_support(index) {
+            true => "support",
+            false => "blocks",
+        };
+        drawing.polyline(layer, block.shape.corners(), true);
     }
-    for support in scene.supports() {
+    for support in scene.still_supports() {
         drawing.polyline("support", support.corners(), true);
     }
     for (index, block) in scene.blocks().iter().enumerate() {

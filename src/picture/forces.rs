@@ -7,7 +7,7 @@ use super::path::Path;
 use super::svg::{Svg, style};
 use super::wall::line_width;
 use crate::mechanics::{JointForce, thrust};
-use crate::scene::{Joint, Point, Scene, Vector};
+use crate::scene::{Joint, JointClass, Point, Scene, Vector};
 
 /// Part of the scene's height that the line of the largest contact force is long.
 const LONGEST: f64 = 0.16;
@@ -16,7 +16,7 @@ const LONGEST: f64 = 0.16;
 fn resultant(joint: &Joint, force: &JointForce) -> Option<(Point, Vector)> {
     let [n1, n2] = force.normal;
     let sum = n1 + n2;
-    if sum <= 0.0 {
+    if sum <= 0.0 || joint.class == JointClass::Guide {
         return None;
     }
     let at = joint.ends[0] + (joint.ends[1] - joint.ends[0]) * (n2 / sum).clamp(0.0, 1.0);

@@ -7,8 +7,8 @@ use super::path::{Path, Pixel};
 use super::svg::{Svg, style};
 use super::tints::tints;
 use super::wall::line_width;
-use crate::mechanics::{Mechanism, Moved};
-use crate::scene::{Joint, Scene, Side};
+use crate::mechanics::{JointRate, Mechanism, Moved};
+use crate::scene::{Joint, JointClass, Scene, Side};
 
 /// Bodies that move from which on tints say nothing any more: blocks are coloured by how far they move.
 const MANY: usize = 20;
@@ -103,7 +103,7 @@ impl<'a> DrawnMechanism<'a> {
                 }
             }
         }
-        let rates = mechanism.joint_rates(scene);
+        let rates: Vec<JointRate> = rates(scene, mechanism).map(|(_, rate)| rate).collect();
         Occurring {
             still: fills.clone().any(|fill| fill == STILL),
             tints,
@@ -189,6 +189,15 @@ pub fn blocks(svg: &mut Svg, frame: &Frame, scene: &Scene, drawn: &DrawnMechanis
     svg.close();
 }
 
+/// The joints, and how they open and slip; what guides a support is none to look at.
+fn rates<'a>(
+    scene: &'a Scene,
+    mechanism: &Mechanism,
+) -> impl Iterator<Item = (&'a Joint, JointRate)> {
+    let rates = scene.joints().iter().zip(mechanism.joint_rates(scene));
+    rates.filter(|(joint, _)| joint.class != JointClass::Guide)
+}
+
 /// Marks on the joints that open (the gap filled) and on those that slide (a strong line), with how
 /// many there are of each. Both stand on white, so that they are seen on any tint.
 pub fn marks(svg: &mut Svg, frame: &Frame, scene: &Scene, drawn: &DrawnMechanism) {
@@ -197,7 +206,7 @@ pub fn marks(svg: &mut Svg, frame: &Frame, scene: &Scene, drawn: &DrawnMechanism
     };
     let (mut open, mut slide) = (Path::default(), Path::default());
     let mut counts = [0; 2];
-    for (joint, rate) in scene.joints().iter().zip(mechanism.joint_rates(scene)) {
+    for (joint, rate) in rates(scene, mechanism) {
         let ([a, b], [c, d]) = sides(joint, frame, drawn);
         if rate.opening[0].max(rate.opening[1]) > drawn.at_rest {
             open.add(&[a, b, d, c], true);

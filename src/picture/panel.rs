@@ -124,7 +124,9 @@ impl<'a> Panel<'a> {
                 }
             }
         }
-        crack::push(svg, &frame, scene);
+        if scene.reaction().is_none() {
+            crack::push(svg, &frame, scene);
+        }
     }
 
     /// Heading, with its baseline at `heading`, and the caption below the picture.

@@ -34,7 +34,7 @@ pub use joints::{Joint, JointClass, NamedJoint, Side};
 pub use labels::Labels;
 pub use model::Scene;
 pub(crate) use model::multiplier_unit;
-pub(crate) use moving::{MovingSupport, SupportMotion};
+pub(crate) use moving::{MovingSupport, SupportMotion, beside};
 pub use of_blocks::OfBlocks;
 pub use parts::{SceneError, SceneParts};
 pub use polygon::{Point, Polygon, PolygonError, Vector};

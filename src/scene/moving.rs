@@ -120,10 +120,48 @@ impl Scene {
         joints.any(|joint| joint.class == JointClass::Guide && joint.to == block)
     }
 
+    /// What stands still of every support: all of it, or the ground beside the parts that move.
+    pub(crate) fn still_supports(&self) -> Vec<Polygon> {
+        let still = |(index, support): (usize, &Polygon)| {
+            let guides = self.joints.iter().filter(|joint| {
+                joint.class == JointClass::Guide && joint.from == Side::Support(index)
+            });
+            let mut moving: Vec<usize> = guides.map(|joint| joint.to).collect();
+            moving.dedup();
+            match moving.is_empty() {
+                true => vec![support.clone()],
+                false => beside(support, moving.iter().map(|&to| &self.blocks[to].shape)),
+            }
+        };
+        self.supports.iter().enumerate().flat_map(still).collect()
+    }
+
     /// What λ says of a support that moves; `None` where none does.
     pub(crate) fn reaction(&self) -> Option<&Reaction> {
         self.reaction.as_ref()
     }
+}
+
+/// What is left of the ground beside parts of it that move, from the left; nothing where all of it does.
+pub(crate) fn beside<'a>(
+    ground: &Polygon,
+    parts: impl Iterator<Item = &'a Polygon>,
+) -> Vec<Polygon> {
+    let (low, high) = ground.bounds();
+    let mut spans: Vec<[f64; 2]> = parts
+        .map(|part| part.bounds())
+        .map(|(left, right)| [left.x, right.x])
+        .collect();
+    spans.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let lefts = std::iter::once(low.x).chain(spans.iter().map(|span| span[1]));
+    let rights = spans
+        .iter()
+        .map(|span| span[0])
+        .chain(std::iter::once(high.x));
+    lefts
+        .zip(rights)
+        .filter_map(|(left, right)| Polygon::rectangle(left, right, low.y, high.y).ok())
+        .collect()
 }
 
 /// Ends and normal of a joint that guides a support.

@@ -363,6 +363,25 @@ fn coursed_walls_come_back_from_a_drawing() {
     assert!(count >= 15, "{count}");
 }
 
+/// A support that moves is drawn once, beside what stands still: the drawing is read again as it is, and
+/// nothing overlaps.
+#[test]
+fn a_support_that_moves_is_drawn_once() {
+    let library = case::library().into_iter();
+    let moving = |case: &Case| Path::new(&format!("cases/moves/{}.toml", case.name)).exists();
+    let mut count = 0;
+    for case in library.filter(moving) {
+        let scene = &case.scene(HeadJoints::Open);
+        let text = dxf(scene, None, None);
+        let drawn = Case::from_drawing("a.dxf", text.as_bytes(), &options());
+        let drawn = drawn.unwrap_or_else(|complaint| panic!("{}: {complaint}", case.name));
+        let blocks = drawn.case.scene(HeadJoints::Open).blocks().len();
+        assert_eq!(blocks, scene.blocks().len() - 1, "{}", case.name);
+        count += 1;
+    }
+    assert!(count >= 14, "{count}");
+}
+
 /// Their pushovers, by courses, by blocks and from the drawing: brackets that overlap.
 #[test]
 #[ignore = "three pushovers a wall"]
