@@ -1,7 +1,7 @@
 //! From the answers about one scene to their conclusion.
 
 use super::claims::{Answered, Answers, Claims, Role};
-use super::conclusion::{ALIKE, Basis, Conclusion, Difference, Doubt, Explanation, Floor};
+use super::conclusion::{ALIKE, Basis, Conclusion, Difference, Doubt, Explanation, Floor, Seen};
 use super::heard::{UNSTATED_ERROR, lower_states};
 use super::outside::{excluding, is_impossible};
 use crate::answer::{Bracket, Fact, LimitFact, Outcome, Status};
@@ -82,6 +82,7 @@ fn without_multiplier(
         status,
         bracket: None,
         highest_state: None,
+        seen: None,
         floor: floor(claims),
         difference: None,
         doubts: Vec::new(),
@@ -116,9 +117,11 @@ fn of_answer(claims: &Claims, basis: Basis, answer: &Answered) -> Conclusion {
             ..without_multiplier(claims, basis, status, methods)
         };
     }
+    let highest_state = highest_state(claims, answer);
     Conclusion {
         bracket: Some(Bracket::point(answer.bracket.lower)),
-        highest_state: highest_state(claims, answer),
+        highest_state,
+        seen: highest_state.and_then(|_| seen(claims)),
         difference: difference(claims, answer),
         doubts: [against_state(claims, answer), doubts].concat(),
         ..without_multiplier(claims, basis, Status::Verified, methods)
@@ -182,6 +185,15 @@ fn highest_state(claims: &Claims, lowest: &Answered) -> Option<f64> {
     });
     let highest = highest.fold(f64::NEG_INFINITY, f64::max);
     (claims.excess(highest, lowest.bracket.lower) > ALIKE).then_some(highest)
+}
+
+/// What a simulation saw.
+fn seen(claims: &Claims) -> Option<Seen> {
+    let observed = claims.of_role(Role::Observed);
+    observed.first().map(|answer| Seen {
+        by: answer.name.to_owned(),
+        bracket: answer.bracket,
+    })
 }
 
 /// What associative friction says beside the lowest state.

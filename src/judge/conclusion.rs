@@ -32,6 +32,8 @@ pub struct Conclusion {
     /// Of a lowest state, the highest state that is verified beside it: with head joints in contact,
     /// say, several mechanisms have one.
     pub highest_state: Option<f64>,
+    /// Of several states, what a simulation saw.
+    pub(crate) seen: Option<Seen>,
     /// The multiplier below which a proof leaves no collapse state in which the push does work.
     pub floor: Option<Floor>,
     /// What the other proofs say that is not the same.
@@ -40,6 +42,28 @@ pub struct Conclusion {
     pub doubts: Vec<Doubt>,
     /// Where a support moves, what the multipliers here say of its reaction.
     pub reaction: Option<Reaction>,
+}
+
+/// What a simulation saw where there are several collapse states: some of them, and not their range.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Seen {
+    /// Whose it is.
+    pub by: String,
+    /// From where to where.
+    pub bracket: Bracket,
+}
+
+impl Seen {
+    /// The same in words, where people read this number for each λ.
+    pub(super) fn write(
+        &self,
+        f: &mut fmt::Formatter<'_>,
+        reads: &dyn Fn(f64) -> String,
+    ) -> fmt::Result {
+        let [one, other] = [self.bracket.lower, self.bracket.upper].map(reads);
+        let by = &self.by;
+        write!(f, "; {by} saw {one} to {other}, which is not their range")
+    }
 }
 
 /// A proved lower bound.

@@ -113,16 +113,14 @@ fn write_best(
                 f,
                 "{gives_way} {status}, and the {first} reaction of any collapse state found ({by})"
             )?;
-            match of.highest_state {
-                Some(other) => {
-                    let way = match reaction.sense {
-                        Sense::Away => "down",
-                        Sense::Against => "up",
-                    };
-                    write!(f, "; others were found {way} to {}", reads(other))
-                }
-                None => Ok(()),
+            if let Some(other) = of.highest_state {
+                let way = match reaction.sense {
+                    Sense::Away => "down",
+                    Sense::Against => "up",
+                };
+                write!(f, "; others were found {way} to {}", reads(other))?;
             }
+            of.seen.as_ref().map_or(Ok(()), |seen| seen.write(f, reads))
         }
         Basis::Stands => write!(
             f,

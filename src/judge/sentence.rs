@@ -70,6 +70,9 @@ impl fmt::Display for Conclusion {
                     let highest = number(highest, 5);
                     write!(f, ", and others were found up to {highest}")?;
                 }
+                if let Some(seen) = &self.seen {
+                    seen.write(f, &|lambda| number(lambda, 5))?;
+                }
                 match self.bracket {
                     Some(bracket) if bracket.lower == 0.0 => write!(f, "; {AT_REST}"),
                     _ => Ok(()),

@@ -6,11 +6,12 @@ use crate::run::{CaseResult, Row, column, values};
 use crate::scene::HeadJoints;
 
 /// Columns of the table: name and width. The last one ends the line.
-const TABLE: [(&str, usize); 11] = [
+const TABLE: [(&str, usize); 12] = [
     ("method", 12),
     ("head_joints", 8),
     ("status", 15),
     ("lambda", 18),
+    ("stated_percent", 8),
     ("lambda_reference", 18),
     ("error_percent", 8),
     ("slope", 9),
@@ -22,8 +23,9 @@ const TABLE: [(&str, usize); 11] = [
 
 /// What the letters behind references mean.
 pub const LEGEND: &str = "Reference: p is a published value, a an analytic one, i one of independent code. \
-                          Error: how far the farther end of the answer is from it. c and e: widths of \
-                          the crack's triangle along the top of the wall.";
+                          Error: how far the farther end of the answer is from it. Stated: how far off \
+                          the method says that its answer may be. c and e: widths of the crack's \
+                          triangle along the top of the wall.";
 
 /// Headings of the columns, above the lines of [`lines`], their Greek letters spelled out.
 pub fn heading() -> String {

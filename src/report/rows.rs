@@ -199,6 +199,10 @@ fn conclusion(result: &CaseResult, of: &Conclusion) -> serde_json::Value {
         "lower": digits(lower),
         "upper": digits(upper),
         "highest_state": digits(of.highest_state.map(reads)),
+        "seen": of.seen.as_ref().map(|seen| {
+            let (one, other) = (reads(seen.bracket.lower), reads(seen.bracket.upper));
+            [one.min(other), one.max(other)].map(|end| digits(Some(end)))
+        }),
         "associative": digits(difference.and_then(|difference| difference.associative).map(reads)),
         "difference": digits(difference.and_then(|difference| difference.relative)),
         "explanation": difference.map(|difference| difference.explanation.name()),

@@ -12,18 +12,19 @@ use crate::text::{Layout, bold, ended, grid, sentence};
 
 /// Columns of a screen: those of the record, as many as there is room for, and how soon each is left
 /// out.
-const COLUMNS: [(&str, usize); 11] = [
+const COLUMNS: [(&str, usize); 12] = [
     ("method", 0),
     ("head_joints", 0),
     ("lambda", 0),
-    ("lambda_reference", 1),
+    ("stated_percent", 1),
+    ("lambda_reference", 2),
     ("status", 0),
     ("error_percent", 0),
     ("verdict", 0),
-    ("slope", 2),
-    ("slope_reference", 5),
-    ("width_c", 3),
-    ("width_e", 4),
+    ("slope", 3),
+    ("slope_reference", 6),
+    ("width_c", 4),
+    ("width_e", 5),
 ];
 
 /// What is said of one case: its title, a table, notes, checks that do not hold, and the best answer
@@ -100,8 +101,8 @@ fn said(note: &Note, layout: Layout) -> String {
 const WITH_REFERENCES: usize = 100;
 
 /// What the error is, where references have no room.
-const ERROR: &str =
-    "The error says how far the farther end of an answer is from its reference value.";
+const ERROR: &str = "Error: how far the farther end of an answer is from its reference value. Stated: how far off the \
+     method says that it may be.";
 
 /// What stands below the last case; `more` says how to get the columns that a narrow screen leaves out.
 pub fn legend(layout: Layout, more: &str) -> String {

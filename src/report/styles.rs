@@ -49,7 +49,7 @@ fn of_status_word(word: &str) -> Style {
 pub(super) fn grid_column(name: &str) -> GridColumn {
     let heading = column(name).heading;
     match name {
-        "error_percent" | "width_c" | "width_e" => numbers(heading),
+        "error_percent" | "stated_percent" | "width_c" | "width_e" => numbers(heading),
         "status" => words(heading).styled(of_status_word),
         "verdict" => words(heading).styled(of_verdict_word),
         _ => words(heading),

@@ -200,6 +200,11 @@ pub static COLUMNS: &[Column] = &[
     effort("fallbacks", |row| Value::Count(row.outcome.work.fallbacks)),
     words("head_joints", |row| row.head_joints.name().into()).headed("joints", "Joints"),
     words("lambda", multiplier).headed("λ", "λ"),
+    words("stated_percent", |row| {
+        let error = row.stated_error();
+        error.map(|error| number(100.0 * error, 2)).into()
+    })
+    .headed("stated %", "Stated %"),
     words("lambda_reference", multiplier_reference).headed("reference", "Reference"),
     words("error_percent", |row| {
         row.error().map(|error| number(100.0 * error, 2)).into()

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use super::row::Row;
-use crate::answer::{Fact, LimitFact, Outcome};
+use crate::answer::{Bracket, Evidence, Fact, LimitFact, Outcome, PushoverFact};
 use crate::case::Case;
 use crate::judge::{
     Check, Conclusion, conclude, cross_check, of_wall, open_never_raises, reference_checks,
@@ -82,7 +82,10 @@ impl CaseResult {
         for conclusion in of_sides.iter().flatten() {
             let of_setting = |row: &&mut Row| row.head_joints == conclusion.head_joints;
             for row in rows.iter_mut().filter(of_setting) {
-                row.change_side(conclusion.push, |outcome| name_bound(outcome, conclusion));
+                row.change_side(conclusion.push, |outcome| {
+                    name_bound(outcome, conclusion);
+                    name_states(outcome, conclusion);
+                });
             }
         }
         let conclusions = of_sides.into_iter().map(of_wall).collect();
@@ -156,6 +159,22 @@ fn name_bound(outcome: &mut Outcome, conclusion: &Conclusion) {
             *fact = LimitFact::FoundAboveBound { proof, by }.into();
         }
     }
+}
+
+/// Where a scene has several collapse states, says of what was seen that it is not their range.
+fn name_states(outcome: &mut Outcome, conclusion: &Conclusion) {
+    let is_seen = matches!(outcome.evidence, Evidence::Observed(_)) && outcome.bracket().is_some();
+    let lowest = conclusion.bracket.filter(|_| is_seen);
+    let Some((lowest, highest)) = lowest.zip(conclusion.highest_state) else {
+        return;
+    };
+    let states = Bracket {
+        lower: lowest.lower,
+        upper: highest,
+    };
+    outcome
+        .facts
+        .push(PushoverFact::OfSeveral { states }.into());
 }
 
 fn checks(case: &Case, scenes: &[(HeadJoints, Vec<Scene>)], rows: &[Row]) -> Vec<Check> {

@@ -11,6 +11,7 @@ mod builders;
 mod checks;
 mod cracks;
 mod falling;
+mod moves;
 mod not_convex;
 mod random_walls;
 mod refusals;

@@ -152,6 +152,17 @@ pub enum PushoverFact {
         /// The softest contacts, as a multiple of what the substep allows.
         softest: f64,
     },
+    /// Other methods verify several collapse states, and what was seen is not their range.
+    #[error(
+        "collapse states are verified from {} to {}, and this is what was seen of them, not their \
+         range",
+        number(.states.lower, 5),
+        number(.states.upper, 5)
+    )]
+    OfSeveral {
+        /// From the lowest to the highest.
+        states: Bracket,
+    },
     /// Blocks slide away before the scene collapses, at every substep: several collapse states.
     #[error("there are several collapse states: blocks slide away before the scene collapses")]
     SlidesFirst,

@@ -16,7 +16,7 @@ pub enum ReactionFact {
     NoneHolds(Reaction),
     /// Between its ends it does not come to rest with this reaction, by the pushover.
     NotAtRest(f64),
-    /// The support turns, or another moves with it, which the pushover has no guides for.
+    /// The support turns, which the pushover has no guides for.
     Turns,
     /// The collapse state found is at the reaction that it begins with.
     AtOnce,
@@ -47,7 +47,7 @@ impl fmt::Display for ReactionFact {
             ),
             ReactionFact::Turns => write!(
                 f,
-                "the pushover moves one support along a line, and none that turns or takes another along"
+                "the pushover moves supports along lines, and none that turns"
             ),
             ReactionFact::AtOnce => {
                 write!(

@@ -57,7 +57,9 @@ impl PushoverFact {
             PushoverFact::OutOfSteps { lambda }
             | PushoverFact::StillStands { lambda }
             | PushoverFact::Unclear { lambda } => *lambda = at(*lambda),
-            PushoverFact::OneLevel { bracket } => ends(bracket),
+            PushoverFact::OneLevel { bracket } | PushoverFact::OfSeveral { states: bracket } => {
+                ends(bracket)
+            }
             PushoverFact::LevelsDisagree { brackets } => brackets.iter_mut().for_each(ends),
             PushoverFact::RangeUnfinished { so_far, .. } => so_far.iter_mut().for_each(ends),
             PushoverFact::Checked(check)

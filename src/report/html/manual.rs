@@ -138,6 +138,7 @@ fn answers(result: &CaseResult) -> Markup {
         "head_joints",
         "status",
         "lambda",
+        "stated_percent",
         "lambda_reference",
         "error_percent",
         "slope",

@@ -162,12 +162,13 @@ pub fn cells(row: &Row, names: &[&str]) -> Vec<TableCell> {
 
 /// Columns of the multipliers behind the case: λ and what it is worth come first; the note, which is
 /// long, last.
-const MULTIPLIERS: [&str; 13] = [
+const MULTIPLIERS: [&str; 14] = [
     "method",
     "head_joints",
     "status",
     "verdict",
     "lambda",
+    "stated_percent",
     "lambda_reference",
     "error_percent",
     "slope",
