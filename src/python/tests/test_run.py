@@ -135,6 +135,24 @@ def test_ctrl_c_before_anything_is_finished_is_pythons_own():
 
 
 @pytest.mark.skipif(os.name == "nt", reason="programs that are scripts")
+def test_ctrl_c_is_not_swallowed_where_the_program_ends_as_ever(tmp_path, monkeypatch):
+    path = tmp_path / "trilith"
+    version = f'[ "$1" = --version ] && echo "trilith {trilith.__version__}" && exit 0'
+    path.write_text(f"#!/bin/sh\n{version}\ntrap '' INT\ntouch {tmp_path}/began\nsleep 2\n")
+    path.chmod(0o755)
+    monkeypatch.setenv("TRILITH_PROGRAM", str(path))
+
+    def interrupt():
+        while not (tmp_path / "began").exists():
+            time.sleep(0.01)
+        os.kill(os.getpid(), signal.SIGINT)
+
+    threading.Thread(target=interrupt).start()
+    with pytest.raises(KeyboardInterrupt):
+        trilith.load("paper-3")
+
+
+@pytest.mark.skipif(os.name == "nt", reason="programs that are scripts")
 def test_a_program_that_is_not_what_it_should_be_is_told_of(tmp_path, monkeypatch):
     def script(text):
         path = tmp_path / f"trilith-{len(list(tmp_path.iterdir()))}"

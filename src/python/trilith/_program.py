@@ -93,18 +93,20 @@ def run(
     arguments: Sequence[str],
     progress: Callable[[float, float], None] | None = None,
     folder: str = "",
+    keeps: bool = False,
 ) -> Finished:
-    """Runs the program to its end. Ctrl-C makes it hand out what is finished.
+    """Runs the program to its end. Ctrl-C makes it hand out what is finished, where the caller keeps it.
 
     Args:
         arguments: behind the program's name.
         progress: is told the share of the work that is done and the seconds left.
         folder: a temporary folder, which messages leave out.
+        keeps: whether the caller wants what is finished after Ctrl-C.
 
     Raises:
         CaseError: bad input, with the program's message.
         ProgramError: it cannot be run, or was ended from outside.
-        KeyboardInterrupt: Ctrl-C before anything was finished.
+        KeyboardInterrupt: Ctrl-C before anything was finished, or where nothing of it is kept.
     """
     command = [program(), *arguments]
     if progress:
@@ -129,6 +131,9 @@ def run(
     said = "".join(lines)
     if folder:
         said = re.sub(re.escape(folder) + r"(?:[/\\]\d{6})*[/\\]?", "", said)
+    if interrupts and not keeps:
+        # It may have ended as if nothing had happened, and what follows must not begin.
+        raise KeyboardInterrupt(said.strip())
     return _judged(status, out.decode(), said.strip(), interrupts > 0)
 
 

@@ -70,7 +70,8 @@ def run(
         options += ["--method", ",".join(names)] if methods else []
         shown = bar(progress)
         try:
-            done = run_program([*common, *options], shown, os.path.join(path, "cases"))
+            told = os.path.join(path, "cases")
+            done = run_program([*common, *options], shown, told, keeps=True)
         finally:
             if shown:
                 shown.clear()
