@@ -7,7 +7,7 @@
 use super::model::{GRID, Model};
 use super::parameters::Asked;
 use super::portion::Portion;
-use super::run::Trial;
+use super::run::{Trial, is_unclear};
 use super::tuned::Tuned;
 use crate::answer::{Bracket, Checked, Fact, Outcome, PushoverFact, SelfCheck, Status, magnitude};
 use crate::scene::Scene;
@@ -136,12 +136,6 @@ fn failed_check(outcome: &Outcome) -> Option<&SelfCheck> {
         Fact::Pushover(PushoverFact::SelfCheckFailed(check)) => Some(check),
         _ => None,
     })
-}
-
-/// Whether a load neither rested nor collapsed in time.
-fn is_unclear(outcome: &Outcome) -> bool {
-    let unclear = |fact: &Fact| matches!(fact, Fact::Pushover(PushoverFact::Unclear { .. }));
-    outcome.facts.iter().any(unclear)
 }
 
 /// Whether shorter substeps bring a figure down, `before` being the last one: a drift that they do

@@ -9,7 +9,7 @@ use super::physics::{BodyState, Physics};
 use super::portion::{Portion, beyond_stagger};
 use super::search::{Observation, SearchEnd, search};
 use crate::answer::{
-    Bracket, Checked, Observed, Outcome, PushoverFact, Recording, SelfCheck, Status, Work,
+    Bracket, Checked, Fact, Observed, Outcome, PushoverFact, Recording, SelfCheck, Status, Work,
 };
 use crate::mechanics::{Mechanism, Motion, crack_slope_by_gap};
 use crate::scene::{Scene, Vector};
@@ -31,9 +31,33 @@ pub struct Trial<'a> {
 }
 
 impl Trial<'_> {
+    /// The outcome with parameters changed. A scene that neither rests nor falls rattles, because its
+    /// friction is not solved to the end: it is pushed again with more sweeps.
+    pub fn run(&self, change: &impl Fn(Parameters) -> Parameters) -> Outcome {
+        let with_more = |sweeps: usize| {
+            self.set_free(&|own| {
+                let own = change(own);
+                Parameters {
+                    stabilization: own.stabilization + sweeps,
+                    ..own
+                }
+            })
+        };
+        let mut outcome = with_more(0);
+        for sweeps in 1..=self.asked.tuned.more_sweeps {
+            if !is_unclear(&outcome) {
+                break;
+            }
+            let spent = outcome.work.block_steps;
+            outcome = with_more(sweeps);
+            outcome.work.block_steps += spent;
+        }
+        outcome
+    }
+
     /// The outcome with parameters changed. A part that was held fixed and might have moved is set
     /// free, and the pushover repeated.
-    pub fn run(&self, change: &impl Fn(Parameters) -> Parameters) -> Outcome {
+    fn set_free(&self, change: &impl Fn(Parameters) -> Parameters) -> Outcome {
         let Some(portion) = beyond_stagger(self.scene, self.portion, &self.asked.tuned) else {
             return run(self, self.portion, change).0;
         };
@@ -46,6 +70,19 @@ impl Trial<'_> {
         outcome.work.block_steps += spent;
         outcome
     }
+}
+
+/// Whether the scene neither rested nor fell in time, under its weight alone or under a push.
+pub fn is_unclear(outcome: &Outcome) -> bool {
+    outcome.facts.iter().any(|fact| {
+        let Fact::Pushover(fact) = fact else {
+            return false;
+        };
+        matches!(
+            fact,
+            PushoverFact::Unclear { .. } | PushoverFact::NotSettled { .. }
+        )
+    })
 }
 
 /// One search, and whether what is held fixed might have moved.

@@ -22,6 +22,8 @@ tuned! {
     levels: usize = 4;
     /// Times that the substep may be halved.
     halvings: u32 = 6;
+    /// Relaxation sweeps that a scene which neither rests nor falls is given one by one beside its own.
+    more_sweeps: usize = 2;
     /// Levels that may end with a load that neither rests nor collapses in time.
     doubts: usize = 3;
     /// Blocks times substeps after which no further level is begun.
