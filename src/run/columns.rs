@@ -6,7 +6,7 @@ use super::row::Row;
 use crate::answer::{Coverage, Status};
 use crate::case::{Quantity, Reference, SourceKind};
 use crate::method::Kind;
-use crate::number::{nine_digits, number, short};
+use crate::number::{above, nine_digits, number, short};
 
 /// What a row says in one column.
 #[derive(Clone, Debug, PartialEq)]
@@ -201,8 +201,11 @@ pub static COLUMNS: &[Column] = &[
     words("head_joints", |row| row.head_joints.name().into()).headed("joints", "Joints"),
     words("lambda", multiplier).headed("λ", "λ"),
     words("stated_percent", |row| {
+        // Never less than is stated, but for the rounding of the multiplication.
         let error = row.stated_error();
-        error.map(|error| number(100.0 * error, 2)).into()
+        error
+            .map(|error| above(100.0 * (1.0 - 1e-9) * error, 2))
+            .into()
     })
     .headed("stated %", "Stated %"),
     words("lambda_reference", multiplier_reference).headed("reference", "Reference"),

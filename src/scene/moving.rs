@@ -117,7 +117,8 @@ impl Scene {
     /// Whether a block is a support that moves.
     pub(crate) fn is_moving_support(&self, block: usize) -> bool {
         let mut joints = self.joints.iter();
-        joints.any(|joint| joint.class == JointClass::Guide && joint.to == block)
+        self.reaction.is_some()
+            && joints.any(|joint| joint.class == JointClass::Guide && joint.to == block)
     }
 
     /// What stands still of every support: all of it, or the ground beside the parts that move.
