@@ -1,5 +1,7 @@
 //! The closed outlines of a drawing as shapes with names.
 
+use std::collections::BTreeMap;
+
 use super::curves::Chords;
 use super::entities::{file, handle_and_layer};
 use super::groups::groups;
@@ -36,10 +38,15 @@ pub(super) fn drawn(
         without: &options.without,
         found: Vec::new(),
         left_aside: Vec::new(),
+        unseen: BTreeMap::new(),
     };
     paths.read()?;
     if !paths.left_aside.is_empty() {
         remarks.push(format!("left aside: {}", paths.left_aside.join(", ")));
+    }
+    for (what, count) in &paths.unseen {
+        let entities = if *count == 1 { "entity" } else { "entities" };
+        remarks.push(format!("left out, as nobody sees it: {count} {entities} {what}"));
     }
     let metres = options.metres.or(file.metres);
     match metres {

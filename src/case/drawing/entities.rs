@@ -33,6 +33,8 @@ pub(super) struct File<'a> {
     pub metres: Option<f64>,
     pub blocks: HashMap<String, BlockOfEntities<'a>>,
     pub entities: Vec<Entity<'a>>,
+    /// Why a layer, in lower case, is not seen: `frozen` or `switched-off`.
+    pub unseen_layers: HashMap<String, &'static str>,
     /// Whether this program wrote it, which puts what is no wall on layers of their own.
     pub is_ours: bool,
 }
@@ -118,6 +120,7 @@ pub(super) fn file<'a>(groups: &'a [Group<'a>]) -> Result<File<'a>, Complaint> {
         metres: None,
         blocks: HashMap::new(),
         entities: Vec::new(),
+        unseen_layers: HashMap::new(),
         is_ours: matches!(groups, [first, ..] if first.code == 999 && first.text == "trilith"),
     };
     let mut seen = false;
@@ -128,6 +131,7 @@ pub(super) fn file<'a>(groups: &'a [Group<'a>]) -> Result<File<'a>, Complaint> {
         };
         match name.text {
             "HEADER" => file.metres = metres(inside),
+            "TABLES" => file.unseen_layers = unseen_layers(inside),
             "BLOCKS" => file.blocks = blocks(inside)?,
             "ENTITIES" => {
                 seen = true;
@@ -151,6 +155,21 @@ fn metres(groups: &[Group]) -> Option<f64> {
     let unit: i64 = groups.get(place + 1)?.text.parse().ok()?;
     let known = UNITS.iter().find(|(code, _)| *code == unit)?;
     Some(known.1)
+}
+
+/// The layers that are frozen (bit 1 of group 70), or switched off (a negative colour in group 62).
+fn unseen_layers(groups: &[Group]) -> HashMap<String, &'static str> {
+    let records = entities(groups).into_iter();
+    let layers = records.filter(|record| record.kind == "LAYER");
+    let unseen = layers.filter_map(|layer| {
+        let why = match (layer.flags(70) & 1, layer.flags(62)) {
+            (1, _) => "frozen",
+            (_, colour) if colour < 0 => "switched-off",
+            _ => return None,
+        };
+        Some((layer.text(2).to_lowercase(), why))
+    });
+    unseen.collect()
 }
 
 fn blocks<'a>(groups: &'a [Group<'a>]) -> Result<HashMap<String, BlockOfEntities<'a>>, Complaint> {

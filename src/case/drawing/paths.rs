@@ -1,5 +1,6 @@
 //! From entities to paths in the plane: INSERTs resolved, arcs as chords.
 
+use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::ops::Range;
 
@@ -64,6 +65,8 @@ pub(super) struct Paths<'a> {
     pub found: Vec<Path>,
     /// Kinds that were left aside, each once.
     pub left_aside: Vec<&'a str>,
+    /// What nobody who looks at the drawing sees, with how many entities of it there are.
+    pub unseen: BTreeMap<String, usize>,
 }
 
 /// Where an INSERT stands.
@@ -105,6 +108,10 @@ impl<'a> Paths<'a> {
             if is_ours || self.without.iter().any(|other| same(other, layer)) {
                 continue;
             }
+            if let Some(unseen) = self.unseen(entity, layer) {
+                *self.unseen.entry(unseen).or_default() += 1;
+                continue;
+            }
             self.entity(entity, layer, inside)?;
             if self.found.len() > MOST_PATHS {
                 let what = format!("more than {MOST_PATHS} outlines and lines");
@@ -113,6 +120,17 @@ impl<'a> Paths<'a> {
             }
         }
         Ok(())
+    }
+
+    /// Why an entity on this layer is not seen, where it is not. What an INSERT on a layer that is
+    /// switched off puts on other layers is seen all the same.
+    fn unseen(&self, entity: &Entity, layer: &str) -> Option<String> {
+        if entity.flags(60) == 1 {
+            return Some("invisible".to_owned());
+        }
+        let why = self.file.unseen_layers.get(&layer.to_lowercase())?;
+        let is_seen = entity.kind == "INSERT" && *why != "frozen";
+        (!is_seen).then(|| format!("on the {why} layer `{layer}`"))
     }
 
     fn entity(
