@@ -14,8 +14,8 @@ use super::stop::Stop;
 const SHOWN: usize = 20;
 
 /// How to give what a complaint about a drawing asks for.
-const OPTIONS: &str = "help: options are `--support LAYER`, `--without LAYER`, `--units mm`, and for \
-                       `trilith import` `--tolerance 0.01`";
+const OPTIONS: &str = "help: options are `--support LAYER`, `--without LAYER`, `--units mm`, \
+                       `--gap 12mm`, and for `trilith import` `--tolerance 0.01`";
 
 #[derive(Args)]
 #[command(next_help_heading = "Drawings (.dxf) and models of COMPAS (.json)")]
@@ -39,6 +39,10 @@ pub(super) struct DrawingArguments {
     /// Arcs become chords that are nearer to them than this part of the radius.
     #[arg(long, value_name = "PART")]
     chord: Option<f64>,
+    /// Close gaps between stones, as of mortar, up to this width: each to a line in its middle, but none
+    /// wider than a tenth of the smaller stone.
+    #[arg(long, value_name = "WIDTH", value_parser = width)]
+    gap: Option<f64>,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -46,6 +50,16 @@ enum Ways {
     Right,
     Left,
     Both,
+}
+
+/// A width with its unit, in metres.
+pub(super) fn width(text: &str) -> Result<f64, String> {
+    let number = text.trim_end_matches(|c: char| c.is_alphabetic());
+    let unit = Unit::from_str(&text[number.len()..], true);
+    match (number.trim().parse::<f64>(), unit) {
+        (Ok(width), Ok(unit)) if width > 0.0 && width.is_finite() => Ok(width * unit.metres()),
+        _ => Err("write a width and its unit, as 12mm, 1.2cm or 0.5in".to_owned()),
+    }
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -89,6 +103,7 @@ impl DrawingArguments {
             || self.push.is_some()
             || self.units.is_some()
             || self.chord.is_some()
+            || self.gap.is_some()
     }
 
     /// The coefficient of friction, where it is given.
@@ -121,6 +136,7 @@ impl DrawingArguments {
             support: self.support.clone(),
             without: self.without.clone(),
             tolerance: within("tolerance", tolerance, default.tolerance, 0.0, 0.01)?,
+            gap: self.gap,
             chord: within("chord", self.chord, default.chord, 1e-6, 0.1)?,
             metres: self.units.map(Unit::metres),
             friction: self.friction,

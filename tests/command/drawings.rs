@@ -243,6 +243,190 @@ fn gaps_and_overlaps_are_refused_with_their_place() {
     assert!(shown.contains("floats"), "{shown}");
 }
 
+/// The outlines of a running bond whose stones stand `gap` metres apart, and of its ground.
+fn with_mortar(courses: usize, units: usize, gap: f64) -> String {
+    let (long, high) = (0.5, 0.25);
+    let wide = long * units as f64;
+    let stone = |left: f64, right: f64, course: usize| {
+        let inset = gap / 2.0;
+        let (low, top) = (high * course as f64, high * (course + 1) as f64);
+        let (left, right) = (left + inset, right - inset);
+        let corners = [(left, low), (right, low), (right, top), (left, top)];
+        corners.map(|(x, y)| match y {
+            _ if y == low => (x, low + inset),
+            _ => (x, top - inset),
+        })
+    };
+    let mut text = closed(
+        "support",
+        "G",
+        &[
+            (-1.0, -0.3),
+            (wide + 1.0, -0.3),
+            (wide + 1.0, 0.0),
+            (-1.0, 0.0),
+        ],
+    );
+    for course in 0..courses {
+        let shift = if course % 2 == 0 { 0.0 } else { 0.5 };
+        let mut ends: Vec<f64> = (0..=units).map(|k| long * (k as f64 + shift)).collect();
+        if shift > 0.0 {
+            ends.insert(0, 0.0);
+            *ends.last_mut().expect("there are ends") = wide;
+        }
+        for (k, pair) in ends.windows(2).enumerate() {
+            let corners = stone(pair[0], pair[1], course);
+            text += &closed("stones", &format!("{course}A{k}"), &corners);
+        }
+    }
+    text
+}
+
+/// Mortar between the stones of coursed walls: closed to one line in its middle. What is lost is the half
+/// gap at the wall's outer faces, so that the error grows with the gap: 0.6 % for 10 mm.
+#[test]
+fn gaps_of_mortar_are_closed_in_their_middle() {
+    for (courses, units) in [(4, 3), (7, 4), (10, 6), (6, 8)] {
+        let touching = read_in_metres(&with_mortar(courses, units, 0.0), &options());
+        let expected = associative(&touching.case);
+        for gap in [2e-4, 1e-3, 5e-3, 1e-2, 1.5e-2] {
+            let options = DrawingOptions {
+                gap: Some(1.2 * gap),
+                ..options()
+            };
+            let closed = read_in_metres(&with_mortar(courses, units, gap), &options);
+            let joints = |case: &Case| case.scene(HeadJoints::Contact).joints().len();
+            assert_eq!(joints(&closed.case), joints(&touching.case), "{gap}");
+            let found = associative(&closed.case);
+            let most = 0.8 * gap * expected;
+            assert!(
+                (found - expected).abs() < most.max(1e-5),
+                "{gap}: {found} {expected}"
+            );
+            let said = |remark: &String| remark.contains("closed gaps");
+            assert!(closed.remarks.iter().any(said), "{:?}", closed.remarks);
+        }
+    }
+}
+
+fn read_in_metres(outlines: &str, options: &DrawingOptions) -> Imported {
+    let header = "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n6\n0\nENDSEC\n";
+    let text = format!("{header}0\nSECTION\n2\nENTITIES\n{outlines}0\nENDSEC\n0\nEOF\n");
+    let read = Case::from_drawing("a.dxf", text.as_bytes(), options);
+    read.unwrap_or_else(|complaint| panic!("{complaint}"))
+}
+
+/// Stones that stand apart are not said to float: the width of their gaps is measured and named.
+#[test]
+fn a_wall_with_mortar_is_told_the_width_of_its_gaps() {
+    let text = format!(
+        "0\nSECTION\n2\nENTITIES\n{}0\nENDSEC\n0\nEOF\n",
+        with_mortar(4, 3, 1e-2)
+    );
+    let shown = refused(&text);
+    assert!(shown.contains("gaps of 0.01 to 0.01 stand"), "{shown}");
+    assert!(shown.contains("`gap`, here 0.012"), "{shown}");
+    // A gap has a unit of length, and so must the drawing.
+    let options = DrawingOptions {
+        gap: Some(0.012),
+        ..options()
+    };
+    let read = Case::from_drawing("a.dxf", text.as_bytes(), &options);
+    let shown = read.expect_err("it is refused").to_string();
+    assert!(shown.contains("does not say its unit of length"), "{shown}");
+}
+
+/// What nobody sees who opens the drawing is no stone: layers that are frozen or switched off, and
+/// invisible entities. What stands on the others is.
+#[test]
+fn what_is_not_seen_is_left_out() {
+    let upper = [(0.0, 1.0), (2.0, 1.0), (2.0, 2.0), (0.0, 2.0)];
+    let layers = |flags: i32, colour: i32| {
+        format!(
+            "0\nSECTION\n2\nTABLES\n0\nTABLE\n2\nLAYER\n0\nLAYER\n2\nDraft\n70\n{flags}\n62\n{colour}\n\
+             0\nENDTAB\n0\nENDSEC\n"
+        )
+    };
+    let invisible = closed("draft", "2B", &upper).replace("8\ndraft\n", "8\ndraft\n60\n1\n");
+    let drawn = closed("draft", "2B", &upper);
+    for (tables, outline, said) in [
+        (
+            layers(1, 7),
+            &drawn,
+            Some("1 entity on the frozen layer `draft`"),
+        ),
+        (
+            layers(0, -7),
+            &drawn,
+            Some("1 entity on the switched-off layer `draft`"),
+        ),
+        (layers(0, 7), &invisible, Some("1 entity invisible")),
+        // Locked, which is seen.
+        (layers(4, 7), &drawn, None),
+    ] {
+        let text = tables + &with(outline);
+        let read = Case::from_drawing("a.dxf", text.as_bytes(), &options());
+        let read = read.unwrap_or_else(|complaint| panic!("{complaint}"));
+        let blocks = read.case.scene(HeadJoints::Contact).blocks().len();
+        assert_eq!(blocks, 2 - usize::from(said.is_some()), "{said:?}");
+        let remarks = read.remarks.join("\n");
+        assert!(remarks.contains(said.unwrap_or("")), "{remarks}");
+    }
+}
+
+/// A stone that is drawn twice, even from another corner on, is one stone.
+#[test]
+fn a_stone_drawn_twice_is_one() {
+    let upper = [(0.0, 1.0), (2.0, 1.0), (2.0, 2.0), (0.0, 2.0)];
+    let again = [(2.0, 2.0), (0.0, 2.0), (0.0, 1.0), (2.0, 1.0)];
+    let text = with(&(closed("a", "2B", &upper) + &closed("b", "2C", &again)));
+    let read = Case::from_drawing("a.dxf", text.as_bytes(), &options());
+    let read = read.unwrap_or_else(|complaint| panic!("{complaint}"));
+    assert_eq!(read.case.scene(HeadJoints::Contact).blocks().len(), 2);
+    let remarks = read.remarks.join("\n");
+    assert!(
+        remarks.contains("`2C`, which draws the outline of `2B` twice"),
+        "{remarks}"
+    );
+}
+
+/// Ground that is not drawn is laid under the lowest edges, and said: two piers and a lintel stand as they
+/// do on ground that is drawn.
+#[test]
+fn ground_that_is_not_drawn_is_laid() {
+    let stone = |handle: &str, left: f64, right: f64, low: f64, top: f64| {
+        closed(
+            "stones",
+            handle,
+            &[(left, low), (right, low), (right, top), (left, top)],
+        )
+    };
+    let wall = stone("1", 0.0, 1.0, 0.0, 3.0)
+        + &stone("2", 4.0, 5.0, 0.0, 3.0)
+        + &stone("3", 0.0, 5.0, 3.0, 4.0);
+    let ground = closed(
+        "support",
+        "G",
+        &[(-1.0, -1.0), (6.0, -1.0), (6.0, 0.0), (-1.0, 0.0)],
+    );
+    let without = read_in_metres(&wall, &options());
+    let drawn = read_in_metres(&(wall + &ground), &options());
+    assert_eq!(associative(&without.case), associative(&drawn.case));
+    let remarks = without.remarks.join("\n");
+    assert!(
+        remarks.contains("`ground`, which the drawing has not"),
+        "{remarks}"
+    );
+    // Nothing lies on the ground but a corner.
+    let rhombus = closed(
+        "stones",
+        "1",
+        &[(0.0, 0.0), (1.0, 1.0), (0.0, 2.0), (-1.0, 1.0)],
+    );
+    let text = format!("0\nSECTION\n2\nENTITIES\n{rhombus}0\nENDSEC\n0\nEOF\n");
+    assert!(refused(&text).contains("no support"), "{}", refused(&text));
+}
+
 /// Files that are no drawing, or not all of one.
 #[test]
 fn what_is_no_drawing_is_refused() {

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::curves::Chords;
 use super::entities::{file, handle_and_layer};
-use super::groups::groups;
+use super::groups::{AT_THE_END, groups};
 use super::options::DrawingOptions;
 use super::outlines::outlines;
 use super::paths::{Path, Paths};
@@ -46,13 +46,20 @@ pub(super) fn drawn(
     }
     for (what, count) in &paths.unseen {
         let entities = if *count == 1 { "entity" } else { "entities" };
-        remarks.push(format!("left out, as nobody sees it: {count} {entities} {what}"));
+        remarks.push(format!(
+            "left out, as nobody sees it: {count} {entities} {what}"
+        ));
     }
     let metres = options.metres.or(file.metres);
     match metres {
         Some(metres) => remarks.push(format!(
             "a drawing unit is {metres} m; lengths are in metres"
         )),
+        None if options.gap.is_some() => {
+            let title = "the drawing does not say its unit of length, which `gap` needs";
+            let complaint = Complaint::at(AT_THE_END, title, "no unit in the header");
+            return Err(complaint.help("say it with `units`"));
+        }
         None => remarks.push(
             "the drawing does not say its unit of length, and is taken as it is; `units` says it"
                 .to_owned(),

@@ -25,6 +25,22 @@ pub(super) struct Gap {
     pub part: f64,
 }
 
+/// What is closed.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Reach {
+    /// The part of the smaller body's extent that gaps may have.
+    pub part: f64,
+    /// The width that gaps may have.
+    pub width: f64,
+}
+
+impl Reach {
+    /// How far apart two bodies may face each other.
+    pub fn between(self, one: &Polygon, other: &Polygon) -> f64 {
+        (self.part * extent(one).min(extent(other))).min(self.width)
+    }
+}
+
 /// Edges that are as far from one line as this part of the extent lie on it already.
 const EXACT: f64 = 1e-9;
 
@@ -33,6 +49,9 @@ const SAME_DIRECTION: f64 = 0.2;
 
 /// Sine of the angle below which two lines have no good intersection.
 const PARALLEL: f64 = 0.02;
+
+/// A corner moves at most this many times its distance from the lines beside it.
+const FARTHEST: f64 = 3.0;
 
 #[derive(Clone, Copy)]
 struct Edge {
@@ -67,12 +86,11 @@ impl Line {
     }
 }
 
-/// The shapes with edges that face each other within `tolerance` (a part of the smaller body's extent)
-/// laid on common lines, and what was moved. Shapes that fit already stay as they are, to the last bit.
-pub(super) fn heal(shapes: &[Polygon], tolerance: f64) -> (Vec<Vec<Point>>, Vec<Moved>) {
+/// The shapes with edges that face each other within reach laid on common lines, and what was moved. Shapes that fit already stay as they are, to the last bit.
+pub(super) fn heal(shapes: &[Polygon], reach: Reach) -> (Vec<Vec<Point>>, Vec<Moved>) {
     let (edges, first) = edges_of(shapes);
     let mut groups = Groups((0..edges.len()).collect());
-    each_facing(shapes, &edges, &first, tolerance, |a, b, _, _| {
+    each_facing(shapes, &edges, &first, reach, |a, b, _, _| {
         groups.join(a, b)
     });
     let lines = lines(&edges, shapes, &mut groups);
@@ -106,7 +124,11 @@ pub(super) fn heal(shapes: &[Polygon], tolerance: f64) -> (Vec<Vec<Point>>, Vec<
 pub(super) fn gaps(shapes: &[Polygon], touching: f64, within: f64) -> Vec<Gap> {
     let (edges, first) = edges_of(shapes);
     let mut found: Vec<Gap> = Vec::new();
-    each_facing(shapes, &edges, &first, within, |a, b, at, width| {
+    let reach = Reach {
+        part: within,
+        width: f64::INFINITY,
+    };
+    each_facing(shapes, &edges, &first, reach, |a, b, at, width| {
         let bodies = [edges[a].body, edges[b].body];
         let size = bodies.map(|body| extent(&shapes[body]));
         let part = width / size[0].min(size[1]);
@@ -139,18 +161,18 @@ fn edges_of(shapes: &[Polygon]) -> (Vec<Edge>, Vec<usize>) {
     (edges, first)
 }
 
-/// Tells of every two edges of different bodies that face each other within `tolerance`: their places,
+/// Tells of every two edges of different bodies that face each other within reach: their places,
 /// a point between them and how far apart they are.
 fn each_facing(
     shapes: &[Polygon],
     edges: &[Edge],
     first: &[usize],
-    tolerance: f64,
+    reach: Reach,
     mut tell: impl FnMut(usize, usize, Point, f64),
 ) {
     let all: Vec<&Polygon> = shapes.iter().collect();
-    for (one, other) in close_pairs(tolerance, &all, &[]) {
-        let near = tolerance * extent(&shapes[one]).min(extent(&shapes[other]));
+    for (one, other) in close_pairs(reach.part, &all, &[]) {
+        let near = reach.between(&shapes[one], &shapes[other]);
         for a in first[one]..first[one + 1] {
             for b in first[other]..first[other + 1] {
                 if let Some((at, width)) = facing(&edges[a], &edges[b], near) {
@@ -248,7 +270,13 @@ fn corner(old: Point, own: [Line; 2], common: [Option<Line>; 2]) -> Point {
         _ if sine.abs() > PARALLEL => {
             // The point of the first line that lies on the second.
             let step = after.distance(before.point) / -after.along.perp(&before.along);
-            before.point + before.along * step
+            let crossing = before.point + before.along * step;
+            let off = before.distance(old).abs().max(after.distance(old).abs());
+            if (crossing - old).norm() <= FARTHEST * off {
+                return crossing;
+            }
+            // Lines that cross far away: the corner goes to the middle between them.
+            nalgebra::center(&before.nearest(old), &after.nearest(old))
         }
         [Some(line), _] | [None, Some(line)] => line.nearest(old),
     }

@@ -1,6 +1,10 @@
 //! What a drawing does not say.
 
+use super::heal::Reach;
 use crate::scene::{HeadJoints, Push};
+
+/// Gaps wider than this part of the smaller block's extent are openings.
+const MOST_OF_A_BLOCK: f64 = 0.1;
 
 /// How a drawing is read.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,6 +17,9 @@ pub struct DrawingOptions {
     /// Edges that face each other within this part of the smaller block's extent are made to touch, up
     /// to 0.01; 0 heals nothing.
     pub tolerance: f64,
+    /// Gaps up to this width in metres, and up to a tenth of the smaller block's extent, are closed to
+    /// one line in their middle; `None` leaves the closing to `tolerance`.
+    pub gap: Option<f64>,
     /// Chords of an arc are nearer to it than this part of its radius.
     pub chord: f64,
     /// Length of a drawing unit in metres, instead of what the header says.
@@ -27,12 +34,29 @@ pub struct DrawingOptions {
     pub head_joints: Vec<HeadJoints>,
 }
 
+impl DrawingOptions {
+    /// How far apart edges may be that are laid on one line.
+    pub(super) fn reach(&self) -> Reach {
+        match self.gap {
+            Some(width) => Reach {
+                part: MOST_OF_A_BLOCK,
+                width,
+            },
+            None => Reach {
+                part: self.tolerance,
+                width: f64::INFINITY,
+            },
+        }
+    }
+}
+
 impl Default for DrawingOptions {
     fn default() -> Self {
         Self {
             support: None,
             without: Vec::new(),
             tolerance: 5e-3,
+            gap: None,
             chord: 1e-3,
             metres: None,
             friction: None,

@@ -1,6 +1,6 @@
 //! Which outlines of a drawing never move.
 
-use super::drawn::{Drawn, complain};
+use super::drawn::{Drawn, complain, shape};
 use super::groups::AT_THE_END;
 use super::options::DrawingOptions;
 use super::paths::same;
@@ -11,9 +11,13 @@ use crate::scene::{Point, bounds, extent};
 /// Layers whose outlines never move, where nobody names one.
 const SUPPORT_LAYERS: [&str; 4] = ["support", "supports", "ground", "fixed"];
 
-/// Which outlines never move: those of a layer, or else the lowest wide one.
+/// What the ground is called that a drawing has not.
+const GROUND: &str = "ground";
+
+/// Which outlines never move: those of a layer, or else the lowest wide one; ground is laid
+/// under the lowest edges where there is none.
 pub(super) fn supports(
-    drawn: &[Drawn],
+    drawn: &mut Vec<Drawn>,
     options: &DrawingOptions,
     remarks: &mut Vec<String>,
 ) -> Result<Vec<bool>, Complaint> {
@@ -55,15 +59,64 @@ pub(super) fn supports(
         wide && from.y <= low.y + 1e-6 * extent(&d.shape) && drawn.len() > 1
     };
     let Some(lowest) = drawn.iter().position(is_lowest) else {
-        let complaint = complain(&first.path, "no support: which outlines never move?");
-        return Err(complaint.help(
-            "draw the ground as a closed outline on a layer `support`, or name its layer with \
-             `support`",
+        let Some(ground) = ground(drawn, options)? else {
+            let complaint = complain(&first.path, "no support: which outlines never move?");
+            return Err(complaint.help(
+                "draw the ground as a closed outline on a layer `support`, or name its layer with \
+                 `support`",
+            ));
+        };
+        remarks.push(format!(
+            "support: `{GROUND}`, which the drawing has not and which is laid under the lowest edges, at \
+             {}; `support` names the layer of another",
+            low.y
         ));
+        let mut fixed = vec![false; drawn.len()];
+        drawn.push(ground);
+        fixed.push(true);
+        return Ok(fixed);
     };
     let name = &drawn[lowest].name;
     remarks.push(format!(
         "support: the lowest wide outline, `{name}`; `support` names the layer of another"
     ));
     Ok((0..drawn.len()).map(|i| i == lowest).collect())
+}
+
+/// Level ground under the lowest edges, where edges lie there that are as long as what is healed is wide.
+fn ground(drawn: &[Drawn], options: &DrawingOptions) -> Result<Option<Drawn>, Complaint> {
+    let corners = drawn.iter().flat_map(|d| d.shape.corners());
+    let (low, high) = bounds(&corners.copied().collect::<Vec<_>>());
+    let reach = options.reach();
+    let lies = |d: &&Drawn| {
+        let near = (reach.part * extent(&d.shape)).min(reach.width);
+        let mut edges = d.shape.edges();
+        edges.any(|(from, to)| {
+            from.y.max(to.y) <= low.y + near && (to.x - from.x).abs() > 2.0 * near
+        })
+    };
+    let Some(first) = drawn.iter().find(lies) else {
+        return Ok(None);
+    };
+    let beside = 0.1 * (high.x - low.x);
+    let mut path = first.path.clone();
+    let (left, right) = (low.x - beside, high.x + beside);
+    path.points = [
+        (left, low.y - beside),
+        (right, low.y - beside),
+        (right, low.y),
+        (left, low.y),
+    ]
+    .map(|(x, y)| Point::new(x, y))
+    .to_vec();
+    let mut name = GROUND.to_owned();
+    while drawn.iter().any(|d| d.name == name) {
+        name.push('\'');
+    }
+    Ok(Some(Drawn {
+        name,
+        shape: shape(&path)?,
+        path,
+        weight: first.weight,
+    }))
 }
