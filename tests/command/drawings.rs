@@ -210,6 +210,17 @@ fn what_is_no_outline_is_named() {
     );
 }
 
+/// All kinds that are no outlines are named at once, each with its layer.
+#[test]
+fn what_is_no_outline_is_named_in_one_list() {
+    let shown = refused(&with(
+        "0\nHATCH\n5\n2F\n8\nfill\n0\nSPLINE\n5\n30\n8\nstones\n0\nHATCH\n5\n31\n8\nfill\n",
+    ));
+    assert!(shown.contains("HATCH is no outline"), "{shown}");
+    let all = "2 HATCH on layer `fill`, 1 SPLINE on layer `stones`";
+    assert!(shown.contains(all), "{shown}");
+}
+
 /// Gaps and overlaps beyond what is healed are refused with layers, handles and coordinates.
 #[test]
 fn gaps_and_overlaps_are_refused_with_their_place() {
@@ -386,6 +397,32 @@ fn a_stone_drawn_twice_is_one() {
     let remarks = read.remarks.join("\n");
     assert!(
         remarks.contains("`2C`, which draws the outline of `2B` twice"),
+        "{remarks}"
+    );
+}
+
+/// Coordinates of a survey grid are shifted by whole units, and said: the same multiplier.
+#[test]
+fn a_survey_grid_is_left() {
+    let expected = associative(&read_in_metres(&with_mortar(4, 3, 0.0), &options()).case);
+    let mut text = String::new();
+    let near = with_mortar(4, 3, 0.0);
+    let lines: Vec<&str> = near.lines().collect();
+    for pair in lines.chunks(2) {
+        let far = match (pair[0], pair[1].parse::<f64>()) {
+            ("10", Ok(x)) => (x + 4_512_345.0).to_string(),
+            ("20", Ok(y)) => (y + 5_312_345.0).to_string(),
+            _ => pair[1].to_owned(),
+        };
+        text += &format!("{}\n{far}\n", pair[0]);
+    }
+    let read = read_in_metres(&text, &options());
+    let found = associative(&read.case);
+    // A coordinate of 5e6 has a digit at 1e-9.
+    assert!((found - expected).abs() < 1e-6, "{found} {expected}");
+    let remarks = read.remarks.join("\n");
+    assert!(
+        remarks.contains("shifted by (-4512344, -5312344) drawing units"),
         "{remarks}"
     );
 }

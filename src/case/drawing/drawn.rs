@@ -2,6 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use indexmap::IndexMap;
+
 use super::curves::Chords;
 use super::entities::{file, handle_and_layer};
 use super::groups::{AT_THE_END, groups};
@@ -10,7 +12,10 @@ use super::outlines::outlines;
 use super::paths::{Path, Paths};
 use crate::case::complaint::{Complaint, Document};
 use crate::case::printable::printable;
-use crate::scene::{Polygon, PolygonError, TOUCHING, bounds};
+use crate::scene::{Point, Polygon, PolygonError, TOUCHING, bounds};
+
+/// A drawing this many times its own size away from the origin stands on a survey grid.
+const FAR: f64 = 100.0;
 
 /// Most blocks of a drawing.
 const MOST_BLOCKS: usize = 100_000;
@@ -39,6 +44,7 @@ pub(super) fn drawn(
         found: Vec::new(),
         left_aside: Vec::new(),
         unseen: BTreeMap::new(),
+        unread: IndexMap::new(),
     };
     paths.read()?;
     if !paths.left_aside.is_empty() {
@@ -67,11 +73,12 @@ pub(super) fn drawn(
     }
     let scale = metres.unwrap_or(1.0);
     let per_metre = whole_if_near(1.0 / scale);
-    let closed = outlines(paths.found, options.tolerance.max(TOUCHING))?;
+    let mut closed = outlines(paths.found, options.tolerance.max(TOUCHING))?;
     if let Some(path) = closed.get(MOST_BLOCKS) {
         let title = format!("more than {MOST_BLOCKS} outlines");
         return Err(complain(path, &title).help("leave out layers: `without` names them"));
     }
+    remarks.extend(brought_near(&mut closed));
     let mut names = std::collections::HashSet::new();
     let mut drawn = Vec::new();
     for (index, mut path) in closed.into_iter().enumerate() {
@@ -99,6 +106,28 @@ pub(super) fn drawn(
         });
     }
     Ok(drawn)
+}
+
+/// Shifts a drawing in the coordinates of a survey grid, of which the digits of a joint would be lost, by
+/// whole units to where it begins; what is drawn near the origin stays.
+fn brought_near(outlines: &mut [Path]) -> Option<String> {
+    let corners = outlines.iter().flat_map(|path| &path.points);
+    let corners: Vec<Point> = corners.copied().collect();
+    if corners.is_empty() {
+        return None;
+    }
+    let (low, high) = bounds(&corners);
+    if low.coords.norm() <= FAR * (high - low).norm() {
+        return None;
+    }
+    let shift = low.coords.map(f64::floor);
+    for point in outlines.iter_mut().flat_map(|path| &mut path.points) {
+        *point -= shift;
+    }
+    Some(format!(
+        "shifted by ({}, {}) drawing units, to the origin",
+        -shift.x, -shift.y
+    ))
 }
 
 fn whole_if_near(number: f64) -> f64 {

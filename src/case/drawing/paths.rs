@@ -4,6 +4,8 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use std::ops::Range;
 
+use indexmap::IndexMap;
+
 use super::curves::Chords;
 use super::entities::{Entity, File, number};
 use super::placing::Placing;
@@ -67,6 +69,8 @@ pub(super) struct Paths<'a> {
     pub left_aside: Vec<&'a str>,
     /// What nobody who looks at the drawing sees, with how many entities of it there are.
     pub unseen: BTreeMap<String, usize>,
+    /// Kinds that are no outlines, by their layer: how many there are, and what is said of the first.
+    pub unread: IndexMap<(&'a str, String), (usize, Complaint)>,
 }
 
 /// Where an INSERT stands.
@@ -91,7 +95,27 @@ impl<'a> Paths<'a> {
                 layer: None,
                 depth: 0,
             },
-        )
+        )?;
+        self.all_read()
+    }
+
+    /// Complains of the first entity that is no outline, and names all kinds that are none with their
+    /// layers, so that one look at the drawing mends them all.
+    fn all_read(&mut self) -> Result<(), Complaint> {
+        let unread = std::mem::take(&mut self.unread);
+        let kinds = unread
+            .iter()
+            .map(|((kind, layer), (count, _))| format!("{count} {kind} on layer `{layer}`"));
+        let all = kinds.collect::<Vec<_>>().join(", ");
+        let count = unread.len();
+        match unread.into_values().next() {
+            None => Ok(()),
+            Some((1, complaint)) if count == 1 => Err(complaint),
+            Some((_, complaint)) => {
+                let help = format!("{}; in all, no outlines are {all}", complaint.advice());
+                Err(complaint.help(help))
+            }
+        }
     }
 
     fn entities(&mut self, entities: &'a [Entity<'a>], inside: &Inside) -> Result<(), Complaint> {
@@ -167,8 +191,11 @@ impl<'a> Paths<'a> {
                         "draw blocks as closed polylines, or leave its layer out: `without` names it"
                     }
                 };
+                let of = (kind, layer.to_owned());
                 let what = format!("{kind} is no outline of a block");
-                return Err(entity.complain(layer, &what).help(help));
+                let complain = || (0, entity.complain(layer, &what).help(help));
+                self.unread.entry(of).or_insert_with(complain).0 += 1;
+                return Ok(());
             }
         };
         let mirrored = mirrored(entity, layer)?;
