@@ -371,7 +371,7 @@ fn what_is_not_seen_is_left_out() {
             &drawn,
             Some("1 entity on the switched-off layer `draft`"),
         ),
-        (layers(0, 7), &invisible, Some("1 entity invisible")),
+        (layers(0, 7), &invisible, Some("1 entity marked invisible")),
         // Locked, which is seen.
         (layers(4, 7), &drawn, None),
     ] {

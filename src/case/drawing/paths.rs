@@ -150,7 +150,7 @@ impl<'a> Paths<'a> {
     /// switched off puts on other layers is seen all the same.
     fn unseen(&self, entity: &Entity, layer: &str) -> Option<String> {
         if entity.flags(60) == 1 {
-            return Some("invisible".to_owned());
+            return Some("marked invisible".to_owned());
         }
         let why = self.file.unseen_layers.get(&layer.to_lowercase())?;
         let is_seen = entity.kind == "INSERT" && *why != "frozen";

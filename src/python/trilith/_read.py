@@ -67,7 +67,8 @@ def read_dxf(path: Pathlike, friction: float, **options: Any) -> Case:
         path: the drawing, a DXF in text form.
         friction: coefficient of friction (the tangent of the friction angle) of every joint.
         options: those of ``trilith import``: ``support="ground"`` and ``without="text"`` name
-            layers, ``units="mm"``, ``push="both"``, ``head_joints="open"``, ``tolerance=0.01``.
+            layers, ``units="mm"``, ``gap="12mm"``, ``push="both"``, ``head_joints="open"``,
+            ``tolerance=0.01``.
 
     Raises:
         CaseError: what cannot be a wall, with the entity's name, handle and layer.
