@@ -22,7 +22,7 @@ pub use auto::{AutoFact, Uniqueness};
 pub(crate) use bound::write_floor;
 pub use bound::{BoundFact, Budget};
 pub use closed_form::{InapplicableForm, Invalid};
-pub use judged::{CeilingSlack, JudgedFact, Residuals};
+pub use judged::JudgedFact;
 pub(crate) use limit::AT_REST;
 pub use limit::{LimitFact, SolverEnding};
 pub use outside::{ProgramEnding, ProgramFailure};
