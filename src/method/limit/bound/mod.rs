@@ -82,7 +82,7 @@ impl Method for Bound {
     }
 
     fn solve(&self, scene: &Scene, settings: &Settings) -> Outcome {
-        solve_with(scene, settings, Parameters::default())
+        solve_with(scene, settings, Parameters::TUNED)
     }
 }
 
