@@ -12,6 +12,16 @@ pub enum Side {
     Block(usize),
 }
 
+impl Side {
+    /// The block, where it is one.
+    pub fn block(self) -> Option<usize> {
+        match self {
+            Side::Block(block) => Some(block),
+            Side::Support(_) => None,
+        }
+    }
+}
+
 /// How a joint runs through the masonry.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum JointClass {
@@ -66,6 +76,12 @@ impl Joint {
     /// Distance between the ends.
     pub fn length(&self) -> f64 {
         (self.ends[1] - self.ends[0]).norm()
+    }
+
+    /// Its blocks, `to` first, each with the sign of what the joint's forces are on it.
+    pub fn blocks(&self) -> impl Iterator<Item = (usize, f64)> {
+        let from = self.from.block().map(|from| (from, -1.0));
+        [(self.to, 1.0)].into_iter().chain(from)
     }
 }
 
@@ -137,7 +153,7 @@ pub(super) fn call_voussoir_joints_beds(joints: &mut [Joint], blocks: usize) {
     for joint in joints.iter() {
         let ends = [
             (Some(joint.to), joint.normal.y),
-            (block(joint.from), -joint.normal.y),
+            (joint.from.block(), -joint.normal.y),
         ];
         for (of, upward) in ends {
             let Some(of) = of else { continue };
@@ -150,18 +166,11 @@ pub(super) fn call_voussoir_joints_beds(joints: &mut [Joint], blocks: usize) {
     }
     let is_voussoir = |of: Option<usize>| of.is_some_and(|of| wedged[of] && !rests[of]);
     for joint in joints.iter_mut().filter(|j| j.class == JointClass::Head) {
-        let of = [Some(joint.to), block(joint.from)].map(is_voussoir);
+        let of = [Some(joint.to), joint.from.block()].map(is_voussoir);
         let inclined = joint.normal.y.abs() > INCLINED;
         if of[0] && of[1] || inclined && (of[0] || of[1]) {
             joint.class = JointClass::Bed;
         }
-    }
-}
-
-fn block(side: Side) -> Option<usize> {
-    match side {
-        Side::Block(block) => Some(block),
-        Side::Support(_) => None,
     }
 }
 
