@@ -121,6 +121,14 @@ impl Scene {
             && joints.any(|joint| joint.class == JointClass::Guide && joint.to == block)
     }
 
+    /// The point that a support turns about; `None` for other blocks and supports that do not turn.
+    pub(crate) fn pin(&self, block: usize) -> Option<Point> {
+        let is_pin = |joint: &&Joint| {
+            joint.class == JointClass::Guide && joint.to == block && joint.length() == 0.0
+        };
+        self.joints.iter().find(is_pin).map(|joint| joint.ends[0])
+    }
+
     /// What stands still of every support: all of it, or the ground beside the parts that move.
     pub(crate) fn still_supports(&self) -> Vec<Polygon> {
         let still = |(index, support): (usize, &Polygon)| {

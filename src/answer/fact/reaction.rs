@@ -16,8 +16,6 @@ pub enum ReactionFact {
     NoneHolds(Reaction),
     /// Between its ends it does not come to rest with this reaction, by the pushover.
     NotAtRest(f64),
-    /// The support turns, which the pushover has no guides for.
-    Turns,
     /// The collapse state found is at the reaction that it begins with.
     AtOnce,
     /// Forces carry any change of the reaction.
@@ -44,10 +42,6 @@ impl fmt::Display for ReactionFact {
                 f,
                 "with a reaction of {}, between the ends that friction admits, it does not come to rest",
                 number(*reaction, 5)
-            ),
-            ReactionFact::Turns => write!(
-                f,
-                "the pushover moves supports along lines, and none that turns"
             ),
             ReactionFact::AtOnce => {
                 write!(
