@@ -22,7 +22,7 @@ pub enum ReactionFact {
     WithoutLimit,
     /// What a certificate proves.
     Proved(Reaction, Proved),
-    /// A bound is computed alone, as no certificate knows the guides of a support.
+    /// A bound is computed alone: scenes that can lock have forces without bounds.
     Uncertified,
     /// Nothing falls while the support is at rest.
     SupportMoves,
@@ -64,7 +64,7 @@ impl fmt::Display for ReactionFact {
             }
             ReactionFact::Uncertified => write!(
                 f,
-                "the bound is computed and not certified: certificates do not know what guides a support"
+                "the bound is computed and not certified: the scene can lock, so that its forces have no limit"
             ),
             ReactionFact::SupportMoves => {
                 write!(f, "nothing falls while the support stays where it is")
