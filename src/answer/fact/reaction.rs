@@ -19,9 +19,6 @@ pub enum ReactionFact {
         number(*.0, 5)
     )]
     NotAtRest(f64),
-    /// The support turns, which the pushover has no guides for.
-    #[error("the pushover moves supports along lines, and none that turns")]
-    Turns,
 }
 
 impl Fact {
@@ -47,10 +44,6 @@ impl Fact {
             Fact::Bound(BoundFact::Proved(proved)) => {
                 let floor = reaction_floor(reaction, proved.lower, proved.cap);
                 format!("it is proved that {floor}")
-            }
-            Fact::Bound(BoundFact::Uncertified) => {
-                "the bound is computed and not certified: certificates do not know what guides a support"
-                    .into()
             }
             Fact::Bound(BoundFact::PushMoves) => {
                 "nothing falls while the support stays where it is".into()
