@@ -292,8 +292,7 @@ impl<'a> Moved<'a> {
     fn on(&self, joint: &Joint) -> String {
         let course = self.scene.coursing().map(|coursing| {
             let (low, _) = self.scene.bounds();
-            let high = coursing.height / coursing.courses as f64;
-            ((joint.ends[0].y - low.y) / high).round() as usize
+            coursing.courses_up_to(joint.ends[0].y - low.y)
         });
         match (joint.from, course) {
             (Side::Support(_), _) => "on the base".to_owned(),

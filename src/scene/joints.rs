@@ -73,6 +73,11 @@ impl Joint {
         Vector::new(self.normal.y, -self.normal.x)
     }
 
+    /// What it lies between: supports come before blocks, and blocks in their order.
+    pub(crate) fn bodies(&self) -> [Side; 2] {
+        [self.from, Side::Block(self.to)]
+    }
+
     /// Distance between the ends.
     pub fn length(&self) -> f64 {
         (self.ends[1] - self.ends[0]).norm()
@@ -85,21 +90,24 @@ impl Joint {
     }
 }
 
-/// A joint between two blocks that a case calls a bed or a head joint.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// What a case says itself of the joint between two bodies; of all, where they share several.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NamedJoint {
-    /// The two blocks, in any order.
-    pub between: [usize; 2],
-    /// What it is.
-    pub class: JointClass,
+    /// The two bodies, in any order.
+    pub between: [Side; 2],
+    /// Bed or head joint, whichever way it runs.
+    pub class: Option<JointClass>,
+    /// Coefficient of friction, instead of that of its class and of its blocks.
+    pub friction: Option<f64>,
+    /// Whether it carries nothing, if it is a head joint.
+    pub open: bool,
 }
 
 impl NamedJoint {
-    /// Whether a joint is this one, or one of those where two blocks share several.
-    pub(super) fn is(&self, joint: &Joint) -> bool {
+    /// Its bodies in the order of [`Joint::bodies`].
+    pub(crate) fn bodies(&self) -> [Side; 2] {
         let [a, b] = self.between;
-        let pair = [joint.from, Side::Block(joint.to)];
-        pair == [Side::Block(a), Side::Block(b)] || pair == [Side::Block(b), Side::Block(a)]
+        [a.min(b), a.max(b)]
     }
 }
 
