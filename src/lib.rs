@@ -74,7 +74,7 @@ pub mod inside {
     pub use crate::answer::bracket::magnitude;
     pub use crate::answer::fact::{
         AutoFact, Fact, JudgedFact, LimitFact, ProgramEnding, ProgramFailure, PushoverFact,
-        SearchEnding, SearchFailure, SearchStart, Uniqueness,
+        SearchFailure, Uniqueness,
     };
     pub use crate::answer::{Checked, Repetition, SelfCheck};
     pub use crate::certificate::{Refusal, prove};

@@ -20,9 +20,9 @@ pub use evidence::{Evidence, Observed};
 pub use fact::Fact;
 pub(crate) use fact::{
     AutoFact, BoundFact, Budget, Coverage, InapplicableForm, Invalid, JudgedFact, LimitFact,
-    ProgramEnding, ProgramFailure, PushoverFact, ReactionFact, SearchEnding, SearchFacts,
-    SearchFailure, SearchStart, SequentialEnding, SequentialFacts, SideFact, SolverEnding,
-    StartEnding, Uniqueness, floor_words, reaction_floor, sentence,
+    ProgramEnding, ProgramFailure, PushoverFact, ReactionFact, SearchFacts, SearchFailure,
+    SequentialEnding, SequentialFacts, SideFact, SolverEnding, Uniqueness, floor_words,
+    reaction_floor, sentence,
 };
 pub use outcome::Outcome;
 pub use recording::Recording;

@@ -27,7 +27,7 @@ pub use outside::{ProgramEnding, ProgramFailure};
 pub use pushover::PushoverFact;
 pub use reaction::ReactionFact;
 pub(crate) use reaction::reaction_floor;
-pub use search::{Coverage, SearchEnding, SearchFacts, SearchFailure, SearchStart, StartEnding};
+pub use search::{Coverage, SearchFacts, SearchFailure};
 pub use sequential::{SequentialEnding, SequentialFacts};
 pub use side::SideFact;
 

@@ -10,71 +10,13 @@ use crate::answer::bracket::is_same_multiplier;
 /// How every start of a search for collapse states ended, in the order in which they ran.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SearchFacts {
-    /// One ending a start; a search that may stop early has fewer than it was allowed.
-    pub starts: Vec<StartEnding>,
+    /// One ending a start; a search that may stop early has fewer than it was allowed. With collapse
+    /// states it is λ of the lowest one. Where a part of the scene is searched, these are proved as states
+    /// of the part: one lower than all before it is completed to a state of the whole scene at once, any
+    /// other later, where the answer rests on it.
+    pub starts: Vec<Result<f64, SearchFailure>>,
     /// Unit of λ of the scene, which tells small differences of λ.
     pub multiplier_unit: f64,
-}
-
-/// Where one start began and how it ended.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub struct StartEnding {
-    /// Where it began.
-    pub start: SearchStart,
-    /// How it ended.
-    pub ending: SearchEnding,
-}
-
-/// What the normal forces are that a start begins with.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub enum SearchStart {
-    /// Those of the lowest state with open head joints.
-    OpenState,
-    /// Those of the associative state.
-    Associative,
-    /// Those after a few programs with frozen shear capacities.
-    Frozen,
-    /// Those under the own weight, where there is no associative state.
-    OwnWeight,
-    /// Those of a state of a scene that differs little.
-    Neighbour,
-    /// Those of the lowest state with open head joints, each scaled at random.
-    OpenScaled,
-    /// Those under the own weight, each reduced at random.
-    OwnWeightReduced,
-    /// Those under the own weight, half of them reduced to a twentieth.
-    OwnWeightThinned,
-    /// Of one order of magnitude in all joints, at random.
-    Even,
-    /// Those of a random force state at a random λ below λ_A.
-    Statics,
-    /// The same, each scaled at random.
-    StaticsScaled,
-    /// Those of a random force state at a random λ below the lowest state known.
-    StaticsBelow,
-    /// Those of the force state with the largest λ less random prices of the normal forces.
-    Priced,
-    /// Those of the lowest state known, each raised a little at random.
-    LowestRaised,
-    /// Those of the lowest state known, each scaled at random.
-    LowestScaled,
-    /// Those of the force state nearest to the lowest state's mechanism with its slips changed at
-    /// random.
-    LowestRepriced,
-}
-
-/// How a start ended.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
-pub enum SearchEnding {
-    /// With collapse states. Where a part of the scene is searched, these are proved as states of the
-    /// part: one lower than all before it is completed to a state of the whole scene at once, any
-    /// other later, where the answer rests on it.
-    Verified {
-        /// λ of the lowest one.
-        lowest: f64,
-    },
-    /// Without.
-    Failed(SearchFailure),
 }
 
 /// Why a start gave no state.
@@ -140,17 +82,13 @@ impl SearchFacts {
 
     /// Starts that ended with this failure.
     pub fn failed(&self, failure: SearchFailure) -> usize {
-        let failed = |start: &&StartEnding| start.ending == SearchEnding::Failed(failure);
-        self.starts.iter().filter(failed).count()
+        let failed = self.starts.iter().filter(|start| **start == Err(failure));
+        failed.count()
     }
 
     /// λ of the verified starts, ascending.
     fn lambdas(&self) -> Vec<f64> {
-        let verified = self.starts.iter().filter_map(|start| match start.ending {
-            SearchEnding::Verified { lowest } => Some(lowest),
-            SearchEnding::Failed(_) => None,
-        });
-        let mut lambdas: Vec<f64> = verified.collect();
+        let mut lambdas: Vec<f64> = self.starts.iter().copied().flatten().collect();
         lambdas.sort_by(f64::total_cmp);
         lambdas
     }
@@ -216,13 +154,7 @@ mod tests {
     #[test]
     fn coverage_counts_states_and_how_often_they_are_met() {
         let lambdas = [Some(0.5), Some(0.5 + 1e-8), Some(0.4), None, Some(0.6)];
-        let starts = lambdas.map(|lambda| StartEnding {
-            start: SearchStart::Even,
-            ending: match lambda {
-                Some(lowest) => SearchEnding::Verified { lowest },
-                None => SearchEnding::Failed(SearchFailure::GapOpen),
-            },
-        });
+        let starts = lambdas.map(|lambda| lambda.ok_or(SearchFailure::GapOpen));
         let facts = SearchFacts {
             starts: starts.to_vec(),
             multiplier_unit: 1.0,

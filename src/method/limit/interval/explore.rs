@@ -5,7 +5,7 @@ use super::parameters::Tuned;
 use super::place::Place;
 use super::search::{Numerics, Search, State};
 use super::starts::Starts;
-use crate::answer::{SearchEnding, SearchFacts, SearchFailure, StartEnding, Work};
+use crate::answer::{SearchFacts, SearchFailure, Work};
 use crate::mechanics::{BlockResidual, CollapseState, JointForce};
 use crate::method::Settings;
 use crate::method::limit::ending::Ending;
@@ -81,7 +81,7 @@ pub(super) fn follow(
     while budget.goes_on(endings.len(), &search.work, &found, &request.tuned) {
         let lowest = found.lowest().map_or(f64::INFINITY, |state| state.lambda);
         let before = search.work.programs;
-        let (start, branch) = starts.follow_next(&mut search, &found);
+        let branch = starts.follow_next(&mut search, &found);
         if endings.is_empty() {
             budget.learn(search.work.programs - before);
             starts.dear = budget.is_dear();
@@ -94,16 +94,13 @@ pub(super) fn follow(
             }
             proof.map(|()| branch)
         });
-        let (ending, lambda) = match branch {
-            Ok(branch) => {
-                let lambda = branch.lowest.lambda;
-                found.take(branch, request.tuned.firsts);
-                let lowest = lambda * scale.multiplier;
-                (SearchEnding::Verified { lowest }, lambda)
-            }
-            Err(failure) => (SearchEnding::Failed(failure), f64::INFINITY),
-        };
-        endings.push(StartEnding { start, ending });
+        let reached = branch.map(|branch| {
+            let lambda = branch.lowest.lambda;
+            found.take(branch, request.tuned.firsts);
+            lambda
+        });
+        endings.push(reached.map(|lambda| lambda * scale.multiplier));
+        let lambda = reached.unwrap_or(f64::INFINITY);
         starts.go_on(lambda < lowest);
         if lambda * scale.multiplier <= request.stop_below {
             break;

@@ -8,52 +8,61 @@ use super::descent::{Approach, Branch, Descent};
 use super::found::Found;
 use super::noise::Noise;
 use super::search::{Numerics, Prices, Search, State};
-use crate::answer::{SearchFailure, SearchStart};
+use crate::answer::SearchFailure;
 use crate::method::limit::ending::totals;
 use crate::scene::{HeadJoints, JointClass};
 
-/// Normal forces to begin with.
-pub(super) struct Start {
-    /// What they are.
-    pub(super) kind: SearchStart,
-    /// N of every joint, dimensionless.
-    pub(super) normal: Vec<f64>,
-    /// How it goes on.
-    pub(super) approach: Approach,
-}
-
-impl Start {
-    fn quick(kind: SearchStart, normal: Vec<f64>) -> Self {
-        Self {
-            kind,
-            normal,
-            approach: Approach::Quick,
-        }
-    }
+/// What the normal forces are that a start in turn begins with.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kind {
+    /// Those of the lowest state with open head joints, each scaled at random.
+    OpenScaled,
+    /// Those under the own weight, each reduced at random.
+    OwnWeightReduced,
+    /// Those under the own weight, half of them reduced to a twentieth.
+    OwnWeightThinned,
+    /// Of one order of magnitude in all joints, at random.
+    Even,
+    /// Those of a random force state at a random λ below λ_A.
+    Statics,
+    /// The same, each scaled at random.
+    StaticsScaled,
+    /// Those of a random force state at a random λ below the lowest state known.
+    StaticsBelow,
+    /// Those of the force state with the largest λ less random prices of the normal forces.
+    Priced,
+    /// Those of the lowest state known, each raised a little at random.
+    LowestRaised,
+    /// Those of the lowest state known, each scaled at random.
+    LowestScaled,
+    /// Those of the force state nearest to the lowest state's mechanism with its slips changed at
+    /// random.
+    LowestRepriced,
 }
 
 /// Kinds of starts that a search takes in turn once those chosen on purpose are used up.
-const IN_TURN: [SearchStart; 13] = [
+const IN_TURN: [Kind; 13] = [
     // These first ones only where starts are dear.
-    SearchStart::LowestRaised,
-    SearchStart::LowestRaised,
-    SearchStart::LowestRaised,
-    SearchStart::OpenScaled,
-    SearchStart::OwnWeightReduced,
-    SearchStart::Even,
-    SearchStart::Statics,
-    SearchStart::Priced,
-    SearchStart::OwnWeightThinned,
-    SearchStart::StaticsBelow,
-    SearchStart::LowestScaled,
-    SearchStart::LowestRepriced,
-    SearchStart::StaticsScaled,
+    Kind::LowestRaised,
+    Kind::LowestRaised,
+    Kind::LowestRaised,
+    Kind::OpenScaled,
+    Kind::OwnWeightReduced,
+    Kind::Even,
+    Kind::Statics,
+    Kind::Priced,
+    Kind::OwnWeightThinned,
+    Kind::StaticsBelow,
+    Kind::LowestScaled,
+    Kind::LowestRepriced,
+    Kind::StaticsScaled,
 ];
 
 /// The starts of one search.
 pub(super) struct Starts {
-    /// Starts chosen on purpose, the next one last.
-    chosen: Vec<Start>,
+    /// N of every joint, dimensionless, for starts chosen on purpose, the next one last. They go on
+    /// quickly.
+    chosen: Vec<Vec<f64>>,
     /// N under the own weight.
     at_rest: Vec<f64>,
     /// N of the lowest state with open head joints, or under the own weight where there is none.
@@ -80,13 +89,11 @@ impl Starts {
             .then(|| open_state(search))
             .flatten();
         if let Some(normal) = &open {
-            chosen.push(Start::quick(SearchStart::OpenState, normal.clone()));
+            chosen.push(normal.clone());
         }
-        chosen.push(Start::quick(SearchStart::Associative, associative.clone()));
-        if open.is_none()
-            && let Some(normal) = frozen_state(search, associative)
-        {
-            chosen.push(Start::quick(SearchStart::Frozen, normal));
+        chosen.push(associative.clone());
+        if open.is_none() {
+            chosen.extend(frozen_state(search, associative));
         }
         chosen.reverse();
         Self {
@@ -104,7 +111,7 @@ impl Starts {
     pub(super) fn without_associative(search: &mut Search, at_rest: Vec<f64>) -> Self {
         search.coulomb_normal = Some(at_rest.clone());
         Self {
-            chosen: vec![Start::quick(SearchStart::OwnWeight, at_rest.clone())],
+            chosen: vec![at_rest.clone()],
             open: at_rest.clone(),
             at_rest,
             dear: false,
@@ -116,10 +123,8 @@ impl Starts {
     /// Takes normal forces of neighbours after so many of the starts chosen on purpose, so that they
     /// are followed however few starts are asked for.
     pub(super) fn add_neighbours(&mut self, after: usize, neighbours: Vec<Vec<f64>>) {
-        let starts = neighbours.into_iter().rev();
-        let starts = starts.map(|normal| Start::quick(SearchStart::Neighbour, normal));
         let at = self.chosen.len().saturating_sub(after);
-        self.chosen.splice(at..at, starts);
+        self.chosen.splice(at..at, neighbours.into_iter().rev());
     }
 
     /// Goes on to the next kind, unless the last start lowered λ: then its kind is taken again.
@@ -134,31 +139,26 @@ impl Starts {
         &mut self,
         search: &mut Search,
         found: &Found,
-    ) -> (SearchStart, Result<Branch, SearchFailure>) {
+    ) -> Result<Branch, SearchFailure> {
         let known = found.lambdas();
-        let (start, noise) = match self.chosen.pop() {
-            Some(start) => (Ok(start), Noise::new(0)),
-            None => self.in_turn(search, found),
+        let (normal, approach, noise) = match self.chosen.pop() {
+            Some(normal) => (normal, Approach::Quick, Noise::new(0)),
+            None => self.in_turn(search, found)?,
         };
-        match start {
-            Ok(start) => {
-                let mut descent = Descent {
-                    search,
-                    approach: start.approach,
-                    noise,
-                    known: &known,
-                };
-                (start.kind, descent.follow(start.normal))
-            }
-            Err((kind, why)) => (kind, Err(why)),
-        }
+        let mut descent = Descent {
+            search,
+            approach,
+            noise,
+            known: &known,
+        };
+        descent.follow(normal)
     }
 
     fn in_turn(
         &mut self,
         search: &mut Search,
         found: &Found,
-    ) -> (Result<Start, (SearchStart, SearchFailure)>, Noise) {
+    ) -> Result<(Vec<f64>, Approach, Noise), SearchFailure> {
         loop {
             let kinds = if self.dear {
                 &IN_TURN[..]
@@ -168,28 +168,22 @@ impl Starts {
             let kind = kinds[self.turn % kinds.len()];
             self.sequence += 1;
             let mut noise = Noise::new(self.sequence);
-            let normal = self.normal(kind, search, found.lowest(), &mut noise);
-            let Some(normal) = normal else {
+            let Some(normal) = self.normal(kind, search, found.lowest(), &mut noise) else {
                 self.turn += 1;
                 continue;
             };
             let approach = match kind {
-                SearchStart::LowestRaised => Approach::Nearby,
+                Kind::LowestRaised => Approach::Nearby,
                 _ => Approach::Blending,
             };
-            let start = |normal| Start {
-                kind,
-                normal,
-                approach,
-            };
-            return (normal.map(start).map_err(|why| (kind, why)), noise);
+            return Ok((normal?, approach, noise));
         }
     }
 
     /// Normal forces of one kind; `None` where the scene, or what is found so far, has none.
     fn normal(
         &self,
-        kind: SearchStart,
+        kind: Kind,
         search: &mut Search,
         lowest: Option<&State>,
         noise: &mut Noise,
@@ -201,43 +195,41 @@ impl Starts {
         };
         let highest = search.associative.or(lowest.map(|state| state.lambda));
         Some(Ok(match kind {
-            SearchStart::OpenScaled => scaled(&self.open, noise),
-            SearchStart::OwnWeightReduced => {
-                self.at_rest.iter().map(|n| n * noise.uniform()).collect()
-            }
-            SearchStart::OwnWeightThinned => {
+            Kind::OpenScaled => scaled(&self.open, noise),
+            Kind::OwnWeightReduced => self.at_rest.iter().map(|n| n * noise.uniform()).collect(),
+            Kind::OwnWeightThinned => {
                 let thinned = |n: &f64| match noise.uniform() < tuned.thinned {
                     true => tuned.thinned_to * n,
                     false => *n,
                 };
                 self.at_rest.iter().map(thinned).collect()
             }
-            SearchStart::Even => {
+            Kind::Even => {
                 let joints = 0..self.at_rest.len();
                 let even = joints.map(|j| search.unit(j) * tuned.even.pick(noise));
                 even.collect()
             }
-            SearchStart::Statics => {
+            Kind::Statics => {
                 let lambda = highest? * tuned.statics.pick(noise);
                 return Some(search.random_statics(lambda, noise));
             }
-            SearchStart::StaticsScaled => {
+            Kind::StaticsScaled => {
                 let lambda = highest? * tuned.statics_scaled.pick(noise);
                 let statics = search.random_statics(lambda, noise);
                 return Some(statics.map(|normal| scaled(&normal, noise)));
             }
-            SearchStart::StaticsBelow => {
+            Kind::StaticsBelow => {
                 let lambda = lowest?.lambda * tuned.statics_below.pick(noise);
                 return Some(search.random_statics(lambda, noise));
             }
-            SearchStart::Priced => {
+            Kind::Priced => {
                 let size = tuned.priced.pick(noise);
                 let friction = self.at_rest.iter().map(|_| size * noise.uniform());
                 let prices = Prices::without_mechanism(friction.collect());
                 let nearest = search.nearest(&prices, 1.0);
                 return Some(nearest.map(|solution| totals(&solution.forces)));
             }
-            SearchStart::LowestRaised => {
+            Kind::LowestRaised => {
                 let raise = tuned.raised.pick(noise);
                 let heads_alone = noise.uniform() < tuned.heads_alone;
                 let joints = search.scene.joints().iter().enumerate();
@@ -248,8 +240,8 @@ impl Starts {
                 });
                 normal.collect()
             }
-            SearchStart::LowestScaled => scaled(&totals(&lowest?.forces), noise),
-            SearchStart::LowestRepriced => {
+            Kind::LowestScaled => scaled(&totals(&lowest?.forces), noise),
+            Kind::LowestRepriced => {
                 let mut prices = lowest?.prices.clone();
                 for price in &mut prices.friction {
                     *price *= tuned.repriced * noise.uniform();
@@ -258,11 +250,6 @@ impl Starts {
                 let nearest = search.nearest(&prices, weight);
                 return Some(nearest.map(|solution| totals(&solution.forces)));
             }
-            SearchStart::OpenState
-            | SearchStart::Associative
-            | SearchStart::Frozen
-            | SearchStart::OwnWeight
-            | SearchStart::Neighbour => return None,
         }))
     }
 }
