@@ -2,6 +2,7 @@
 
 use crate::method::METHODS;
 use crate::scene::HeadJoints;
+use crate::text::worded;
 
 /// A value that a result is compared with.
 #[derive(Clone, Debug, PartialEq)]
@@ -89,31 +90,15 @@ impl Quantity {
     }
 }
 
-/// What stands behind a reference; ordered as tables prefer them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum SourceKind {
-    /// Printed in the literature.
-    Published,
-    /// An exact answer.
-    Analytic,
-    /// Computed by another code.
-    Independent,
-}
-
-impl SourceKind {
-    /// Every kind.
-    pub(crate) const ALL: [SourceKind; 3] = [
-        SourceKind::Published,
-        SourceKind::Analytic,
-        SourceKind::Independent,
-    ];
-
-    /// The word in case files.
-    pub fn name(self) -> &'static str {
-        match self {
-            SourceKind::Published => "published",
-            SourceKind::Analytic => "analytic",
-            SourceKind::Independent => "independent",
-        }
+worded! {
+    /// What stands behind a reference; ordered as tables prefer them.
+    #[derive(PartialOrd, Ord)]
+    SourceKind {
+        /// Printed in the literature.
+        Published = "published",
+        /// An exact answer.
+        Analytic = "analytic",
+        /// Computed by another code.
+        Independent = "independent",
     }
 }

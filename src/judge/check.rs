@@ -1,49 +1,32 @@
 //! One line of the cross-check and what it says.
 
 use crate::scene::HeadJoints;
+use crate::text::worded;
 
-/// Result of one check, from good to bad.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Verdict {
-    /// It holds.
-    Holds,
-    /// It holds within a stated allowance that has a known cause.
-    Marked,
-    /// A method that the check needs gave no number.
-    NotDecided,
-    /// It does not hold, and the case says why.
-    Deviates,
-    /// It does not hold.
-    Violated,
+worded! {
+    /// Result of one check, from good to bad.
+    #[derive(PartialOrd, Ord)]
+    Verdict {
+        /// It holds.
+        Holds = "holds",
+        /// It holds within a stated allowance that has a known cause.
+        Marked = "marked",
+        /// A method that the check needs gave no number.
+        NotDecided = "not decided",
+        /// It does not hold, and the case says why.
+        Deviates = "deviates",
+        /// It does not hold.
+        Violated = "VIOLATED",
+    }
 }
 
 impl Verdict {
-    /// Every verdict.
-    pub const ALL: [Verdict; 5] = [
-        Verdict::Holds,
-        Verdict::Marked,
-        Verdict::NotDecided,
-        Verdict::Deviates,
-        Verdict::Violated,
-    ];
-
     /// A check without shades.
     pub(super) fn of(holds: bool) -> Self {
         if holds {
             Verdict::Holds
         } else {
             Verdict::Violated
-        }
-    }
-
-    /// The word in records.
-    pub fn name(self) -> &'static str {
-        match self {
-            Verdict::Holds => "holds",
-            Verdict::Marked => "marked",
-            Verdict::Deviates => "deviates",
-            Verdict::Violated => "VIOLATED",
-            Verdict::NotDecided => "not decided",
         }
     }
 }

@@ -9,6 +9,7 @@ use super::heard::LowerState;
 use crate::answer::{Bracket, Status, floor_words};
 use crate::number::{above, below, number, percent};
 use crate::scene::{HeadJoints, Push, Reaction};
+use crate::text::worded;
 
 /// What the harness answers for one scene.
 #[derive(Clone, Debug, PartialEq)]
@@ -78,40 +79,25 @@ impl fmt::Display for Floor {
     }
 }
 
-/// What the best answer rests on, from best to worst.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Basis {
-    /// It falls under its own weight.
-    Falls,
-    /// A collapse state without dilatancy: the lowest that anybody verified. No lower bound.
-    LowestState,
-    /// No push is too large, also without dilatancy.
-    Stands,
-    /// A bound that no collapse multiplier exceeds, and no state.
-    UpperBound,
-    /// What was seen, without a proof.
-    Observed,
-    /// A number without a proof.
-    Estimate,
-    /// No collapse state was found where with associative friction none exists, which proves nothing.
-    NoneFound,
-    /// Nothing.
-    Nothing,
-}
-
-impl Basis {
-    /// The word in JSON.
-    pub fn name(self) -> &'static str {
-        match self {
-            Basis::Falls => "falls",
-            Basis::LowestState => "lowest-state-found",
-            Basis::Stands => "stands",
-            Basis::UpperBound => "upper-bound",
-            Basis::Observed => "observed",
-            Basis::Estimate => "estimate",
-            Basis::NoneFound => "no-state-found",
-            Basis::Nothing => "nothing",
-        }
+worded! {
+    /// What the best answer rests on, from best to worst.
+    Basis {
+        /// It falls under its own weight.
+        Falls = "falls",
+        /// A collapse state without dilatancy: the lowest that anybody verified. No lower bound.
+        LowestState = "lowest-state-found",
+        /// No push is too large, also without dilatancy.
+        Stands = "stands",
+        /// A bound that no collapse multiplier exceeds, and no state.
+        UpperBound = "upper-bound",
+        /// What was seen, without a proof.
+        Observed = "observed",
+        /// A number without a proof.
+        Estimate = "estimate",
+        /// No collapse state was found where with associative friction none exists, which proves nothing.
+        NoneFound = "no-state-found",
+        /// Nothing.
+        Nothing = "nothing",
     }
 }
 
@@ -129,24 +115,16 @@ pub struct Difference {
     pub explanation: Explanation,
 }
 
-/// Why associative friction gives more than the lowest state.
-#[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
-pub enum Explanation {
-    /// With dilatancy joints open as they slip, which takes more push than any state found.
-    #[error("explained by its dilatancy")]
-    Dilatancy,
-    /// States are verified up to there: which of them happens nobody knows of a real wall.
-    #[error("explained, because collapse states are verified up to there")]
-    SeveralStates,
-}
-
-impl Explanation {
-    /// The word in JSON.
-    pub fn name(self) -> &'static str {
-        match self {
-            Explanation::Dilatancy => "dilatancy",
-            Explanation::SeveralStates => "several-states",
-        }
+worded! {
+    /// Why associative friction gives more than the lowest state.
+    #[derive(Error)]
+    Explanation {
+        /// With dilatancy joints open as they slip, which takes more push than any state found.
+        #[error("explained by its dilatancy")]
+        Dilatancy = "dilatancy",
+        /// States are verified up to there: which of them happens nobody knows of a real wall.
+        #[error("explained, because collapse states are verified up to there")]
+        SeveralStates = "several-states",
     }
 }
 

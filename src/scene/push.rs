@@ -2,13 +2,17 @@
 
 use serde::{Deserialize, Serialize};
 
-/// Which way the live load pushes the wall.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Push {
-    /// Towards +x: the toe is the lower right corner.
-    Right,
-    /// Towards −x.
-    Left,
+use crate::text::worded;
+
+worded! {
+    /// Which way the live load pushes the wall.
+    #[derive(Serialize, Deserialize)]
+    Push {
+        /// Towards +x: the toe is the lower right corner.
+        Right = "right",
+        /// Towards −x.
+        Left = "left",
+    }
 }
 
 impl Push {
@@ -19,31 +23,15 @@ impl Push {
             Push::Left => -1.0,
         }
     }
-
-    /// The word that cases use.
-    pub fn name(self) -> &'static str {
-        match self {
-            Push::Right => "right",
-            Push::Left => "left",
-        }
-    }
 }
 
-/// What the head joints (perpends) of a scene carry.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
-pub enum HeadJoints {
-    /// Coulomb contact.
-    Contact,
-    /// Nothing: dry-laid, the state before pushing.
-    Open,
-}
-
-impl HeadJoints {
-    /// The word that cases and the command line use.
-    pub fn name(self) -> &'static str {
-        match self {
-            HeadJoints::Contact => "contact",
-            HeadJoints::Open => "open",
-        }
+worded! {
+    /// What the head joints (perpends) of a scene carry.
+    #[derive(PartialOrd, Ord, Serialize, Deserialize)]
+    HeadJoints {
+        /// Coulomb contact.
+        Contact = "contact",
+        /// Nothing: dry-laid, the state before pushing.
+        Open = "open",
     }
 }

@@ -3,23 +3,16 @@
 use serde::{Deserialize, Serialize};
 
 use crate::number::{above, below};
+use crate::text::worded;
 
-/// Which way a support moves.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Sense {
-    /// Away from the wall: its reaction falls.
-    Away,
-    /// Against the wall: its reaction rises.
-    Against,
-}
-
-impl Sense {
-    /// The word in cases.
-    pub fn name(self) -> &'static str {
-        match self {
-            Sense::Away => "away",
-            Sense::Against => "against",
-        }
+worded! {
+    /// Which way a support moves.
+    #[derive(Serialize, Deserialize)]
+    Sense {
+        /// Away from the wall: its reaction falls.
+        Away = "away",
+        /// Against the wall: its reaction rises.
+        Against = "against",
     }
 }
 

@@ -8,39 +8,22 @@ use crate::answer::{Bracket, Status};
 use crate::method::{Method, kind};
 use crate::run::{Row, Subject, Task};
 use crate::scene::HeadJoints;
+use crate::text::worded;
 
-/// What an answer turned out to be.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum CellVerdict {
-    /// Within 1 % of what is known.
-    Right,
-    /// Farther off, and it claims no more: an estimate, a range that is wider than what is known, a
-    /// search that has missed the lowest state.
-    Inaccurate,
-    /// No answer: `undecided`, `not-applicable`, `failed`.
-    Refused,
-    /// What is known refutes what a `verified` or `bracketed` answer states, or an answer without a
-    /// multiplier where there is one.
-    Wrong,
-}
-
-impl CellVerdict {
-    /// Every verdict, from good to bad.
-    pub const ALL: [CellVerdict; 4] = [
-        CellVerdict::Right,
-        CellVerdict::Inaccurate,
-        CellVerdict::Refused,
-        CellVerdict::Wrong,
-    ];
-
-    /// The word in tables and legends.
-    pub fn name(self) -> &'static str {
-        match self {
-            CellVerdict::Right => "right",
-            CellVerdict::Inaccurate => "inaccurate",
-            CellVerdict::Refused => "refused",
-            CellVerdict::Wrong => "WRONG",
-        }
+worded! {
+    /// What an answer turned out to be.
+    #[derive(PartialOrd, Ord)]
+    CellVerdict {
+        /// Within 1 % of what is known.
+        Right = "right",
+        /// Farther off, and it claims no more: an estimate, a range that is wider than what is known, a
+        /// search that has missed the lowest state.
+        Inaccurate = "inaccurate",
+        /// No answer: `undecided`, `not-applicable`, `failed`.
+        Refused = "refused",
+        /// What is known refutes what a `verified` or `bracketed` answer states, or an answer without a
+        /// multiplier where there is one.
+        Wrong = "WRONG",
     }
 }
 
