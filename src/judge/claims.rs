@@ -58,6 +58,11 @@ impl Answered<'_> {
         }
     }
 
+    /// Error that it states, relative to λ, or this one where it states none.
+    pub fn stated_error(&self, unstated: f64) -> f64 {
+        self.outcome.evidence.stated_error().unwrap_or(unstated)
+    }
+
     /// Whether it comes from an outside program.
     pub fn is_outside(&self) -> bool {
         kind(self.name) == Kind::Outside

@@ -201,11 +201,7 @@ fn bounds_meet(claims: &Claims, one: &Answered, other: &Answered) -> (String, Ve
 fn converged_below_bound(claims: &Claims, bound: &Answered, state: &Answered) -> (String, Verdict) {
     let (lambda, most) = (state.bracket.upper, bound.bracket.upper);
     let excess = claims.excess(lambda, most);
-    let stated = state
-        .outcome
-        .evidence
-        .stated_error()
-        .unwrap_or(UNSTATED_ERROR);
+    let stated = state.stated_error(UNSTATED_ERROR);
     let (state, bound) = (state.name, bound.name);
     if excess <= 1e-6 {
         (format!("{state} is not above {bound}"), Verdict::Holds)
@@ -244,11 +240,7 @@ fn states_below_bound(claims: &Claims, bound: &Answered, states: &Answered) -> (
 /// A number without a proof is no multiplier if it is above λ_A by more than its stated error.
 fn number_below_bound(claims: &Claims, bound: &Answered, value: &Answered) -> (String, Verdict) {
     let most = bound.bracket.upper;
-    let stated = value
-        .outcome
-        .evidence
-        .stated_error()
-        .unwrap_or(UNSTATED_ERROR);
+    let stated = value.stated_error(UNSTATED_ERROR);
     let (name, bound) = (value.name, bound.name);
     let Bracket { lower, upper } = value.bracket;
     let [low, high] = [lower, upper].map(|lambda| claims.excess(lambda, most));
@@ -273,11 +265,7 @@ fn number_below_bound(claims: &Claims, bound: &Answered, value: &Answered) -> (S
 /// be anything, so that it only has to meet the range.
 fn among_found(claims: &Claims, state: &Answered, states: &Answered) -> (String, Verdict) {
     let (s, i) = (state.bracket, states.bracket);
-    let error = state
-        .outcome
-        .evidence
-        .stated_error()
-        .unwrap_or(UNSTATED_ERROR);
+    let error = state.stated_error(UNSTATED_ERROR);
     let below = match state.role {
         Role::Number => claims.is_below(s.upper, error, i.lower),
         _ => claims.is_below(s.lower, CONVERGED_ERROR, i.lower),

@@ -13,7 +13,7 @@ const ABSURD: f64 = 1e9;
 /// cannot.
 pub(super) fn plausible(claims: &Claims, answer: &Answered) -> Option<(String, Verdict)> {
     let (name, lambda) = (answer.name, answer.bracket.lower);
-    let error = answer.outcome.evidence.stated_error().unwrap_or(0.0);
+    let error = answer.stated_error(0.0);
     let error = error.max(claims.proof_slack(0.0));
     if claims.excess(lambda, 0.0) < -error {
         let text = format!(
@@ -94,7 +94,7 @@ fn highest_floor<'c, 'a>(
 }
 
 fn is_under(claims: &Claims, answer: &Answered, least: f64) -> bool {
-    let stated = answer.outcome.evidence.stated_error().unwrap_or(0.0);
+    let stated = answer.stated_error(0.0);
     let error = stated.max(claims.proof_slack(least));
     claims.is_below(answer.bracket.upper, error, least)
 }

@@ -5,23 +5,10 @@ use serde::{Deserialize, Serialize};
 use super::ends::{Side, ends, is_unanswered};
 use crate::answer::{BoundFact, Evidence, Fact, Outcome, SideFact, Status, magnitude};
 use crate::judge::Recomputed;
-use crate::scene::{Push, Scene};
+use crate::scene::Push;
 
-/// The judged answer of a method for one side of the push.
-pub(super) struct Answer<'a> {
-    /// The scene that it is about.
-    pub scene: &'a Scene,
-    /// The answer, its status set by the judge.
-    pub outcome: Outcome,
-    /// Residuals that the judge computed, where there was something to judge.
-    pub residuals: Vec<Recomputed>,
-    /// CPU time of the method, seconds.
-    pub seconds: f64,
-    /// The answer of the other side, where the wall is pushed both ways.
-    pub other: Option<Box<Answer<'a>>>,
-}
-
-/// Of a wall that is pushed both ways, the side that does not govern.
+/// A method's judged answer for one side of the push; of a wall that is pushed both ways, the side that
+/// does not govern.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct OtherSide {
     /// Direction of its push.
@@ -35,34 +22,19 @@ pub struct OtherSide {
 /// Multipliers nearer than this, relative to the larger, are those of sides alike.
 const ALIKE: f64 = 1e-6;
 
-/// The answer of the side that governs: a side without an answer, as it may be the weaker; else the
-/// one at whose λ a collapse is known first. It carries the other
-/// side's.
+/// The answer of the side that governs, then the other: a side without an answer, as it may be the
+/// weaker; else the one at whose λ a collapse is known first.
 ///
 /// # Panics
 /// Where there is no answer.
-pub(super) fn governing(mut answers: Vec<Answer>) -> Answer {
-    if answers.len() == 1 {
-        return answers.remove(0);
-    }
-    let seconds = answers.iter().map(|answer| answer.seconds).sum();
-    let work = answers.iter().map(|answer| answer.outcome.work);
-    let work = work.fold(Default::default(), |a, b| a + b);
+pub(super) fn governing(mut answers: Vec<OtherSide>, unit: f64) -> (OtherSide, Option<OtherSide>) {
     let mut first = 0;
-    let unit = answers[0].scene.multiplier_unit();
     for side in 1..answers.len() {
         if gives_way_before(&answers[side].outcome, &answers[first].outcome, unit) {
             first = side;
         }
     }
-    let mut answer = answers.swap_remove(first);
-    let other = answers.pop().map(Box::new);
-    answer.outcome.work = work;
-    Answer {
-        seconds,
-        other,
-        ..answer
-    }
+    (answers.swap_remove(first), answers.pop())
 }
 
 /// Whether a side gives way before another. Of sides that differ by rounding alone neither does: it
@@ -186,12 +158,6 @@ mod tests {
     use super::*;
     use crate::answer::{Bracket, CollapseState, Mechanism, sentence};
     use crate::run::ends::Ends;
-    use crate::scene::{HeadJoints, Wall};
-
-    fn scenes() -> [Scene; 2] {
-        let side = |push| Wall::of_cubes(1, push).scene(HeadJoints::Open).unwrap();
-        [Push::Right, Push::Left].map(side)
-    }
 
     fn number(lower: f64, upper: f64) -> Outcome {
         let evidence = Evidence::Number {
@@ -225,21 +191,17 @@ mod tests {
     /// The wall from the answers to a push to the right and to the left: the side that governs, what is
     /// said of it, its ends and status.
     fn of(outcomes: [Outcome; 2]) -> (Push, String, Ends, Status) {
-        let scenes = scenes();
-        let answers = outcomes.into_iter().zip(&scenes);
-        let answers = answers.map(|(outcome, scene)| Answer {
-            scene,
-            outcome,
+        let answers = [Push::Right, Push::Left].into_iter().zip(outcomes);
+        let answers = answers.map(|(push, outcome)| OtherSide {
+            push,
+            outcome: Box::new(outcome),
             residuals: Vec::new(),
-            seconds: 1.0,
-            other: None,
         });
-        let answer = governing(answers.collect());
-        assert_eq!(answer.seconds, 2.0);
-        let own = (answer.scene.push(), &answer.outcome);
-        let other = answer.other.as_ref();
-        let other = other.map(|other| (other.scene.push(), &other.outcome));
-        let (ends, unit) = (ends(own, other), answer.scene.multiplier_unit());
+        let unit = 1.0;
+        let (own, other) = governing(answers.collect(), unit);
+        let own = (own.push, &*own.outcome);
+        let other = other.as_ref().map(|other| (other.push, &*other.outcome));
+        let ends = ends(own, other);
         let other_side = other.unwrap();
         let said = compared(own, other_side, unit).into_iter().map(Fact::from);
         let said: Vec<Fact> = said.chain(facts(own, other_side)).collect();

@@ -9,8 +9,8 @@ use std::time::Duration;
 use cpu_time::ThreadTime;
 
 use super::row::{Row, scene_name};
-use super::sides::{Answer, OtherSide, governing};
-use crate::answer::{Outcome, Status};
+use super::sides::{OtherSide, governing};
+use crate::answer::{Outcome, Status, Work};
 use crate::fingerprint::Fingerprint;
 use crate::judge::judge;
 use crate::method::{Method, Settings, borrowed, expected_cost};
@@ -140,13 +140,15 @@ impl<'a> Task<'a> {
     /// # Panics
     /// Where the subject has no scene.
     pub fn run(&self) -> Row {
-        let sides = (self.subject.sides)();
-        let answers = sides.iter().map(|scene| self.answer(scene)).collect();
-        self.row(governing(answers))
-    }
-
-    fn row(&self, answer: Answer) -> Row {
-        let scene = answer.scene;
+        let scenes = (self.subject.sides)();
+        let answers: Vec<_> = scenes.iter().map(|scene| self.answer(scene)).collect();
+        let seconds = answers.iter().map(|(_, seconds)| seconds).sum();
+        let work = answers.iter().map(|(side, _)| side.outcome.work);
+        let work = work.fold(Work::default(), |sum, work| sum + work);
+        let answers = answers.into_iter().map(|(side, _)| side).collect();
+        let (own, other) = governing(answers, scenes[0].multiplier_unit());
+        let of_push = scenes.iter().find(|scene| scene.push() == own.push);
+        let scene = of_push.expect("it has answered");
         Row {
             id: self.id.clone(),
             case: self.subject.case.clone(),
@@ -159,20 +161,20 @@ impl<'a> Task<'a> {
             joints: scene.joints().len(),
             multiplier_unit: scene.multiplier_unit(),
             reaction: scene.reaction().cloned(),
-            outcome: answer.outcome,
-            other: answer.other.map(|other| OtherSide {
-                push: other.scene.push(),
-                outcome: Box::new(other.outcome),
-                residuals: other.residuals,
-            }),
-            residuals: answer.residuals,
-            seconds: answer.seconds,
+            outcome: Outcome {
+                work,
+                ..*own.outcome
+            },
+            other,
+            residuals: own.residuals,
+            seconds,
             references: Vec::new(),
             verdict: None,
         }
     }
 
-    fn answer<'s>(&self, scene: &'s Scene) -> Answer<'s> {
+    /// The judged answer for one side, and its CPU seconds.
+    fn answer(&self, scene: &Scene) -> (OtherSide, f64) {
         let (clock, before) = (ThreadTime::now(), borrowed());
         let elapsed = || {
             let seconds = clock.elapsed().as_secs_f64() + borrowed() - before;
@@ -188,13 +190,12 @@ impl<'a> Task<'a> {
             let failed = Outcome::without_number(Status::Failed, panicked(&*panic));
             (failed, Vec::new(), elapsed())
         });
-        Answer {
-            scene,
-            outcome,
+        let side = OtherSide {
+            push: scene.push(),
+            outcome: Box::new(outcome),
             residuals,
-            seconds: spent.as_secs_f64(),
-            other: None,
-        }
+        };
+        (side, spent.as_secs_f64())
     }
 }
 
