@@ -25,10 +25,7 @@ pub struct Outcome {
 impl Outcome {
     /// An answer without a number, and why there is none.
     pub fn without_number(status: Status, fact: impl Into<Fact>) -> Self {
-        Self {
-            facts: vec![fact.into()],
-            ..Self::of(status)
-        }
+        Self::of(status).because(fact)
     }
 
     /// An answer that is nothing but its status, to be filled in.
@@ -47,6 +44,17 @@ impl Outcome {
             evidence: evidence.into(),
             ..Self::of(status)
         }
+    }
+
+    /// The same, with a further fact.
+    pub fn because(mut self, fact: impl Into<Fact>) -> Self {
+        self.facts.push(fact.into());
+        self
+    }
+
+    /// The same, after this effort.
+    pub fn after(self, work: Work) -> Self {
+        Self { work, ..self }
     }
 
     /// The multiplier, where there is one to vouch for.

@@ -28,36 +28,39 @@ impl Method for Associative {
 
     fn solve(&self, scene: &Scene, settings: &Settings) -> Outcome {
         let mut work = Work::default();
-        let at_rest = match own_weight(scene, &mut work) {
-            Ok(forces) => forces,
-            Err(outcome) => return *outcome,
-        };
-        // Dilatancy pushes head joints that are in contact far beyond the stagger line: on paper-3
-        // even 920 of 1176 blocks give 3e-8 too much, and no smaller part saves time.
-        let reduce = scene.head_joints() == HeadJoints::Open && settings.programs.reduction;
-        for part in reduction::parts(scene).into_iter().filter(|_| reduce) {
-            if let Ok(mut answer) = optimum(&part.scene, settings, &mut work)
-                && let Some(forces) =
-                    part.complete(scene, answer.bracket.lower, &answer.forces, &mut work)
-            {
-                answer.mechanism = part.extend(scene, &answer.mechanism);
-                answer.forces = forces;
-                answer.begin_at_zero(&at_rest);
-                // What completes a part is as little proved by the solver's word as an optimum is.
-                if loose(settings) || proves(scene, &answer) {
-                    work.modelled = part.scene.blocks().len();
-                    return outcome(scene, answer, settings, work);
-                }
+        associative(scene, settings, &mut work).after(work)
+    }
+}
+
+fn associative(scene: &Scene, settings: &Settings, work: &mut Work) -> Outcome {
+    let at_rest = match own_weight(scene, work) {
+        Ok(forces) => forces,
+        Err(outcome) => return *outcome,
+    };
+    // Dilatancy pushes head joints that are in contact far beyond the stagger line: on paper-3
+    // even 920 of 1176 blocks give 3e-8 too much, and no smaller part saves time.
+    let reduce = scene.head_joints() == HeadJoints::Open && settings.programs.reduction;
+    for part in reduction::parts(scene).into_iter().filter(|_| reduce) {
+        if let Ok(mut answer) = optimum(&part.scene, settings, work)
+            && let Some(forces) = part.complete(scene, answer.bracket.lower, &answer.forces, work)
+        {
+            answer.mechanism = part.extend(scene, &answer.mechanism);
+            answer.forces = forces;
+            answer.begin_at_zero(&at_rest);
+            // What completes a part is as little proved by the solver's word as an optimum is.
+            if loose(settings) || proves(scene, &answer) {
+                work.modelled = part.scene.blocks().len();
+                return outcome(scene, answer, settings);
             }
         }
-        work.modelled = scene.blocks().len();
-        match optimum(scene, settings, &mut work) {
-            Ok(mut answer) => {
-                answer.begin_at_zero(&at_rest);
-                outcome(scene, answer, settings, work)
-            }
-            Err(ending) => without_optimum(scene, &ending, at_rest, &mut work),
+    }
+    work.modelled = scene.blocks().len();
+    match optimum(scene, settings, work) {
+        Ok(mut answer) => {
+            answer.begin_at_zero(&at_rest);
+            outcome(scene, answer, settings)
         }
+        Err(ending) => without_optimum(scene, &ending, at_rest, work),
     }
 }
 
@@ -211,22 +214,17 @@ fn sticky_margins(scene: &Scene) -> Option<Margins> {
 }
 
 /// The outcome of both sides of λ_A.
-fn outcome(scene: &Scene, optimum: Optimum, user: &Settings, work: Work) -> Outcome {
+fn outcome(scene: &Scene, optimum: Optimum, user: &Settings) -> Outcome {
     let bracket = optimum.bracket;
     let unit = scene.multiplier_unit();
     if !loose(user) && needs_own_units(scene) && !proves(scene, &optimum) {
         // Elsewhere ends that prove nothing are a defect, for the judge to refute.
-        return Outcome {
-            work,
-            ..Outcome::without_number(Status::Undecided, unproved(scene, &optimum))
-        };
+        return Outcome::without_number(Status::Undecided, unproved(scene, &optimum));
     }
     let (status, fact) = if loose(user) && !proves(scene, &optimum) {
         if !(bracket.lower.is_finite() && bracket.upper.is_finite()) {
-            return Outcome {
-                work,
-                ..Outcome::without_number(Status::Undecided, LimitFact::LooseWithoutMultiplier)
-            };
+            let fact = LimitFact::LooseWithoutMultiplier;
+            return Outcome::without_number(Status::Undecided, fact);
         }
         (Status::Estimate, Some(LimitFact::Loose))
     } else if bracket.is_one_number(unit) {
@@ -247,7 +245,6 @@ fn outcome(scene: &Scene, optimum: Optimum, user: &Settings, work: Work) -> Outc
                 mechanism: optimum.mechanism,
             },
         },
-        work,
         facts: fact.into_iter().map(LimitFact::into).collect(),
         ..Outcome::of(status)
     }

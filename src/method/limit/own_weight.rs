@@ -27,7 +27,7 @@ pub(super) fn own_weight(scene: &Scene, work: &mut Work) -> Result<Vec<JointForc
         return Ok(forces);
     }
     if let Some(mechanism) = falling::adrift(scene).filter(|m| falling::proves(scene, m)) {
-        return Err(Box::new(falls(scene, mechanism, *work)));
+        return Err(falls(scene, mechanism));
     }
     let mut solver = None;
     let mut moved = Vec::new();
@@ -49,28 +49,25 @@ pub(super) fn own_weight(scene: &Scene, work: &mut Work) -> Result<Vec<JointForc
         };
         let mechanism = program.scale().mechanism(&velocity);
         if falling::proves(scene, &mechanism) {
-            return Err(Box::new(falls(scene, mechanism, *work)));
+            return Err(falls(scene, mechanism));
         }
         moved.push(mechanism);
     }
     if let Some(mechanism) = falling::of_a_part(scene, &moved, work) {
-        return Err(Box::new(falls(scene, mechanism, *work)));
+        return Err(falls(scene, mechanism));
     }
     let undecided = LimitFact::OwnWeightUndecided { solver };
-    Err(Box::new(Outcome {
-        work: *work,
-        ..Outcome::without_number(Status::Undecided, undecided)
-    }))
+    Err(Box::new(Outcome::without_number(
+        Status::Undecided,
+        undecided,
+    )))
 }
 
 /// The outcome `falls`, which the mechanism proves.
-fn falls(scene: &Scene, mechanism: Mechanism, work: Work) -> Outcome {
+fn falls(scene: &Scene, mechanism: Mechanism) -> Box<Outcome> {
     let first = falling::names(scene, &mechanism);
-    Outcome {
-        evidence: Evidence::Falls { mechanism },
-        work,
-        ..Outcome::without_number(Status::Falls, LimitFact::MovesUnpushed { first })
-    }
+    let falls = Outcome::with(Status::Falls, Evidence::Falls { mechanism });
+    Box::new(falls.because(LimitFact::MovesUnpushed { first }))
 }
 
 /// The outcome of a scene whose program for λ_A has no optimum although `at_rest` holds it at
@@ -82,25 +79,19 @@ pub(super) fn without_optimum(
     work: &mut Work,
 ) -> Outcome {
     let ray = matches!(ending, Ending::Unbounded).then(|| ray(scene, work));
-    let outcome = match ray.flatten() {
+    match ray.flatten() {
         Some(ray) => stands(true, at_rest, ray),
         None => Outcome::without_number(Status::Undecided, LimitFact::NoOptimum(ending.kind())),
-    };
-    Outcome {
-        work: *work,
-        ..outcome
     }
 }
 
 fn stands(associative: bool, at_rest: Vec<JointForce>, ray: Vec<JointForce>) -> Outcome {
-    Outcome {
-        evidence: Evidence::Stands {
-            associative,
-            at_rest,
-            ray,
-        },
-        ..Outcome::without_number(Status::Stands, LimitFact::ForcesWithoutLimit)
-    }
+    let evidence = Evidence::Stands {
+        associative,
+        at_rest,
+        ray,
+    };
+    Outcome::with(Status::Stands, evidence).because(LimitFact::ForcesWithoutLimit)
 }
 
 /// The outcome `stands` for friction without dilatancy, where forces without any shear carry the
@@ -113,11 +104,7 @@ pub(super) fn stands_without_dilatancy(
     work: &mut Work,
 ) -> Option<Outcome> {
     let smooth = scene.clone().with_friction(|_, _| 0.0);
-    let ray = ray(&smooth, work)?;
-    Some(Outcome {
-        work: *work,
-        ..stands(false, at_rest.to_vec(), ray)
-    })
+    Some(stands(false, at_rest.to_vec(), ray(&smooth, work)?))
 }
 
 /// Forces that balance the live load for λ = 1 and nothing else, within friction: they can be added

@@ -33,39 +33,39 @@ impl Method for Sequential {
     }
 
     fn solve(&self, scene: &Scene, settings: &Settings) -> Outcome {
-        sequential(scene, settings)
+        let mut work = Work::default();
+        sequential(scene, settings, &mut work).after(work)
     }
 }
 
-fn sequential(scene: &Scene, settings: &Settings) -> Outcome {
+fn sequential(scene: &Scene, settings: &Settings, work: &mut Work) -> Outcome {
     let SequentialSettings {
         mut alpha,
         beta,
         c0,
     } = settings.sequential;
-    let mut work = Work::default();
-    let at_rest = match own_weight(scene, &mut work) {
+    let at_rest = match own_weight(scene, work) {
         Ok(forces) => forces,
         Err(outcome) => return *outcome,
     };
     let program = Program::to_tolerance(scene, settings.programs.lp_tolerance);
     let mut program = program.by(settings.programs.engine);
     let mut ceiling = None;
-    let (mut frozen, mut lambdas) = match program.solve_counted(&mut work) {
+    let (mut frozen, mut lambdas) = match program.solve_counted(work) {
         Ending::Solved(solution) => {
             ceiling = Some(program.scale().mechanism(&solution.velocity));
             (totals(&solution.forces), vec![solution.lambda])
         }
         // Nothing collapses by associative friction. The forces under the own weight are a start.
         Ending::Unbounded => {
-            if let Some(outcome) = stands_without_dilatancy(scene, &at_rest, &mut work) {
+            if let Some(outcome) = stands_without_dilatancy(scene, &at_rest, work) {
                 return outcome;
             }
             let unit = scene.total_weight();
             let normal = totals(&at_rest);
             (normal.iter().map(|n| n / unit).collect(), Vec::new())
         }
-        ending => return without_optimum(scene, &ending, at_rest, &mut work),
+        ending => return without_optimum(scene, &ending, at_rest, work),
     };
     let mut steps = 0;
     let mut last = None;
@@ -74,7 +74,7 @@ fn sequential(scene: &Scene, settings: &Settings) -> Outcome {
             break SequentialEnding::StepLimit;
         }
         program.set_friction(&substitute_law(scene, &frozen, alpha, c0));
-        let solution = match program.solve_counted(&mut work) {
+        let solution = match program.solve_counted(work) {
             Ending::Solved(solution) => solution,
             Ending::Infeasible(_) => break SequentialEnding::SubProgramInfeasible,
             Ending::Unbounded => break SequentialEnding::SubProgramUnbounded,
@@ -93,23 +93,16 @@ fn sequential(scene: &Scene, settings: &Settings) -> Outcome {
         alpha = (alpha / 2.0).max(LAST_ALPHA);
     };
     let facts = SequentialFacts { ending, steps };
-    let outcome = match last.filter(|_| ending == SequentialEnding::Converged) {
-        Some(last) => {
-            let state = state(&program, &last);
-            let ceiling = ceiling.as_ref();
-            let evidence = Evidence::State {
-                stated_error: ceiling.and_then(|ceiling| stated_error(scene, &state, ceiling)),
-                crack: crack_slope(scene, &state.mechanism, VELOCITY_THRESHOLDS),
-                state,
-            };
-            Outcome {
-                evidence,
-                ..Outcome::without_number(Status::Estimate, facts)
-            }
-        }
-        None => Outcome::without_number(Status::Undecided, facts),
+    let Some(last) = last.filter(|_| ending == SequentialEnding::Converged) else {
+        return Outcome::without_number(Status::Undecided, facts);
     };
-    Outcome { work, ..outcome }
+    let state = state(&program, &last);
+    let evidence = Evidence::State {
+        stated_error: ceiling.and_then(|ceiling| stated_error(scene, &state, &ceiling)),
+        crack: crack_slope(scene, &state.mechanism, VELOCITY_THRESHOLDS),
+        state,
+    };
+    Outcome::with(Status::Estimate, evidence).because(facts)
 }
 
 fn state(program: &Program, last: &Solution) -> CollapseState {

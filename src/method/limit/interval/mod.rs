@@ -70,7 +70,11 @@ pub(crate) fn lowest(scene: &Scene, settings: &Settings, stop_below: f64) -> Out
 
 fn solve(scene: &Scene, request: &Request) -> Outcome {
     let mut work = Work::default();
-    let at_rest = match own_weight(scene, &mut work) {
+    searched(scene, request, &mut work).after(work)
+}
+
+fn searched(scene: &Scene, request: &Request, work: &mut Work) -> Outcome {
+    let at_rest = match own_weight(scene, work) {
         Ok(forces) => forces,
         Err(outcome) => return *outcome,
     };
@@ -78,25 +82,24 @@ fn solve(scene: &Scene, request: &Request) -> Outcome {
     let engine = request.settings.programs.engine;
     for part in reduction::parts(scene).into_iter().filter(|_| reduce) {
         let place = Place::part(scene, &part);
-        let Ok(explored) = explore(place, Numerics::first(engine), request, &at_rest, &mut work)
-        else {
+        let Ok(explored) = explore(place, Numerics::first(engine), request, &at_rest, work) else {
             continue;
         };
         // On 96 courses the whole wall closed no gap either: it ends at the same 1.4e-6, after 490 s of
         // CPU instead of 44 s (measured).
         let mut ends = explored.facts.starts.iter();
         if ends.all(|end| *end == Err(SearchFailure::GapOpen)) {
-            return undecided(explored, work);
+            return undecided(explored);
         }
-        if let Some(outcome) = report(scene, &explored, &at_rest, &mut work) {
+        if let Some(outcome) = report(scene, &explored, &at_rest, work) {
             return outcome;
         }
     }
     let mut first = None;
     for numerics in Numerics::of(scene, engine) {
-        let explored = explore(Place::whole(scene), numerics, request, &at_rest, &mut work);
+        let explored = explore(Place::whole(scene), numerics, request, &at_rest, work);
         match explored {
-            Ok(explored) => match report(scene, &explored, &at_rest, &mut work) {
+            Ok(explored) => match report(scene, &explored, &at_rest, work) {
                 Some(outcome) => return outcome,
                 None => first = first.or(Some(Ok(explored))),
             },
@@ -105,8 +108,8 @@ fn solve(scene: &Scene, request: &Request) -> Outcome {
         }
     }
     match first.expect("there is one way at least") {
-        Ok(explored) => undecided(explored, work),
-        Err(ending) => without_optimum(scene, &ending, at_rest, &mut work),
+        Ok(explored) => undecided(explored),
+        Err(ending) => without_optimum(scene, &ending, at_rest, work),
     }
 }
 
@@ -117,13 +120,13 @@ fn without_bound(
     scene: &Scene,
     request: &Request,
     at_rest: &[JointForce],
-    mut work: Work,
+    work: &mut Work,
 ) -> Outcome {
-    if let Some(outcome) = stands_without_dilatancy(scene, at_rest, &mut work) {
+    if let Some(outcome) = stands_without_dilatancy(scene, at_rest, work) {
         return outcome;
     }
     // That λ_A has no limit is said where forces prove it; else it is the solver's word.
-    let proved = ray(scene, &mut work).is_some();
+    let proved = ray(scene, work).is_some();
     let said = |fact: LimitFact| {
         if proved {
             fact
@@ -138,8 +141,8 @@ fn without_bound(
     };
     let mut search = Search::new(scene, numerics, request.tuned);
     let starts = Starts::without_associative(&mut search, place.normal(at_rest));
-    let explored = follow(place, request, search, starts, &mut work);
-    match report(scene, &explored, at_rest, &mut work) {
+    let explored = follow(place, request, search, starts, work);
+    match report(scene, &explored, at_rest, work) {
         Some(outcome) => Outcome {
             facts: vec![
                 said(LimitFact::FoundWithoutBound).into(),
@@ -148,7 +151,7 @@ fn without_bound(
             ..outcome
         },
         None => {
-            let mut outcome = undecided(explored, work);
+            let mut outcome = undecided(explored);
             let fact = said(LimitFact::NoneFoundWithoutBound);
             outcome.facts.insert(0, fact.into());
             outcome
@@ -156,11 +159,10 @@ fn without_bound(
     }
 }
 
-fn undecided(explored: Explored, work: Work) -> Outcome {
+fn undecided(explored: Explored) -> Outcome {
     let unresolved = explored.unresolved.map(LimitFact::Unresolved);
     let facts = unresolved.map(LimitFact::into).into_iter();
     Outcome {
-        work,
         facts: facts.chain([explored.facts.into()]).collect(),
         ..Outcome::of(Status::Undecided)
     }
@@ -188,7 +190,6 @@ fn report(
             crack: crack_slope(scene, lowest, VELOCITY_THRESHOLDS),
             states,
         },
-        work: *work,
         ..Outcome::of(Status::Verified)
     })
 }
