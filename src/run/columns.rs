@@ -347,18 +347,3 @@ fn note(row: &Row) -> String {
     }
     note
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn names_are_unique_and_the_contract_comes_first() {
-        let contract = "case,method,status,lower,upper,tan_beta,c,e,residual,seconds,reason";
-        let names: Vec<&str> = COLUMNS.iter().map(|column| column.name).collect();
-        assert_eq!(names[..11].join(","), contract);
-        for (index, name) in names.iter().enumerate() {
-            assert!(!names[..index].contains(name), "{name}");
-        }
-    }
-}

@@ -134,3 +134,33 @@ fn by_id(rows: impl Iterator<Item = Row>, path: &Path) -> Result<BTreeMap<String
     }
     Ok(known)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::case;
+    use crate::method::{METHODS, Settings};
+    use crate::run::answer;
+    use crate::scene::HeadJoints;
+
+    #[test]
+    fn a_journal_has_one_writer_and_says_one_thing() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("deep/journal.jsonl");
+        let open = || Journal::open(&path, Keeps::Numbers);
+        let sides = case::find("sliding-block").unwrap()[0].sides(HeadJoints::Contact);
+        let mut row = answer(&sides, METHODS[0].method, Settings::default());
+        let journal = open().unwrap();
+        let refused = open().err().unwrap();
+        assert!(refused.title().contains("another process"), "{refused}");
+        journal.append(&row).unwrap();
+        journal.append(&row).unwrap();
+        drop(journal);
+        let journal = open().expect("the same row twice");
+        row.method = "accounting".to_owned();
+        journal.append(&row).unwrap();
+        drop(journal);
+        let refused = open().err().unwrap();
+        assert!(refused.title().contains("says two things"), "{refused}");
+    }
+}

@@ -35,6 +35,9 @@ fn csv_begins_with_the_agreed_columns() {
     let heading = lines.next().unwrap();
     let agreed = "case,method,status,lower,upper,tan_beta,c,e,residual,seconds,reason";
     assert!(heading.starts_with(agreed), "{heading}");
+    let columns: Vec<&str> = heading.split(',').collect();
+    let unique: std::collections::BTreeSet<&str> = columns.iter().copied().collect();
+    assert_eq!(unique.len(), columns.len(), "{heading}");
     let names: Vec<(&str, &str)> = lines
         .map(|line| {
             let mut fields = line.split(',');

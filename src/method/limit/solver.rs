@@ -217,24 +217,7 @@ mod tests {
     use crate::method::limit::program::Program;
     use crate::method::limit::scale::Scale;
     use crate::method::limit::walls::wall;
-    use crate::method::settings::Engine;
     use crate::scene::Push;
-
-    #[test]
-    fn both_engines_find_the_same_multiplier() {
-        let scene = wall(4, Push::Right);
-        let found = [Engine::Structured, Engine::Clarabel].map(|engine| {
-            let mut work = Work::default();
-            let mut program = Program::new(&scene).by(engine);
-            let Ending::Solved(solution) = program.solve_counted(&mut work) else {
-                panic!("it has an optimum");
-            };
-            assert_eq!(solution.engine, engine);
-            assert_eq!((work.programs, work.fallbacks), (1, 0));
-            solution.lambda
-        });
-        assert!((found[0] - found[1]).abs() < 1e-9, "{found:?}");
-    }
 
     #[test]
     fn a_program_without_forces_is_left_to_clarabel_and_counted() {

@@ -155,10 +155,8 @@ mod tests {
     use super::*;
     use crate::answer::Work;
     use crate::certificate::Prover;
-    use crate::method::Settings;
     use crate::method::limit::bound::parameters::Parameters;
     use crate::method::limit::bound::{opening, orders};
-    use crate::method::limit::interval::lowest;
     use crate::method::limit::walls::wall;
     use crate::scene::{Push, Scene};
 
@@ -201,32 +199,5 @@ mod tests {
             refuted += usize::from(is_refused);
         }
         assert!(refuted > 10, "{refuted}");
-    }
-
-    /// No verified state has a force zero beyond the λ up to which it can vanish.
-    #[test]
-    fn states_do_not_contradict() {
-        let scene = wall(4, Push::Right);
-        let found = lowest(&scene, &Settings::default(), f64::NEG_INFINITY);
-        assert!(!found.evidence.states().is_empty());
-        let vanishings = vanishings(&scene);
-        for state in found.evidence.states() {
-            for (force, vanishing) in &vanishings {
-                let forces = &state.forces[force / 4];
-                let friction = scene.joints()[force / 4].friction;
-                let limit = friction * (forces.normal[0] + forces.normal[1]);
-                let value = match force % 4 {
-                    kind @ (0 | 1) => forces.normal[kind],
-                    2 => limit + forces.shear,
-                    _ => limit - forces.shear,
-                };
-                let is_zero = value < 1e-9 * scene.total_weight();
-                let lambda = state.lambda / scene.multiplier_unit();
-                assert!(
-                    !is_zero || lambda <= vanishing.upto + 1e-6,
-                    "{force}: {vanishing:?}"
-                );
-            }
-        }
     }
 }
