@@ -1,7 +1,6 @@
 //! Certificates as bytes: a line that says what they are and of which version, then all numbers,
 //! little-endian, compressed with a check sum of their own (zlib, RFC 1950).
 
-use std::fmt;
 use std::io::{Read, Write};
 
 use flate2::Compression;
@@ -23,29 +22,17 @@ const WITH_SLIP_BOUNDS: usize = 1;
 const LARGEST: u64 = 256 << 20;
 
 /// Why bytes are no certificate.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, thiserror::Error, PartialEq, Eq)]
 pub enum Unreadable {
     /// They are something else.
+    #[error("it is no certificate: it does not begin with `{TITLE}`")]
     NoCertificate,
     /// They are of a version that this program does not read.
+    #[error("it is of version `{0}`, and this program reads version {VERSION}")]
     Version(String),
     /// They are cut off, changed, or followed by others.
+    #[error("it is cut off or damaged")]
     Damaged,
-}
-
-impl fmt::Display for Unreadable {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Unreadable::NoCertificate => {
-                write!(f, "it is no certificate: it does not begin with `{TITLE}`")
-            }
-            Unreadable::Version(version) => write!(
-                f,
-                "it is of version `{version}`, and this program reads version {VERSION}"
-            ),
-            Unreadable::Damaged => write!(f, "it is cut off or damaged"),
-        }
-    }
 }
 
 impl Certificate {

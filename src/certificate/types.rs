@@ -1,8 +1,7 @@
 //! What a certificate is made of, what it proves, and why it may not.
 
-use std::fmt;
-
 use serde::{Deserialize, Serialize};
+use thiserror::Error;
 
 use crate::number::nine_digits;
 
@@ -133,96 +132,71 @@ impl Proved {
 }
 
 /// Why a certificate proves nothing.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Error, PartialEq, Serialize, Deserialize)]
 pub enum Refusal {
     /// There is none.
+    #[error("there is no certificate")]
     Missing,
     /// It is about another scene.
+    #[error("it is about another scene")]
     OtherScene,
     /// It has another number of multipliers than the scene has products.
+    #[error("its size does not match the scene")]
     Size,
     /// One of its numbers is none.
+    #[error("one of its numbers is not finite")]
     NotFinite,
     /// It claims no λ above 0, which every push meets.
+    #[error(
+        "it claims that no state has 0 ≤ λ < {}, which says nothing",
+        nine_digits(*.claimed)
+    )]
     Nothing {
         /// λ that it claims.
         claimed: f64,
     },
     /// It speaks of motions that are smaller than the push's own alone.
+    #[error(
+        "it speaks of no motion but those whose openings and slips add up to {cap:.0e} times the \
+         push's own"
+    )]
     Capped {
         /// Its cap.
         cap: f64,
     },
     /// A multiplier that must not be negative is.
+    #[error("slice {} has a negative multiplier", .slice + 1)]
     Negative {
         /// Slice, from 0.
         slice: usize,
     },
     /// Its motion does not open this joint, from 0, so that forces are not bounded.
+    #[error("its motion does not open joint {}, so that forces have no limit", .joint + 1)]
     Locks {
         /// Joint, from 0.
         joint: usize,
     },
     /// A block hangs on no chain of joints from a support.
+    #[error("a block has no chain of joints to a support")]
     Unsupported,
     /// A slice begins above what those before it prove.
+    #[error("slice {} begins above what those before it prove", .slice + 1)]
     Apart {
         /// Slice, from 0.
         slice: usize,
     },
     /// Slices under the same assumptions differ in the product that they divide next.
+    #[error("slice {} assumes something of another product than those beside it", .slice + 1)]
     Divided {
         /// Slice, from 0.
         slice: usize,
     },
     /// It proves less than it claims.
+    #[error("it claims {claimed:.9} and proves {proved:.9}")]
     Less {
         /// λ that it claims.
         claimed: f64,
         /// λ that it proves.
         proved: f64,
     },
-}
-
-impl fmt::Display for Refusal {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Refusal::Missing => write!(f, "there is no certificate"),
-            Refusal::OtherScene => write!(f, "it is about another scene"),
-            Refusal::Size => write!(f, "its size does not match the scene"),
-            Refusal::NotFinite => write!(f, "one of its numbers is not finite"),
-            Refusal::Nothing { claimed } => write!(
-                f,
-                "it claims that no state has 0 ≤ λ < {}, which says nothing",
-                nine_digits(*claimed)
-            ),
-            Refusal::Capped { cap } => write!(
-                f,
-                "it speaks of no motion but those whose openings and slips add up to {cap:.0e} times the push's \
-                 own"
-            ),
-            Refusal::Negative { slice } => {
-                write!(f, "slice {} has a negative multiplier", slice + 1)
-            }
-            Refusal::Locks { joint } => write!(
-                f,
-                "its motion does not open joint {}, so that forces have no limit",
-                joint + 1
-            ),
-            Refusal::Unsupported => write!(f, "a block has no chain of joints to a support"),
-            Refusal::Apart { slice } => write!(
-                f,
-                "slice {} begins above what those before it prove",
-                slice + 1
-            ),
-            Refusal::Divided { slice } => write!(
-                f,
-                "slice {} assumes something of another product than those beside it",
-                slice + 1
-            ),
-            Refusal::Less { claimed, proved } => {
-                write!(f, "it claims {claimed:.9} and proves {proved:.9}")
-            }
-        }
-    }
 }

@@ -29,7 +29,8 @@ impl Fact {
                 format!("no reaction of {} holds it", reaction.support)
             }
             Fact::Limit(LimitFact::AtRest) => {
-                "it may give way at once, as the forces of friction at rest are not determined".into()
+                "it may give way at once, as the forces of friction at rest are not determined"
+                    .into()
             }
             Fact::Limit(LimitFact::ForcesWithoutLimit) => {
                 "the joints can balance every change of the reaction, however large it is".into()
