@@ -46,8 +46,6 @@ pub struct Solution {
     pub forces: Vec<JointForce>,
     /// Velocities (fx, fy about the centroid, rotation times height), three a block.
     pub velocity: Vec<f64>,
-    /// Interior-point iterations.
-    pub iterations: usize,
     /// Which solver found it.
     pub engine: Engine,
 }

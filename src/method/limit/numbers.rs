@@ -2,6 +2,7 @@
 
 use clarabel::algebra::CscMatrix;
 
+use crate::answer::SolverEnding;
 use crate::method::settings::Engine;
 
 /// The numbers of a program over the joints of one scene, in its own units: two corner forces and a
@@ -26,22 +27,13 @@ pub(super) struct Numbers {
     pub(super) has_slack: bool,
 }
 
-/// What a solver says of a program: values of all variables and velocities, or why there are none.
-pub(super) enum Verdict {
-    Optimum {
-        variables: Vec<f64>,
-        velocities: Vec<f64>,
-    },
-    Infeasible {
-        velocities: Vec<f64>,
-    },
-    Unbounded,
-    GaveUp(String),
-}
-
 /// A solved program.
 pub(super) struct Solved {
-    pub(super) verdict: Verdict,
+    pub(super) ending: SolverEnding,
+    /// Values of all variables at an optimum.
+    pub(super) variables: Vec<f64>,
+    /// Velocities at an optimum, or those by which the solver shows that there are no forces.
+    pub(super) velocities: Vec<f64>,
     pub(super) iterations: usize,
     /// Who says so.
     pub(super) engine: Engine,

@@ -15,10 +15,10 @@ use clarabel::algebra::CscMatrix;
 use super::columns::{Entries, joint_columns, multiplier_column, right_side, slack_column};
 use super::ending::{Ending, Solution};
 use super::equilibration::{Equilibration, UnitPower};
-use super::numbers::{Numbers, Verdict};
+use super::numbers::Numbers;
 use super::scale::Scale;
 use super::solver::Solver;
-use crate::answer::Work;
+use crate::answer::{SolverEnding, Work};
 use crate::mechanics::JointForce;
 use crate::method::settings::{Engine, LP_TOLERANCE};
 use crate::scene::Scene;
@@ -92,7 +92,7 @@ const MAX_SLACK: f64 = 0.01;
 impl Program {
     /// Assembles the associative program of a scene: Coulomb's law in every joint, λ to be largest.
     pub fn new(scene: &Scene) -> Self {
-        Self::assemble(scene, Scale::of(scene), Goal::Multiplier)
+        Self::to_tolerance(scene, LP_TOLERANCE)
     }
 
     /// The same to another tolerance than the default.
@@ -102,12 +102,13 @@ impl Program {
 
     /// The same, with these units of unequal blocks.
     pub(super) fn with_units(scene: &Scene, tolerance: f64, power: UnitPower) -> Self {
-        Self::assemble_to(scene, Scale::of(scene), Goal::Multiplier, tolerance, power)
+        Self::assemble(scene, Scale::of(scene), Goal::Multiplier, tolerance, power)
     }
 
     /// Assembles the program that only asks for forces at a given λ, in given units.
     pub(super) fn at_multiplier(scene: &Scene, lambda: f64, scale: Scale) -> Self {
-        Self::assemble(scene, scale, Goal::Forces(lambda))
+        let goal = Goal::Forces(lambda);
+        Self::assemble(scene, scale, goal, LP_TOLERANCE, UnitPower::CubeRoot)
     }
 
     /// Assembles the program for the forces at a given λ with the largest slack m: every corner
@@ -116,20 +117,10 @@ impl Program {
     /// an optimum on either side, where the one of [`Program::at_multiplier`] has none.
     pub(super) fn with_slack(scene: &Scene, lambda: f64, power: UnitPower) -> Self {
         let scale = Scale::of(scene);
-        Self::assemble_to(scene, scale, Goal::Slack(lambda), LP_TOLERANCE, power)
+        Self::assemble(scene, scale, Goal::Slack(lambda), LP_TOLERANCE, power)
     }
 
-    fn assemble(scene: &Scene, scale: Scale, goal: Goal) -> Self {
-        Self::assemble_to(scene, scale, goal, LP_TOLERANCE, UnitPower::CubeRoot)
-    }
-
-    fn assemble_to(
-        scene: &Scene,
-        scale: Scale,
-        goal: Goal,
-        tolerance: f64,
-        power: UnitPower,
-    ) -> Self {
+    fn assemble(scene: &Scene, scale: Scale, goal: Goal, tolerance: f64, power: UnitPower) -> Self {
         let rows_of_blocks = 3 * scene.blocks().len();
         let joints = scene.joints().len();
         let inequalities = 4 * joints + usize::from(matches!(goal, Goal::Slack(_)));
@@ -218,23 +209,19 @@ impl Program {
         work.programs += 1;
         work.iterations += solved.iterations;
         work.fallbacks += usize::from(self.solver.engine() != solved.engine);
-        match solved.verdict {
-            Verdict::Optimum {
-                variables,
-                velocities,
-            } => {
-                let (forces, lambda) = self.forces(&variables);
+        match solved.ending {
+            SolverEnding::Optimum => {
+                let (forces, lambda) = self.forces(&solved.variables);
                 Ending::Solved(Solution {
                     lambda,
                     forces,
-                    velocity: self.velocity(&velocities),
-                    iterations: solved.iterations,
+                    velocity: self.velocity(solved.velocities),
                     engine: solved.engine,
                 })
             }
-            Verdict::Infeasible { velocities } => Ending::Infeasible(self.velocity(&velocities)),
-            Verdict::Unbounded => Ending::Unbounded,
-            Verdict::GaveUp(why) => Ending::GaveUp(why),
+            SolverEnding::Infeasible => Ending::Infeasible(self.velocity(solved.velocities)),
+            SolverEnding::Unbounded => Ending::Unbounded,
+            SolverEnding::GaveUp(why) => Ending::GaveUp(why),
         }
     }
 
@@ -261,13 +248,11 @@ impl Program {
             .map_or(1.0, |units| units.shears[joint])
     }
 
-    fn velocity(&self, rates: &[f64]) -> Vec<f64> {
-        match &self.equilibration {
-            None => rates.to_vec(),
-            Some(units) => (rates.iter().enumerate())
-                .map(|(row, rate)| rate * units.of_row(row))
-                .collect(),
+    fn velocity(&self, mut rates: Vec<f64>) -> Vec<f64> {
+        if let Some(units) = &self.equilibration {
+            units.scale_rows(&mut rates);
         }
+        rates
     }
 
     /// Forces of the joints and λ*.

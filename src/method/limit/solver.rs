@@ -9,8 +9,9 @@ use clarabel::solver::{
     SupportedConeT::{NonnegativeConeT, ZeroConeT},
 };
 
-use super::numbers::{Numbers, Solved, Verdict};
+use super::numbers::{Numbers, Solved};
 use super::structured::InteriorPoint;
+use crate::answer::SolverEnding;
 use crate::method::settings::{Engine, LP_TOLERANCE};
 
 /// A solver of one scene's programs, one after the other.
@@ -50,7 +51,11 @@ impl Solver {
     /// Asks Clarabel to refine its linear systems less, where it is the one that was asked for.
     pub(super) fn refine_less(&mut self, numbers: &Numbers) {
         if let Solver::Clarabel(solver) = self {
-            let rough = rough(settings(numbers.tolerance, false));
+            let rough = DefaultSettings {
+                iterative_refinement_reltol: ROUGH_REFINEMENT,
+                iterative_refinement_abstol: ROUGH_REFINEMENT,
+                ..settings(numbers.tolerance, false)
+            };
             let updated = solver.update_settings(rough);
             updated.expect("refinement may change at any time");
         }
@@ -90,14 +95,8 @@ pub(super) enum Change {
 }
 
 fn clarabel(numbers: &Numbers, settings: DefaultSettings<f64>) -> DefaultSolver<f64> {
-    let Numbers {
-        cost,
-        matrix,
-        right,
-        rows_of_blocks,
-        ..
-    } = numbers;
-    let solver = linear(cost, matrix, right, *rows_of_blocks, settings);
+    let (matrix, equations) = (&numbers.matrix, numbers.rows_of_blocks);
+    let solver = linear(&numbers.cost, matrix, &numbers.right, equations, settings);
     solver.expect("dimensions agree by construction")
 }
 
@@ -120,26 +119,25 @@ fn linear(
 fn solved(solver: &mut DefaultSolver<f64>, numbers: &Numbers) -> Solved {
     solver.solve();
     let solution = &solver.solution;
-    let velocities = || solution.z[..numbers.rows_of_blocks].to_vec();
-    let verdict = match solution.status {
-        SolverStatus::Solved | SolverStatus::AlmostSolved => Verdict::Optimum {
-            variables: solution.x.clone(),
-            velocities: velocities(),
-        },
+    let ending = match solution.status {
+        SolverStatus::Solved | SolverStatus::AlmostSolved => SolverEnding::Optimum,
         SolverStatus::PrimalInfeasible | SolverStatus::AlmostPrimalInfeasible => {
-            let velocities = velocities();
-            Verdict::Infeasible { velocities }
+            SolverEnding::Infeasible
         }
-        SolverStatus::DualInfeasible | SolverStatus::AlmostDualInfeasible => Verdict::Unbounded,
+        SolverStatus::DualInfeasible | SolverStatus::AlmostDualInfeasible => {
+            SolverEnding::Unbounded
+        }
         status @ (SolverStatus::Unsolved
         | SolverStatus::MaxIterations
         | SolverStatus::MaxTime
         | SolverStatus::NumericalError
         | SolverStatus::InsufficientProgress
-        | SolverStatus::CallbackTerminated) => Verdict::GaveUp(format!("{status:?}")),
+        | SolverStatus::CallbackTerminated) => SolverEnding::GaveUp(format!("{status:?}")),
     };
     Solved {
-        verdict,
+        ending,
+        variables: solution.x.clone(),
+        velocities: solution.z[..numbers.rows_of_blocks].to_vec(),
         iterations: solution.iterations as usize,
         engine: Engine::Clarabel,
     }
@@ -154,13 +152,8 @@ pub(super) fn multipliers(
     right: &[f64],
     equations: usize,
 ) -> Option<Vec<f64>> {
-    let mut solver = linear(
-        cost,
-        matrix,
-        right,
-        equations,
-        settings(LP_TOLERANCE, false),
-    )?;
+    let settings = settings(LP_TOLERANCE, false);
+    let mut solver = linear(cost, matrix, right, equations, settings)?;
     solver.solve();
     match solver.solution.status {
         SolverStatus::Solved | SolverStatus::PrimalInfeasible => Some(solver.solution.z.clone()),
@@ -197,15 +190,6 @@ fn settings(tolerance: f64, tight: bool) -> DefaultSettings<f64> {
 
 /// Infeasibility that Clarabel is to reach where blocks have units of their own.
 const LAST_DIGIT: f64 = 1e-15;
-
-/// The same with less refinement of the linear systems.
-fn rough(settings: DefaultSettings<f64>) -> DefaultSettings<f64> {
-    DefaultSettings {
-        iterative_refinement_reltol: ROUGH_REFINEMENT,
-        iterative_refinement_abstol: ROUGH_REFINEMENT,
-        ..settings
-    }
-}
 
 /// Residual of the linear systems that is refined no further.
 const ROUGH_REFINEMENT: f64 = 1e-8;

@@ -3,8 +3,8 @@
 use super::joint::{Joint, JointStep};
 use super::measure::Measure;
 use super::point::{InteriorPoint, LEFT};
-use crate::answer::magnitude;
-use crate::method::limit::numbers::{Numbers, Solved, Verdict};
+use crate::answer::{SolverEnding, magnitude};
+use crate::method::limit::numbers::{Numbers, Solved};
 use crate::method::settings::Engine;
 
 /// Iterations after which it gives up.
@@ -148,12 +148,10 @@ impl InteriorPoint {
         if !self.newton.live().is_empty() {
             variables.push(self.lambda);
         }
-        let velocities = self.velocities.clone();
         Solved {
-            verdict: Verdict::Optimum {
-                variables,
-                velocities,
-            },
+            ending: SolverEnding::Optimum,
+            variables,
+            velocities: self.velocities.clone(),
             iterations,
             engine: Engine::Structured,
         }
