@@ -153,6 +153,7 @@ fn live(forces: &Forces) -> String {
     match [along, upwards] {
         [1.0, 0.0] => "the live load is every weight sideways".to_owned(),
         [0.0, 0.0] => "the live load is the loads alone".to_owned(),
+        [1.0, _] => format!("the live load is every weight sideways and {upwards} of it upwards"),
         _ => {
             format!("the live load is {along} of every weight sideways and {upwards} of it upwards")
         }

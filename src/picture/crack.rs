@@ -115,7 +115,18 @@ pub fn crack(svg: &mut Svg, frame: &Frame, scene: &Scene, crack: &Crack, above: 
 /// Pixels beside a scene that its push takes.
 pub const PUSH: f64 = 46.0;
 
-/// The live load: an arrow towards the scene at two thirds of its height.
+/// Which way the weights push, on the screen; along the push where they do not push upwards.
+fn direction(scene: &Scene) -> Pixel {
+    let first = scene.blocks().first().and_then(|block| block.loads.first());
+    let live = first.map_or(Vector::zeros(), |load| load.live);
+    if live.y == 0.0 {
+        return [scene.push().sign(), 0.0];
+    }
+    let along = live.normalize();
+    [along.x, -along.y]
+}
+
+/// The live load: an arrow towards the scene at two thirds of its height, inclined as the weights push.
 pub fn push(svg: &mut Svg, frame: &Frame, scene: &Scene) {
     let (low, high) = scene.bounds();
     let sign = scene.push().sign();
@@ -124,14 +135,22 @@ pub fn push(svg: &mut Svg, frame: &Frame, scene: &Scene) {
         Push::Left => high.x,
     };
     let [x, y] = frame.at(Point::new(x, low.y + 0.62 * (high.y - low.y)));
-    let (tail, tip) = (x - sign * (PUSH - 6.0), x - sign * 9.0);
-    let shaft = Path::through(&[[tail, y], [tip - 6.0 * sign, y]], false);
+    let tip = [x - sign * 9.0, y];
+    let along = direction(scene);
+    // `by` pixels behind the tip, and `aside` to the one side of the shaft.
+    let behind = |by: f64, aside: f64| {
+        [
+            tip[0] - by * along[0] + aside * sign * along[1],
+            tip[1] - by * along[1] - aside * sign * along[0],
+        ]
+    };
+    let shaft = Path::through(&[behind(PUSH - 15.0, 0.0), behind(6.0, 0.0)], false);
     let line = style().hollow().stroke(INK).stroke_width(1.8);
     svg.path(&shaft, line, "");
-    let back: Pixel = [tip - 9.0 * sign, y - 4.5];
-    let head = Path::through(&[[tip, y], back, [back[0], y + 4.5]], true);
+    let head = Path::through(&[tip, behind(9.0, 4.5), behind(9.0, -4.5)], true);
     let fill = style().class("push").fill(INK);
     svg.path(&head, fill, "direction of the live load");
     let style = style().font_size(13.0).italic().fill(FAINT);
-    svg.text([(tail + tip) / 2.0, y - 8.0], Anchor::Middle, style, "λ");
+    let [x, y] = behind((PUSH - 15.0) / 2.0, 0.0);
+    svg.text([x, y - 8.0], Anchor::Middle, style, "λ");
 }

@@ -4,7 +4,7 @@ use super::axes::round_below;
 use super::legend::{LegendEntry, Sample};
 use super::mechanism::Occurring;
 use super::palette::{
-    BEFORE, CRACK, FORCE, INK, MACRO_CRACK, SCALE, SLIDING, STILL, SUPPORT, THRUST,
+    BEFORE, CRACK, FORCE, FRICTION, INK, MACRO_CRACK, SCALE, SLIDING, STILL, SUPPORT, THRUST,
 };
 use super::svg::style;
 use crate::number::short;
@@ -18,6 +18,8 @@ pub struct Holds {
     pub moved: bool,
     /// Supports.
     pub supports: bool,
+    /// Coefficients of friction that joints have of their own.
+    pub frictions: Vec<f64>,
     /// The lines of c and e.
     pub crack: bool,
     /// The crack of the macro-block model.
@@ -41,6 +43,11 @@ impl Holds {
         own.scale |= scale;
         own.slides |= slides;
         own.opens |= opens;
+        for friction in other.frictions {
+            if !self.frictions.contains(&friction) {
+                self.frictions.push(friction);
+            }
+        }
         for tint in tints {
             if !own.tints.contains(&tint) {
                 own.tints.push(tint);
@@ -49,6 +56,7 @@ impl Holds {
         Holds {
             moved: self.moved || other.moved,
             supports: self.supports || other.supports,
+            frictions: self.frictions,
             crack: self.crack || other.crack,
             macro_crack: self.macro_crack || other.macro_crack,
             force: self.force.or(other.force),
@@ -85,6 +93,11 @@ pub fn entries(holds: &Holds, scale: f64) -> Vec<LegendEntry> {
     }
     if occurs.opens {
         add(Sample::Gap, "joint opens");
+    }
+    if !holds.frictions.is_empty() {
+        let all = holds.frictions.iter().map(f64::to_string);
+        let words = format!("joint with friction {}", all.collect::<Vec<_>>().join(", "));
+        add(Sample::Line(line(FRICTION, 2.0).dashes("5 3")), &words);
     }
     if holds.moved {
         add(Sample::Line(line(BEFORE, 1.2)), "before");

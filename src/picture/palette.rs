@@ -30,6 +30,8 @@ pub const SUPPORT_LINE: &str = "#8b8475";
 pub const SLIDING: &str = VERMILION;
 /// Joints that open.
 pub const OPENING: &str = BLUE;
+/// Joints with a friction of their own.
+pub const FRICTION: &str = "#009e73";
 /// Crack lines of c and e.
 pub const CRACK: &str = "#7a3e9d";
 /// The macro-block's crack.

@@ -102,6 +102,7 @@ impl<'a> Panel<'a> {
             wall::outlines(svg, scene, &frame);
         }
         mechanism::blocks(svg, &frame, scene, &self.drawn);
+        wall::frictions(svg, scene, &frame);
         mechanism::marks(svg, &frame, scene, &self.drawn);
         let above = frame.at(high)[1] - 12.0;
         match self.contents {
@@ -161,6 +162,7 @@ impl<'a> Panel<'a> {
             mechanism: self.drawn.occurring(scene),
             moved: self.drawn.mechanism.is_some(),
             supports: !scene.supports().is_empty(),
+            frictions: wall::own_frictions(scene).iter().map(|of| of.0).collect(),
             crack: is_mechanism
                 && scene.coursing().is_some()
                 && outcome
@@ -273,7 +275,10 @@ fn significant(factor: f64) -> String {
 /// The head joints in words; empty for an arch, whose joints are neither bed joints nor perpends.
 fn joints(view: &View) -> String {
     let head_joints = view.row.head_joints;
-    if view.scene.coursing().is_some() || head_joints == HeadJoints::Open {
+    let open = view.scene.left_out();
+    if head_joints == HeadJoints::Contact && open > 0 {
+        format!("contact head joints, {open} of them open")
+    } else if view.scene.coursing().is_some() || head_joints == HeadJoints::Open {
         format!("{} head joints", head_joints.name())
     } else {
         String::new()

@@ -1,10 +1,10 @@
 //! The wall in its place: supports, and outlines of the blocks.
 
 use super::frame::{Frame, clipped};
-use super::palette::{BEFORE, SUPPORT, SUPPORT_LINE};
+use super::palette::{BEFORE, FRICTION, SUPPORT, SUPPORT_LINE};
 use super::path::{Path, Pixel};
 use super::svg::{Svg, style};
-use crate::scene::{Point, Scene};
+use crate::scene::{Joint, JointClass, Point, Scene};
 
 /// Width of the thin outlines, which grows with the size that blocks are seen in.
 pub fn line_width(scene: &Scene, frame: &Frame) -> f64 {
@@ -56,4 +56,51 @@ pub fn outlines(svg: &mut Svg, scene: &Scene, frame: &Frame) {
     }
     let line = style().class("before").hollow().stroke(BEFORE);
     svg.path(&path, line.stroke_width(line_width(scene, frame)), "");
+}
+
+/// Joints whose friction is not what most of their class have, the rough and the smooth ones apart.
+pub fn own_frictions(scene: &Scene) -> Vec<(f64, Vec<&Joint>)> {
+    let mut found: Vec<(f64, Vec<&Joint>)> = Vec::new();
+    for class in JointClass::ALL {
+        let mut of_class: Vec<(f64, Vec<&Joint>)> = Vec::new();
+        for joint in scene.joints().iter().filter(|joint| joint.class == class) {
+            add(&mut of_class, joint.friction, [joint]);
+        }
+        // Of two that are as frequent the smaller one is the odd one.
+        of_class.sort_by(|a, b| {
+            (a.1.len(), a.0)
+                .partial_cmp(&(b.1.len(), b.0))
+                .expect("finite")
+        });
+        of_class.pop();
+        for (friction, joints) in of_class {
+            add(&mut found, friction, joints);
+        }
+    }
+    found.sort_by(|a, b| a.0.total_cmp(&b.0));
+    found
+}
+
+fn add<'a>(
+    to: &mut Vec<(f64, Vec<&'a Joint>)>,
+    friction: f64,
+    joints: impl IntoIterator<Item = &'a Joint>,
+) {
+    match to.iter_mut().find(|(known, _)| *known == friction) {
+        Some((_, known)) => known.extend(joints),
+        None => to.push((friction, joints.into_iter().collect())),
+    }
+}
+
+/// Marks on the joints that have a friction of their own, in their place.
+pub fn frictions(svg: &mut Svg, scene: &Scene, frame: &Frame) {
+    for (friction, joints) in own_frictions(scene) {
+        let mut path = Path::default();
+        for joint in joints {
+            path.add(&joint.ends.map(|end| frame.at(end)), false);
+        }
+        let line = style().class("friction").hollow().stroke(FRICTION);
+        let line = line.stroke_width(2.0).dashes("5 3");
+        svg.path(&path, line, &format!("friction {friction}"));
+    }
 }

@@ -358,6 +358,12 @@ fn every_mistake_in_a_sweep_gets_its_line_and_a_way_out() {
         ),
         (
             5,
+            vary("\"courses.9\" = [\"11\"]"),
+            "`courses` has no item 9",
+            "vary a key of the case",
+        ),
+        (
+            5,
             vary("title = [\"a\"]"),
             "says nothing about the wall",
             "vary a key of the case",
@@ -475,6 +481,44 @@ fn every_mistake_in_a_sweep_gets_its_line_and_a_way_out() {
         for part in [place.as_str(), title, help] {
             assert!(shown.contains(part), "`{part}` is not in\n{shown}");
         }
+    }
+}
+
+/// Items of lists vary, counted from 1: what slides on a bed does at the bed's friction, and where weights
+/// are lifted by v of the push, at μ / (1 + v μ).
+#[test]
+fn items_of_lists_vary() {
+    let sweep = r#"
+methods = ["associative"]
+
+[case]
+unit = { length = 4.0, height = 1.0, weight = 1.0 }
+courses = ["11", "h1h"]
+heights = [0.5, 0.5]
+friction = 0.9
+joints = [{ course = 2, friction = 0.5 }]
+live = { weight = [1, 0] }
+
+[[vary]]
+"joints.1.friction" = [0.1, 0.2]
+"heights.2" = [0.6, 0.7]
+
+[[vary]]
+"live.weight.2" = [0.0, 0.5]
+"#;
+    let folder = folder_with(sweep);
+    done(trilith(
+        folder.path(),
+        &["sweep", "small.sweep.toml", "--out", "out"],
+    ));
+    let rows = read(folder.path(), "out/sweep.csv");
+    let found: Vec<f64> = (rows.lines().skip(1))
+        .map(|row| row.split(',').nth(3).unwrap().parse().unwrap())
+        .collect();
+    let expected = [0.1, 0.1 / 1.05, 0.2, 0.2 / 1.1];
+    assert_eq!(found.len(), expected.len(), "{rows}");
+    for (found, expected) in found.iter().zip(expected) {
+        assert!((found - expected).abs() < 1e-6, "{rows}");
     }
 }
 

@@ -19,6 +19,7 @@ mod judge_edges;
 mod lowest;
 mod moves;
 mod open_head_joints;
+mod own;
 mod paper_claims;
 mod properties;
 mod relations;

@@ -3,6 +3,7 @@ derived here again, and what differs is told in a line each."""
 import numpy as np
 
 import bonds
+from own import Own, levels, live_of_weight
 
 try:
     import tomllib
@@ -24,8 +25,9 @@ def extent(corners):
     return np.hypot(*np.ptp(corners, axis=0))
 
 
-def violations(scene, touch=None):
-    """Lines about blocks whose loads do not add up and joints that the polygons do not have, or lack."""
+def violations(scene, touch=None, file=None):
+    """Lines about blocks whose loads do not add up and joints that the polygons do not have, or lack; with a case
+    file, which may call a joint open or a head joint, that is known."""
     blocks = [np.array(b["corners"], float) for b in scene["blocks"]]
     supports = [np.array(s["corners"], float) for s in scene["supports"]]
     for index, (corners, block) in enumerate(zip(blocks, scene["blocks"])):
@@ -44,7 +46,7 @@ def violations(scene, touch=None):
             unit = np.abs(forces).sum() * np.array([1, 1, size + np.abs(arms).max(initial=0)])
             if not (np.abs(total - block[part]) <= 1e-9 * unit).all():
                 yield f"block {index}: its {part} loads add up to {total}, not {block[part]}"
-    yield from joint_violations(scene, blocks, supports, touch or TOUCH)
+    yield from joint_violations(scene, blocks, supports, touch or TOUCH, Own(file) if file else None)
 
 
 def at_rest(scene):
@@ -91,7 +93,7 @@ def is_convex(corners):
     return (edge[:, 0] * after[:, 1] - edge[:, 1] * after[:, 0] > 0).all()
 
 
-def joint_violations(scene, blocks, supports, touch):
+def joint_violations(scene, blocks, supports, touch, own):
     listed = {}
     for index, joint in enumerate(scene["joints"]):
         from_block, from_support = joint["from_block"], joint["from_support"]
@@ -120,13 +122,17 @@ def joint_violations(scene, blocks, supports, touch):
         if not (np.isfinite(joint["friction"]) and joint["friction"] >= 0):
             yield f"joint {index}: friction {joint['friction']}"
         kind = "base" if from_block is None else "bed" if abs(normal[1]) >= abs(normal[0]) else "head"
+        body = -1 - from_support if from_block is None else from_block
+        kind, _, is_open = own.joint(body, joint["to"], kind) if own else (kind, None, False)
+        if is_open:
+            yield f"joint {index} is open in the file"
         # Between voussoirs every joint is a bed joint.
         if joint["class"] != kind and not (kind == "head" and joint["class"] == "bed"):
             yield f"joint {index} is called {joint['class']}, but is {kind}"
         if scene["head_joints"] == "open" and joint["class"] == "head":
             yield f"joint {index} is a head joint where those are open"
         listed.setdefault((from_block, from_support, joint["to"]), []).append(ends)
-    yield from missing(scene, blocks, supports, touch, listed)
+    yield from missing(scene, blocks, supports, touch, listed, own)
 
 
 def distance(point, corners):
@@ -136,7 +142,7 @@ def distance(point, corners):
     return np.hypot(*(point - start - share[:, None] * edge).T).min()
 
 
-def missing(scene, blocks, supports, touch, listed):
+def missing(scene, blocks, supports, touch, listed, own):
     """Contacts that the polygons have beyond doubt and the scene does not list, and the other way round twice."""
     bodies = supports + blocks
     many = len(supports)
@@ -153,8 +159,10 @@ def missing(scene, blocks, supports, touch, listed):
             known = listed.get(key, [])
             sure = [c for c in contacts(source, to, 0.5 * touch * size) if c[2] > 3 * touch * size]
             for ends, normal, length in sure:
-                head = first >= many and abs(normal[1]) < abs(normal[0])
-                if head and scene["head_joints"] == "open":
+                kind = "base" if first < many else "head" if abs(normal[1]) < abs(normal[0]) else "bed"
+                body = -1 - first if first < many else first - many
+                kind, _, is_open = own.joint(body, second - many, kind) if own else (kind, None, False)
+                if is_open or kind == "head" and scene["head_joints"] == "open":
                     continue
                 middle = (ends[0] + ends[1]) / 2
                 if not any(distance(middle, np.array(k)) <= 3 * touch * size for k in known):
@@ -208,11 +216,10 @@ def read_case(path):
 def laid_again(file, scene):
     """Lines about what differs between a scene and its file; None where this program cannot lay the file."""
     moves = file.get("move", [])
-    friction = file["friction"]
-    friction = friction if isinstance(friction, dict) else {"bed": friction}
-    lines = []
+    own, lines = Own(file), []
     for index, joint in enumerate(scene["joints"]):
-        given = friction.get(joint["class"], friction["bed"])
+        body = -1 - joint["from_support"] if joint["from_block"] is None else joint["from_block"]
+        _, given, _ = own.joint(body, joint["to"], joint["class"])
         if joint["friction"] != given:
             lines.append(f"joint {index}: friction {joint['friction']}, in the file {given}")
     pushes = {"both": ("right", "left")}.get(file.get("push", "right"), (file.get("push", "right"),))
@@ -220,7 +227,7 @@ def laid_again(file, scene):
         lines.append(f"pushed {scene['push']}, in the file {pushes}")
     if "unit" in file:
         expected = courses(file)
-    elif "blocks" in file and all("corners" in block for block in file.get("block", [{}])):
+    elif "support" in file and all("corners" in block for block in file.get("block", [{}])):
         expected = bodies(file)
     else:
         return None
@@ -246,15 +253,20 @@ def laid_again(file, scene):
     return lines
 
 
-def weighed(corners, weight, live=True, centre=None):
+def weight_at(point, weight, live):
+    return point, (0.0, -weight), (live[0] * weight, live[1] * weight)
+
+
+def weighed(corners, weight, live, centre=None):
     point = area_and_centroid(np.array(corners, float))[1] if centre is None else centre
-    return corners, [(point, (0.0, -weight), (weight if live else 0.0, 0.0))]
+    return corners, [weight_at(point, weight, live)]
 
 
 def courses(file):
     """Blocks of a coursed wall: corners and loads (point, dead, live for a push to the right)."""
     length, height, weight = (file["unit"][key] for key in ("length", "height", "weight"))
-    rows = bonds.rows(file)
+    rows, live, tables = bonds.rows(file), live_of_weight(file), Own(file)
+    bed = levels(file)
     own = {letter: piece["weight"] for letter, piece in file.get("pieces", {}).items() if "weight" in piece}
     blocks = []
     for row, course in enumerate(rows):
@@ -262,30 +274,50 @@ def courses(file):
         for kind, part in course:
             wide = part * length
             if kind != "g":
-                low, high = row * height, (row + 1) * height
-                block = weighed([(x, low), (x + wide, low), (x + wide, high), (x, high)], own.get(kind, weight * part))
+                low, high = bed[row], bed[row + 1]
+                table = tables.tables.get(len(blocks), {})
+                heavy = own.get(kind, weight * part * (high - low) / height)
+                if "specific_weight" in table:
+                    heavy = table["specific_weight"] * file["unit"].get("thickness", 1.0) * wide * (high - low)
+                block = weighed([(x, low), (x + wide, low), (x + wide, high), (x, high)], table.get("weight", heavy), live)
                 if row + 1 == len(rows):
                     # p / (gamma H) times gamma H times the width.
-                    on_top = file.get("overburden", 0.0) * len(rows) * weight * part
-                    block[1].append(((x + wide / 2, high), (0.0, -on_top), (on_top, 0.0)))
+                    on_top = file.get("overburden", 0.0) * bed[-1] / height * weight * part
+                    block[1].append(weight_at((x + wide / 2, high), on_top, live))
                 blocks.append(block)
             x += wide
+    add_forces(file, blocks, tables.places)
     return blocks
 
 
 def bodies(file):
     """Blocks with corners in the file, with the forces on them."""
-    shared, live = file["blocks"], file.get("live", "weight") == "weight"
+    shared, live = file.get("blocks", {}), live_of_weight(file)
     blocks, places = [], {}
     for body in file["block"]:
         area = abs(area_and_centroid(np.array(body["corners"], float))[0])
         weight = body.get("weight")
         if weight is None:
-            weight = shared["specific_weight"] * area * shared.get("thickness", 1.0)
+            specific = body.get("specific_weight", shared.get("specific_weight", 1.0))
+            weight = specific * area * shared.get("thickness", 1.0)
         places[body["name"]] = len(blocks)
         blocks.append(weighed([tuple(c) for c in body["corners"]], weight, live, body.get("centre")))
+    if file.get("overburden", 0.0):
+        add_overburden(blocks, file["overburden"], live)
     add_forces(file, blocks, places)
     return blocks
+
+
+def add_overburden(blocks, ratio, live):
+    """The overburden on the level faces at the very top, a part of the mean weight of all blocks over their areas."""
+    every = np.array([corner for corners, _ in blocks for corner in corners])
+    top, height = every[:, 1].max(), np.ptp(every[:, 1])
+    weight = -sum(load[1][1] for _, loads in blocks for load in loads)
+    pressure = ratio * height * weight / sum(abs(area_and_centroid(np.array(c, float))[0]) for c, _ in blocks)
+    for corners, loads in blocks:
+        for (x, y), (to, level) in zip(corners, corners[1:] + corners[:1]):
+            if min(y, level) > top - 1e-6 * height:
+                loads.append(weight_at(((x + to) / 2, top), pressure * abs(to - x), live))
 
 
 def add_forces(file, blocks, places):

@@ -378,8 +378,8 @@ def judge(rows, folder=None):
         if any(other != scene for other in all_alike):
             lines.append(f"{where}: methods got different scenes")
         scene, guided = geometry.at_rest(scene)
-        lines += [f"{where}: {line}" for line in [*guided, *geometry.violations(scene)]]
         file = files.get(case.split("@")[0])
+        lines += [f"{where}: {line}" for line in [*guided, *geometry.violations(scene, file=file)]]
         if file is not None:
             laid = geometry.laid_again(file, scene)
             counts["scenes laid again"] += laid is not None

@@ -3,9 +3,11 @@ import numpy as np
 
 import geometry
 from geometry import area_and_centroid, contacts, extent
+from own import Own, live_of_weight
 
 KEYS = {"title", "source", "references", "unit", "courses", "repeat", "bond", "units", "overlap", "first", "friction",
-        "overburden", "pieces", "head_joints", "push", "live", "load", "blocks", "block", "support", "arch"}
+        "overburden", "pieces", "head_joints", "push", "live", "load", "blocks", "block", "support", "arch",
+        "heights", "open_head_joints", "joint", "joints"}
 
 
 def settings(file):
@@ -47,7 +49,7 @@ def block(corners, loads, sign):
 
 def joints(blocks, supports, file, head_joints):
     """Where outlines share a segment; the normal points from the first body into the second."""
-    friction = file["friction"] if isinstance(file["friction"], dict) else {"bed": file["friction"]}
+    own = Own(file)
     bodies, many, touch = supports + blocks, len(supports), geometry.TOUCH
     low, high = np.array([b.min(0) for b in bodies]), np.array([b.max(0) for b in bodies])
     slack = touch * np.array([extent(b) for b in bodies])[:, None]
@@ -60,18 +62,20 @@ def joints(blocks, supports, file, head_joints):
             for ends, normal, length in contacts(bodies[first], bodies[second], touch * size):
                 flat = abs(normal[1]) >= abs(normal[0]) or "arch" in file
                 kind = "base" if first < many else "bed" if flat else "head"
-                if length <= touch * size or (kind == "head" and head_joints == "open"):
+                body = -1 - int(first) if first < many else int(first) - many
+                kind, friction, is_open = own.joint(body, second - many, kind)
+                if length <= touch * size or is_open or (kind == "head" and head_joints == "open"):
                     continue
                 found.append({"from_block": int(first) - many if first >= many else None,
                               "from_support": int(first) if first < many else None, "to": second - many,
                               "ends": ends, "normal": normal, "tangent": (normal[1], -normal[0]), "class": kind,
-                              "friction": friction.get(kind, friction["bed"])})
+                              "friction": friction})
     return found
 
 
 def arch(file):
     """Voussoirs from the left as trapezoids with the weights of annular sectors at their centroids, and springers."""
-    given, pushed = file["arch"], file.get("live", "weight") == "weight"
+    given, live = file["arch"], live_of_weight(file)
     radius, thickness, many = given["mean_radius"], given["thickness"], given["voussoirs"]
     embrace = np.radians(given["embrace"])
     inner, outer, step = radius - thickness / 2, radius + thickness / 2, embrace / many
@@ -81,7 +85,7 @@ def arch(file):
     on = lambda size, angle: (size * np.cos(angle), size * np.sin(angle))
     angles = [(np.pi + embrace) / 2 - step * k for k in range(-1, many + 2)]
     shapes = [[on(inner, a), on(inner, b), on(outer, b), on(outer, a)] for a, b in zip(angles, angles[1:])]
-    bodies = [(shape, [(on(centre, a - step / 2), (0.0, -weight), (weight if pushed else 0.0, 0.0))])
+    bodies = [(shape, [geometry.weight_at(on(centre, a - step / 2), weight, live)])
               for shape, a in zip(shapes[1:-1], angles[1:])]
     geometry.add_forces(file, bodies, {str(k + 1): k for k in range(many)})
     return bodies, [shapes[0], shapes[-1]]

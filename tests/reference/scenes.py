@@ -8,7 +8,8 @@ from a box at random, some of which fall; stacks; arches. Weights and sizes spre
 loads small and large, friction from none to Heyman's. Kinds that are made on request alone: `both`,
 any of these pushed both ways; `sideways`, with dead loads sideways; `below`, blocks on slopes, props
 and leaning piles, whose friction at rest is not determined; `one-stone`, a live load on one stone;
-`proof`, walls and piles of 12 to 20 blocks; `moves`, a support that moves. Shares nothing with the program.
+`proof`, walls and piles of 12 to 20 blocks; `moves`, a support that moves; `keys`, what single courses,
+joints and blocks have of their own, and weights that push upwards. Shares nothing with the program.
 """
 import json
 import sys
@@ -349,8 +350,86 @@ def moves(rng, _kind):
     return lines
 
 
+def touching(lines):
+    """Names of every two blocks of a case that share an edge, and whether that is plumb; "s0" is the ground."""
+    shapes = corners_of(lines)
+    names = sorted(shapes)
+    for k, first in enumerate(names):
+        for second in names[k + 1:]:
+            found = [c for c in contacts(shapes[first], shapes[second], 1e-6) if c[2] > 1e-3]
+            if len(found) == 1:
+                yield first, second, abs(found[0][1][0]) > abs(found[0][1][1])
+
+
+def table(**keys):
+    return "{ " + ", ".join(f"{key} = {json.dumps(value)}" for key, value in keys.items()) + " }"
+
+
+def of_own_courses(rng):
+    """A coursed wall with heights, beds, open head joints and single stones of its own."""
+    lines = coursed(rng, str(rng.choice(["running", "openings", "overburden"])))
+    rows = json.loads(next(line for line in lines if line.startswith("courses")).split("=", 1)[1])
+    unit = next(line for line in lines if line.startswith("unit"))
+    high = float(unit.split("height = ")[1].split(",")[0])
+    some = lambda: sorted(int(k) + 1 for k in rng.choice(len(rows), int(rng.integers(1, len(rows) + 1)), replace=False))
+    if rng.random() < 0.6:
+        lines.append(f"heights = {[float(f'{high * rng.uniform(0.5, 1.8):.4g}') for _ in rows]}")
+    if rng.random() < 0.5:
+        lines = [line for line in lines if not line.startswith("head_joints")]
+        lines += [f'head_joints = "{rng.choice(["contact", "both"])}"', f"open_head_joints = {some()}"]
+    joints = [table(course=k, friction=friction(rng)) for k in some()] if rng.random() < 0.6 else []
+    if rng.random() < 0.4:
+        # One stone above another: the first of the upper course lies on the first of the lower one.
+        first = [1 + next(i for i, piece in enumerate(rows[k]) if piece != "g") for k in (0, 1)]
+        if first == [1, 1]:
+            joints.append(table(between=["course 2 piece 1", "course 1 piece 1"], friction=friction(rng)))
+    lines += [f"joints = [{', '.join(joints)}]"] if joints else []
+    for row in some()[:2] if rng.random() < 0.6 else []:
+        piece = int(rng.choice([i + 1 for i, piece in enumerate(rows[row - 1]) if piece != "g"]))
+        lines += ["[[block]]", f"course = {row}", f"piece = {piece}", f"friction = {friction(rng)}"]
+        weight = float(unit.split("weight = ")[1].split(" ")[0])
+        lines += [f"weight = {weight * rounded(rng.uniform(0.3, 4))!r}"] if rng.random() < 0.5 else []
+    return lines
+
+
+def of_own_blocks(rng):
+    """Explicit blocks with frictions, specific weights and joints of their own, under overburden."""
+    lines = irregular(rng, "irregular") if rng.random() < 0.6 else pile(rng, "pile")
+    names, out, place = sorted(corners_of(lines)), [], 0
+    for line in lines:
+        out.append(line)
+        if line.startswith("corners") and place < len(names) and '"b' in out[-2]:
+            place += 1
+            if rng.random() < 0.3:
+                out.append(f"friction = {friction(rng)}")
+    if rng.random() < 0.5:
+        out = [f"specific_weight = {rounded(rng.uniform(0.3, 4))}" if line.startswith("weight") else line for line in out]
+    lines = out
+    level = max(y for shape in corners_of(lines).values() for _, y in shape)
+    flat = any(sum(abs(y - level) < 1e-9 for _, y in shape) > 1 for shape in corners_of(lines).values())
+    if flat and rng.random() < 0.6:
+        lines.insert(1, f"overburden = {rounded(rng.uniform(0, 4))}")
+    for first, second, plumb in touching(lines):
+        if rng.random() < 0.25:
+            lines += ["[[joint]]", f'between = ["{first}", "{second}"]']
+            if not plumb or rng.random() < 0.5:
+                lines.append(f"friction = {friction(rng)}")
+            else:
+                lines += ['class = "head"', "open = true"]
+    return lines
+
+
+def keys(rng, _kind):
+    """What single courses, joints and blocks have of their own, and weights that push upwards too."""
+    lines = of_own_courses(rng) if rng.random() < 0.6 else of_own_blocks(rng)
+    if rng.random() < 0.5:
+        lines = [line for line in lines if not line.startswith("live =")]
+        lines.insert(1, f"live = {table(weight=[1, rounded(rng.uniform(-0.6, 0.6))])}")
+    return lines
+
+
 def of_kind(rng, kind):
-    makers = {"moves": moves, "irregular": irregular, "pile": pile, "stack": stack, "arch": arch, "both": both,
+    makers = {"keys": keys, "moves": moves, "irregular": irregular, "pile": pile, "stack": stack, "arch": arch, "both": both,
               "sideways": sideways, "one-stone": one_stone, "below": below, "proof": proof}
     return makers.get(kind, coursed)(rng, kind)
 

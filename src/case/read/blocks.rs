@@ -53,13 +53,16 @@ pub(super) fn assembly(
         let name = body.outline.name.clone();
         if body.moves {
             let given = body.weight.as_ref().map(|(weight, _)| *weight);
-            let specific = body.specific_weight.unwrap_or(specific);
+            let specific = body
+                .specific_weight
+                .as_ref()
+                .map_or(specific, |(specific, _)| *specific);
             of_block.push(&body.outline);
             assembly.blocks.push(NamedBlock {
                 name,
                 weight: given.unwrap_or(specific * thickness * shape.area()),
                 centre: body.centre.unwrap_or(shape.centroid()),
-                friction: body.friction,
+                friction: body.friction.as_ref().map(|(friction, _)| *friction),
                 shape,
             });
         } else {

@@ -9,7 +9,7 @@ use super::csv::{CsvBlock, outlines};
 use super::file::{BlocksTable, BodyTable, CaseFile};
 use super::missing::missing_key;
 use super::outline::Outline;
-use super::values::Pair;
+use super::values::{Number, Pair};
 use crate::case::complaint::{Complaint, Document, Place};
 use crate::scene::Point;
 
@@ -22,9 +22,9 @@ pub(super) struct Body {
     /// The weight and its place, where it is given.
     pub weight: Option<(f64, Place)>,
     /// Weight over area and thickness, where that is given.
-    pub specific_weight: Option<f64>,
+    pub specific_weight: Option<(f64, Place)>,
     /// Its own coefficient of friction.
-    pub friction: Option<f64>,
+    pub friction: Option<(f64, Place)>,
     /// Where the weight acts, where it is not the centroid.
     pub centre: Option<Point>,
     pub moves: bool,
@@ -91,7 +91,7 @@ pub(super) fn bodies(
     }
     let bodies = bodies.list;
     not_too_many(&bodies)?;
-    no_weight_of_a_support(&bodies)?;
+    nothing_of_a_support(&bodies)?;
     let place = |moves: bool| bodies.iter().find(|body| body.moves == moves);
     match (place(true), place(false)) {
         (Some(_), Some(_)) => Ok(bodies),
@@ -125,14 +125,26 @@ fn not_too_many(bodies: &[Body]) -> Result<(), Complaint> {
     Err(complaint.help("write fewer blocks"))
 }
 
-fn no_weight_of_a_support(bodies: &[Body]) -> Result<(), Complaint> {
+fn nothing_of_a_support(bodies: &[Body]) -> Result<(), Complaint> {
     for body in bodies.iter().filter(|body| !body.moves) {
         // The weights of a CSV stand in a column, also beside its supports.
-        if let Some((_, place)) = body.weight.as_ref().filter(|_| !body.of_csv) {
-            let title = format!("`{}` is a support", body.outline.name);
-            return Err(place
-                .complain(title, "its weight is never used")
-                .help("remove the weight"));
+        let weight = body.weight.as_ref().filter(|_| !body.of_csv);
+        let help = "write it as `base` of the case's `friction`, or in a `[[joint]]` between it and a block";
+        let never = [
+            ("weight", weight, "remove the weight"),
+            (
+                "specific weight",
+                body.specific_weight.as_ref(),
+                "remove the specific weight",
+            ),
+            ("friction", body.friction.as_ref(), help),
+        ];
+        for (what, value, help) in never {
+            if let Some((_, place)) = value {
+                let title = format!("`{}` is a support", body.outline.name);
+                let complaint = place.complain(title, format!("its {what} is never used"));
+                return Err(complaint.help(help));
+            }
         }
     }
     Ok(())
@@ -183,13 +195,17 @@ fn add(
     let centre = body.centre.as_ref();
     let centre = centre.map(|pair| coordinates(pair, "a centre"));
     let centre = centre.transpose()?;
-    let weight = body.weight.as_ref().map(|value| {
-        let weight = positive("weight", value)?;
-        Ok((weight, Place::new(document, value.span())))
-    });
-    let weight = weight.transpose()?;
-    let specific_weight = specific_weight(body)?;
-    let friction = own_friction(body, moves)?;
+    let placed = |key, value: &Option<Spanned<Number>>, check: Check| match value {
+        Some(value) => Ok(Some((
+            check(key, value)?,
+            Place::new(document, value.span()),
+        ))),
+        None => Ok(None),
+    };
+    one_weight(body)?;
+    let weight = placed("weight", &body.weight, positive)?;
+    let specific_weight = placed("specific_weight", &body.specific_weight, positive)?;
+    let friction = placed("friction", &body.friction, not_negative)?;
     let gives = [
         weight.is_some() || specific_weight.is_some(),
         centre.is_some(),
@@ -221,8 +237,8 @@ fn add(
         }
         (None, Some(known)) if gives.contains(&true) && !twice(known) => {
             known.weight = weight.or(known.weight.take());
-            known.specific_weight = specific_weight.or(known.specific_weight);
-            known.friction = friction.or(known.friction);
+            known.specific_weight = specific_weight.or(known.specific_weight.take());
+            known.friction = friction.or(known.friction.take());
             known.centre = centre.or(known.centre);
         }
         (None, Some(_)) => {
@@ -237,31 +253,19 @@ fn add(
     Ok(())
 }
 
-/// The weight over area and thickness of a block that has no weight.
-pub(super) fn specific_weight(body: &BodyTable) -> Result<Option<f64>, Complaint> {
+/// Refuses a weight in two forms.
+pub(super) fn one_weight(body: &BodyTable) -> Result<(), Complaint> {
     match (&body.specific_weight, &body.weight) {
         (Some(value), Some(_)) => {
             let complaint = value.wrong("`specific_weight` beside `weight`", "which of the two?");
             Err(complaint.help("remove one of them"))
         }
-        (Some(value), None) => positive("specific_weight", value).map(Some),
-        (None, _) => Ok(None),
+        _ => Ok(()),
     }
 }
 
-/// The friction of a block.
-fn own_friction(body: &BodyTable, moves: bool) -> Result<Option<f64>, Complaint> {
-    match &body.friction {
-        Some(value) if !moves => {
-            let complaint = value.wrong("a support has no friction of its own", "here");
-            Err(complaint.help(
-                "write it as `base` of the case's `friction`, or in a `[[joint]]` between it and a block",
-            ))
-        }
-        Some(value) => not_negative("friction", value).map(Some),
-        None => Ok(None),
-    }
-}
+/// What a number of a key has to be.
+type Check = fn(&str, &Spanned<Number>) -> Result<f64, Complaint>;
 
 /// Refuses what places a block in a course.
 fn no_course(body: &BodyTable) -> Result<(), Complaint> {

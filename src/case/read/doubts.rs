@@ -17,13 +17,22 @@ const RADIANS: f64 = 1.5 * std::f64::consts::PI;
 /// Warnings about a file that can be read.
 pub(super) fn doubts(file: &CaseFile) -> Vec<Complaint> {
     let mut found = Vec::new();
-    let coefficients = match file.friction.get_ref() {
+    let mut coefficients = match file.friction.get_ref() {
         FrictionValue::One(number) => vec![Spanned::new(file.friction.span(), *number)],
         FrictionValue::Classes(table) => {
             let others = [&table.head, &table.base].into_iter().flatten();
             [&table.bed].into_iter().chain(others).cloned().collect()
         }
     };
+    let joints = file
+        .joint
+        .iter()
+        .filter_map(|joint| joint.get_ref().friction.as_ref());
+    let blocks = file
+        .block
+        .iter()
+        .filter_map(|block| block.get_ref().friction.as_ref());
+    coefficients.extend(joints.chain(blocks).cloned());
     for value in coefficients {
         let number = value.get_ref().0;
         if ANGLES.contains(&number) {

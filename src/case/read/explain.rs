@@ -82,6 +82,15 @@ fn wrong_type(document: &Document, span: Range<usize>, types: &str) -> Complaint
         "string" => "a text in quotes",
         _ => "something else",
     };
+    let before = document.text.get(..span.start).unwrap_or_default();
+    if (expected, found) == ("a number", "a list") && before.trim_end().ends_with(['[', ',']) {
+        let complaint = document.complain(
+            span,
+            "a block has one outline, and no holes",
+            "a corner is two numbers",
+        );
+        return complaint.help("write `corners = [[0, 0], [4, 0], ...]`; a block with a hole is cut into two through it");
+    }
     let help = match expected {
         "a list" | "two numbers" => list_help(document, span.start),
         "a string" => text_help(document, span.clone()),
@@ -120,7 +129,7 @@ fn type_help(written: &str, expected: &str) -> String {
         "an `[arch]` table" => "write `[arch]` in a line of its own, its keys below".into(),
         "a `[blocks]` table" => "write `[blocks]` in a line of its own, its keys below".into(),
         "a `[[joint]]` table" => {
-            "write `joints = [{ course = 3, friction = 0.3 }]`, or `[[joint]]` in a line of its own".into()
+            format!("write `{}`, or `[[joint]]` in a line of its own", example("joints"))
         }
         "a `[[block]]` or `[[support]]` table" | "a `[[load]]` table" | "a `[[move]]` table" => {
             "write the key in two brackets in a line of its own, `[[block]]`, its keys below".into()
@@ -168,9 +177,12 @@ fn text_help(document: &Document, span: Range<usize>) -> String {
 fn list_help(document: &Document, at: usize) -> String {
     let key = key_of_line(document, at);
     match key {
-        "corners" | "along" | "supports" => format!("write `{}`", example(key)),
+        "corners" | "along" | "supports" | "between" | "heights" | "open_head_joints"
+        | "joints" => {
+            format!("write `{}`", example(key))
+        }
         "at" | "dead" | "live" => format!("write `{key} = [1.0, 0.0]`"),
-        "block" | "support" | "load" => {
+        "block" | "support" | "load" | "joint" => {
             format!("write `[[{key}]]`, with two brackets, above each {key}")
         }
         "references" => "write `[[references]]`, with two brackets, above each reference".into(),

@@ -13,10 +13,14 @@ pub(super) fn missing_key(span: Range<usize>, key: &str) -> Complaint {
 }
 
 /// What is written for a key that has to be there, or is a list.
-const EXAMPLES: [(&str, &str); 29] = [
+const EXAMPLES: [(&str, &str); 33] = [
     ("unit", "{ length = 4.0, height = 1.75, weight = 1.0 }"),
     ("courses", "[\"h1111h\", \"11111\"]"),
     ("friction", "0.65"),
+    ("heights", "[0.2, 0.2, 0.3]"),
+    ("open_head_joints", "[2, 4]"),
+    ("joints", "[{ course = 3, friction = 0.3 }]"),
+    ("between", "[\"A\", \"B\"]"),
     ("length", "4.0"),
     ("height", "1.75"),
     ("weight", "1.0"),

@@ -44,6 +44,12 @@ pub(crate) const NOT_MODELLED: &[NotModelled] = &[
                   open",
     },
     NotModelled {
+        key: "holes",
+        other_words: &["hole", "void", "voids", "cavity", "interiors"],
+        what: "a hole in a block",
+        nearest: "cut the block into two through the hole, each with an outline of its own",
+    },
+    NotModelled {
         key: "compressive_strength",
         other_words: &["strength", "crushing", "fc", "f_c", "fm", "f_m"],
         what: "crushing",
@@ -82,7 +88,8 @@ pub(crate) const NOT_MODELLED: &[NotModelled] = &[
             "time_history",
         ],
         what: "motion of the ground in time",
-        nearest: "leave it out: the live load is static, every weight sideways times the multiplier",
+        nearest: "leave it out: the live load is static, every weight sideways times the multiplier, and \
+                  with `live = { weight = [1, 0.3] }` 0.3 of it upwards too",
     },
 ];
 

@@ -77,7 +77,10 @@ impl Outline {
                 let title = format!("the outline of `{name}` crosses or touches itself");
                 return self.places[self.as_written(corner)]
                     .complain(title, "in the edge at this corner")
-                    .help("write the corners in order round the outline, each once");
+                    .help(
+                        "write the corners in order round the outline, each once; a block with a hole is \
+                         cut into two through it",
+                    );
             }
             PolygonError::TooFewCorners(count) => {
                 let corners = if count == 1 { "corner" } else { "corners" };

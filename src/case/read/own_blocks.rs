@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, HashMap, HashSet};
 
 use toml::Spanned;
 
-use super::bodies::{short_name, specific_weight};
+use super::bodies::{one_weight, short_name};
 use super::checks::{Written, not_negative, positive, whole};
 use super::file::{BodyTable, CaseFile, Place};
 use super::forces::{Loadable, forces};
@@ -67,7 +67,9 @@ fn named_blocks(file: &CaseFile, wall: &mut Wall) -> Result<(), Complaint> {
             let weight = positive("weight", weight)?;
             wall.own.weights.insert(block, weight);
         }
-        if let Some(specific) = specific_weight(table)? {
+        one_weight(table)?;
+        if let Some(specific) = &table.specific_weight {
+            let specific = positive("specific_weight", specific)?;
             let assembly = wall.assembly().expect("the wall was laid before");
             let area = assembly.blocks[block].shape.area();
             let weight = specific * wall.thickness * area;

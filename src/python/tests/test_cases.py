@@ -66,6 +66,33 @@ def test_polygons_come_as_lists_arrays_names_and_shapely():
         trilith.Blocks([block], [3], 0.65)
 
 
+def test_courses_joints_and_blocks_have_keys_of_their_own():
+    damp = wall(joints=[{"course": 3, "friction": 0.2}], head_joints="both", push="both")
+    lifted = wall(live={"weight": [1, 0.3]}).with_keys(friction=0.2)
+    stack = trilith.Wall(["1", "1", "1"], (1.0, 0.5), 0.65, heights=[0.4, 1.1, 0.5])
+    slender = trilith.Wall(["11", "q1"], (1, 1), {"bed": 0.65, "head": 0}, open_head_joints=[2])
+    box = lambda low: [[0, low], [1, low], [1, low + 1], [0, low + 1]]  # noqa: E731
+    heavy = trilith.Blocks([box(0), box(1)], [GROUND], 0.65, specific_weights=[None, 2.0])
+    smooth = trilith.Blocks({"a": box(0), "b": box(1)}, [GROUND], 0.4, frictions={"b": 0.1})
+    rough = trilith.Blocks(
+        {"a": box(0), "b": box(1)},
+        [GROUND],
+        0.4,
+        frictions={"b": 0.1},
+        joints=[{"between": ["a", "b"], "friction": 0.3}],
+    )
+    loaded = trilith.Blocks([[[0, 0], [1, 0], [1, 2], [0, 2]]], [GROUND], 0.65, overburden=1.0)
+    cases = [damp, lifted, stack, slender, heavy, smooth, rough, loaded]
+    expected = [0.2, 0.2, 0.2 / 1.06, 0.5, 0.25, 3 / 7, 0.1, 0.3, 1 / 3]
+    results = trilith.run(cases, ["associative"])
+    assert results.lower == pytest.approx(expected, abs=1e-6)
+    for wrong in ({"c": 0.1}, [0.1]):
+        with pytest.raises(trilith.CaseError, match="frictions"):
+            trilith.Blocks({"a": box(0), "b": box(1)}, [GROUND], 0.4, frictions=wrong)
+    with pytest.raises(trilith.CaseError, match="2 heights for 3 courses"):
+        trilith.run(trilith.Wall(["1", "1", "1"], (1, 1), 0.65, heights=[1, 2]), ["associative"])
+
+
 def test_keys_change_in_every_form(tmp_path):
     file = tmp_path / "garden.toml"
     file.write_text(

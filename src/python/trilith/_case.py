@@ -142,7 +142,9 @@ class Wall(Case):
             ``{"bed": 0.65, "head": 0.4, "base": 0.5}``.
         name: what results call it.
         keys: any other key of a case file: ``head_joints="both"``, ``push="both"``,
-            ``overburden=0.5``, ``pieces={"L": {"units": 3}}``, ``load=[{...}]``;
+            ``overburden=0.5``, ``pieces={"L": {"units": 3}}``, ``load=[{...}]``,
+            ``heights=[0.2, 0.3]`` of the courses, ``joints=[{"course": 3, "friction": 0.3}]``,
+            ``open_head_joints=[2]``, ``live={"weight": [1, 0.3]}``;
             ``trilith.template("wall")`` explains them all.
     """
 
@@ -217,9 +219,14 @@ class Blocks(Case):
             ``{"bed": 0.65, "head": 0.4, "base": 0.5}``.
         weights: weight of each of ``polygons`` in their order; if left out, its area times
             ``specific_weight`` and ``thickness`` of ``blocks``, which are 1.
+        specific_weights: of each of ``polygons`` in their order, or by name; None, or a name that is
+            left out, for that of ``blocks``.
+        frictions: coefficients of friction of single blocks in the same way; of two blocks the
+            smaller one counts.
         name: what results call it.
         keys: any other key of a case file: ``push="both"``, ``load=[{"block": "2", ...}]``,
-            ``blocks={"thickness": 0.3}``; ``trilith.template("blocks")`` explains them all. Blocks
+            ``blocks={"thickness": 0.3}``, ``overburden=0.5``,
+            ``joints=[{"between": ["0", "1"], "friction": 0.3}]``; ``trilith.template("blocks")`` explains them all. Blocks
             of a list are named by their places: "0", "1", ...
     """
 
@@ -230,6 +237,8 @@ class Blocks(Case):
         friction: float | Mapping[str, float],
         *,
         weights: Iterable[float] | None = None,
+        specific_weights: Iterable[float | None] | Mapping[str, float] | None = None,
+        frictions: Iterable[float | None] | Mapping[str, float] | None = None,
         name: str = "blocks",
         **keys: Any,
     ) -> None:
@@ -246,14 +255,18 @@ class Blocks(Case):
                     held.add(str(one))
                 else:
                     fixed[f"support {place + 1}"] = one
-        heavy: list[float | None] = [None] * len(outlines)
-        if weights is not None:
-            heavy = list(plain(list(weights)))
-            if len(heavy) != len(outlines):
-                raise CaseError(f"{len(heavy)} weights of {len(outlines)} polygons")
+        own = {
+            "weight": _each(weights, outlines, "weights"),
+            "specific_weight": _each(specific_weights, outlines, "specific_weights"),
+            "friction": _each(frictions, outlines, "frictions"),
+        }
         blocks = [
-            {"name": label, "corners": _corners(label, shape), "weight": weight}
-            for (label, shape), weight in zip(outlines.items(), heavy)
+            {
+                "name": label,
+                "corners": _corners(label, shape),
+                **{key: values[label] for key, values in own.items()},
+            }
+            for label, shape in outlines.items()
             if label not in held
         ]
         stays = {**{label: outlines[label] for label in outlines if label in held}, **fixed}
@@ -265,6 +278,23 @@ def _named(polygons: Any, prefix: str) -> dict[str, Any]:
     if isinstance(polygons, Mapping):
         return {str(name): shape for name, shape in polygons.items()}
     return {f"{prefix}{place}": shape for place, shape in enumerate(polygons)}
+
+
+def _each(values: Any, outlines: Mapping[str, Any], what: str) -> dict[str, Any]:
+    """The value of every polygon by its name, of values in their order or by name."""
+    if isinstance(values, Mapping):
+        for name in values:
+            if str(name) not in outlines:
+                raise CaseError(f"{what}: there is no polygon named `{name}`")
+        given = {str(name): value for name, value in plain(dict(values)).items()}
+    elif values is not None:
+        listed = plain(list(values))
+        if len(listed) != len(outlines):
+            raise CaseError(f"{len(listed)} {what} of {len(outlines)} polygons")
+        given = dict(zip(outlines, listed))
+    else:
+        given = {}
+    return {name: given.get(name) for name in outlines}
 
 
 def _corners(name: str, shape: Any) -> list[list[float]]:

@@ -55,16 +55,40 @@ pub(super) fn replace(table: &mut Table, key: &str, value: &Value) -> Result<(),
             "it is a column of its own",
             "write `head_joints = \"both\"` at the top",
         )),
-        _ => {
-            let (parents, last) = key.rsplit_once('.').unwrap_or(("", key));
-            let mut inside = table;
-            for parent in parents.split('.').filter(|parent| !parent.is_empty()) {
-                let next = inside.get_mut(parent).and_then(Value::as_table_mut);
-                inside = next.ok_or_else(|| format!("the case has no table `{parent}`"))?;
-            }
-            inside.insert(last.to_owned(), value.clone());
+        _ => put(table, key, value),
+    }
+}
+
+/// Puts a value into a table, or, where there are points in the key, into what is in it.
+fn put(table: &mut Table, key: &str, value: &Value) -> Result<(), Unvaried> {
+    let Some((first, rest)) = key.split_once('.') else {
+        table.insert(key.to_owned(), value.clone());
+        return Ok(());
+    };
+    match table.get_mut(first) {
+        Some(Value::Table(table)) => put(table, rest, value),
+        Some(Value::Array(list)) => put_into_list(list, first, rest, value),
+        _ => Err(format!("the case has no table `{first}`").into()),
+    }
+}
+
+/// The same of a list, whose items are counted from 1.
+fn put_into_list(list: &mut [Value], name: &str, key: &str, value: &Value) -> Result<(), Unvaried> {
+    let (place, rest) = key.split_once('.').unwrap_or((key, ""));
+    let index = place
+        .parse()
+        .ok()
+        .and_then(|place: usize| place.checked_sub(1));
+    let item = index.and_then(|index| list.get_mut(index));
+    match (item, rest) {
+        (None, _) => Err(format!("`{name}` has no item {place}; the first is 1").into()),
+        (Some(item), "") => {
+            *item = value.clone();
             Ok(())
         }
+        (Some(Value::Table(table)), _) => put(table, rest, value),
+        (Some(Value::Array(list)), _) => put_into_list(list, place, rest, value),
+        (Some(_), _) => Err(format!("item {place} of `{name}` has no `{rest}`").into()),
     }
 }
 
