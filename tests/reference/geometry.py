@@ -193,26 +193,43 @@ def read_case(path):
     """A case file, the outlines of its CSV among its blocks and supports."""
     file = tomllib.loads(path.read_text())
     if "csv" in file.get("blocks", {}):
-        outlines = {}
+        outlines, still = {}, file["blocks"].get("supports", [])
         for line in (path.parent / file["blocks"]["csv"]).read_text().splitlines():
-            if line and not line.startswith("#") and line != "block,x,y":
-                name, x, y = line.split(",")
-                outlines.setdefault(name.strip(), []).append([float(x), float(y)])
-        still = file["blocks"].get("supports", [])
-        for name, corners in outlines.items():
-            kind = "support" if name in still else "block"
-            file.setdefault(kind, []).append({"name": name, "corners": corners})
+            if line and not line.startswith(("#", "block,x,y")):
+                name, x, y, *weight = line.split(",")
+                body = outlines.setdefault(name.strip(), {"name": name.strip(), "corners": []})
+                body["corners"].append([float(x), float(y)])
+                if weight and weight[0]:
+                    body["weight"] = float(weight[0])
+        for name, body in outlines.items():
+            file.setdefault("support" if name in still else "block", []).append(body)
     return file
+
+
+def friction_between(file, kind, source, to):
+    """Friction of a joint of a kind between two bodies by their names, of a support from the first."""
+    for joint in file.get("joint", []):
+        if "friction" in joint and {source, to} == set(joint.get("between", ())):
+            return joint["friction"]
+    given = file["friction"] if isinstance(file["friction"], dict) else {"bed": file["friction"]}
+    return given.get(kind, given["bed"])
+
+
+def names(file, kind):
+    """Names of the blocks or supports of a file by their index; a coursed wall or an arch has none."""
+    return [body["name"] for body in file.get(kind, [])] if "unit" not in file and "arch" not in file else []
 
 
 def laid_again(file, scene):
     """Lines about what differs between a scene and its file; None where this program cannot lay the file."""
     moves = file.get("move", [])
-    friction = file["friction"]
-    friction = friction if isinstance(friction, dict) else {"bed": friction}
-    lines = []
+    blocks, supports, lines = names(file, "block"), names(file, "support"), []
     for index, joint in enumerate(scene["joints"]):
-        given = friction.get(joint["class"], friction["bed"])
+        known = blocks if joint["from_support"] is None else supports
+        source = joint["from_block"] if joint["from_support"] is None else joint["from_support"]
+        pair = (known[source] if source < len(known) else None,
+                blocks[joint["to"]] if joint["to"] < len(blocks) else None)
+        given = friction_between(file, joint["class"], *pair)
         if joint["friction"] != given:
             lines.append(f"joint {index}: friction {joint['friction']}, in the file {given}")
     pushes = {"both": ("right", "left")}.get(file.get("push", "right"), (file.get("push", "right"),))
@@ -220,7 +237,7 @@ def laid_again(file, scene):
         lines.append(f"pushed {scene['push']}, in the file {pushes}")
     if "unit" in file:
         expected = courses(file)
-    elif "blocks" in file and all("corners" in block for block in file.get("block", [{}])):
+    elif all("corners" in block for block in file.get("block", [{}])):
         expected = bodies(file)
     else:
         return None
@@ -275,13 +292,13 @@ def courses(file):
 
 def bodies(file):
     """Blocks with corners in the file, with the forces on them."""
-    shared, live = file["blocks"], file.get("live", "weight") == "weight"
+    shared, live = file.get("blocks", {}), file.get("live", "weight") == "weight"
     blocks, places = [], {}
     for body in file["block"]:
         area = abs(area_and_centroid(np.array(body["corners"], float))[0])
         weight = body.get("weight")
         if weight is None:
-            weight = shared["specific_weight"] * area * shared.get("thickness", 1.0)
+            weight = shared.get("specific_weight", 1.0) * area * shared.get("thickness", 1.0)
         places[body["name"]] = len(blocks)
         blocks.append(weighed([tuple(c) for c in body["corners"]], weight, live, body.get("centre")))
     add_forces(file, blocks, places)

@@ -5,7 +5,7 @@ import geometry
 from geometry import area_and_centroid, contacts, extent
 
 KEYS = {"title", "source", "references", "unit", "courses", "repeat", "bond", "units", "overlap", "first", "friction",
-        "overburden", "pieces", "head_joints", "push", "live", "load", "blocks", "block", "support", "arch"}
+        "overburden", "pieces", "head_joints", "push", "live", "load", "blocks", "block", "support", "arch", "joint"}
 
 
 def settings(file):
@@ -20,6 +20,8 @@ def scene(file, head_joints, push):
     unknown = set(file) - KEYS
     if unknown:
         raise ValueError(f"{sorted(unknown)} of a case file mean nothing here")
+    if any(set(joint) - {"between", "friction"} for joint in file.get("joint", [])):
+        raise ValueError("of a joint only the friction between two bodies means something here")
     if "arch" in file:
         bodies, supports = arch(file)
     elif "unit" in file:
@@ -47,7 +49,8 @@ def block(corners, loads, sign):
 
 def joints(blocks, supports, file, head_joints):
     """Where outlines share a segment; the normal points from the first body into the second."""
-    friction = file["friction"] if isinstance(file["friction"], dict) else {"bed": file["friction"]}
+    names = geometry.names(file, "support") + geometry.names(file, "block")
+    names = names if len(names) == len(supports) + len(blocks) else [None] * (len(supports) + len(blocks))
     bodies, many, touch = supports + blocks, len(supports), geometry.TOUCH
     low, high = np.array([b.min(0) for b in bodies]), np.array([b.max(0) for b in bodies])
     slack = touch * np.array([extent(b) for b in bodies])[:, None]
@@ -65,7 +68,7 @@ def joints(blocks, supports, file, head_joints):
                 found.append({"from_block": int(first) - many if first >= many else None,
                               "from_support": int(first) if first < many else None, "to": second - many,
                               "ends": ends, "normal": normal, "tangent": (normal[1], -normal[0]), "class": kind,
-                              "friction": friction.get(kind, friction["bed"])})
+                              "friction": geometry.friction_between(file, kind, names[first], names[second])})
     return found
 
 
