@@ -201,15 +201,16 @@ def read_case(path):
     """A case file, the outlines of its CSV among its blocks and supports."""
     file = tomllib.loads(path.read_text())
     if "csv" in file.get("blocks", {}):
-        outlines = {}
+        outlines, still = {}, file["blocks"].get("supports", [])
         for line in (path.parent / file["blocks"]["csv"]).read_text().splitlines():
-            if line and not line.startswith("#") and line != "block,x,y":
-                name, x, y = line.split(",")
-                outlines.setdefault(name.strip(), []).append([float(x), float(y)])
-        still = file["blocks"].get("supports", [])
-        for name, corners in outlines.items():
-            kind = "support" if name in still else "block"
-            file.setdefault(kind, []).append({"name": name, "corners": corners})
+            if line and not line.startswith(("#", "block,x,y")):
+                name, x, y, *weight = line.split(",")
+                body = outlines.setdefault(name.strip(), {"name": name.strip(), "corners": []})
+                body["corners"].append([float(x), float(y)])
+                if weight and weight[0]:
+                    body["weight"] = float(weight[0])
+        for name, body in outlines.items():
+            file.setdefault("support" if name in still else "block", []).append(body)
     return file
 
 
@@ -227,7 +228,7 @@ def laid_again(file, scene):
         lines.append(f"pushed {scene['push']}, in the file {pushes}")
     if "unit" in file:
         expected = courses(file)
-    elif "support" in file and all("corners" in block for block in file.get("block", [{}])):
+    elif all("corners" in block for block in file.get("block", [{}])):
         expected = bodies(file)
     else:
         return None
