@@ -19,10 +19,10 @@ pub(crate) use bracket::{VERIFIED_WIDTH, is_same_multiplier, magnitude};
 pub use evidence::{Evidence, Observed};
 pub use fact::Fact;
 pub(crate) use fact::{
-    AT_REST, AutoFact, BoundFact, Budget, CeilingSlack, Coverage, InapplicableForm, Invalid,
-    JudgedFact, LimitFact, ProgramEnding, ProgramFailure, PushoverFact, ReactionFact, Residuals,
-    SearchEnding, SearchFacts, SearchFailure, SearchStart, SequentialEnding, SequentialFacts,
-    SideFact, SolverEnding, StartEnding, Uniqueness, sentence, write_floor, write_motion_cap,
+    AutoFact, BoundFact, Budget, Coverage, InapplicableForm, Invalid, JudgedFact, LimitFact,
+    ProgramEnding, ProgramFailure, PushoverFact, ReactionFact, SearchEnding, SearchFacts,
+    SearchFailure, SearchStart, SequentialEnding, SequentialFacts, SideFact, SolverEnding,
+    StartEnding, Uniqueness, floor_words, reaction_floor, sentence,
 };
 pub use outcome::Outcome;
 pub use recording::Recording;

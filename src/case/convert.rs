@@ -8,7 +8,9 @@ use super::moved::{tables, with_parts};
 use super::reference::{Quantity, Reference};
 use super::written::{pair, quoted};
 use crate::method::{Kind, kind};
-use crate::scene::{Assembly, Force, Friction, Point, Polygon, TOUCHING};
+use crate::scene::{
+    Assembly, Force, Friction, NamedBlock, NamedJoint, Point, Polygon, Side, TOUCHING,
+};
 
 /// The two files of a case of explicit blocks.
 #[derive(Clone, Debug, PartialEq)]
@@ -56,11 +58,17 @@ impl Case {
             [one] => one.name(),
             _ => "both",
         };
-        let live = match assembly.forces.weight_is_live {
-            true => "weight",
-            false => "loads",
+        let [along, upwards] = assembly.forces.of_weight.into();
+        let live = match [along, upwards] {
+            [1.0, 0.0] => quoted("weight"),
+            [0.0, 0.0] => quoted("loads"),
+            _ => format!("{{ weight = [{along:?}, {upwards:?}] }}"),
         };
-        let _ = writeln!(text, "push = \"{push}\"\nlive = \"{live}\"\n");
+        let _ = writeln!(text, "push = \"{push}\"\nlive = {live}");
+        if assembly.overburden != 0.0 {
+            let _ = writeln!(text, "overburden = {:?}", assembly.overburden);
+        }
+        text.push('\n');
         let supports = assembly
             .supports
             .iter()
@@ -78,22 +86,9 @@ impl Case {
         if assembly.radial {
             text.push_str("radial = true\n");
         }
-        for block in &assembly.blocks {
-            if block.centre != block.shape.centroid() {
-                let (name, at) = (quoted(&block.name), pair(block.centre.coords));
-                let _ = writeln!(text, "\n[[block]]\nname = {name}\ncentre = {at}");
-            }
-        }
-        for named in &assembly.named_joints {
-            let [one, other] = named
-                .between
-                .map(|block| quoted(&assembly.blocks[block].name));
-            let class = named.class.name();
-            let _ = writeln!(
-                text,
-                "\n[[joint]]\nbetween = [{one}, {other}]\nclass = \"{class}\""
-            );
-        }
+        text.extend(assembly.blocks.iter().map(own_keys));
+        let joints = assembly.named_joints.iter();
+        text.extend(joints.map(|named| joint(assembly, named)));
         for force in &assembly.forces.extra {
             text.push_str(&load(force, &assembly.blocks[force.block].name));
         }
@@ -124,6 +119,39 @@ fn corners(assembly: &Assembly) -> String {
     }
     for support in &assembly.supports {
         body(&support.name, &support.shape, "");
+    }
+    text
+}
+
+/// What a block has that its rows of the CSV do not say.
+fn own_keys(block: &NamedBlock) -> String {
+    let mut keys = String::new();
+    if block.centre != block.shape.centroid() {
+        let _ = writeln!(keys, "centre = {}", pair(block.centre.coords));
+    }
+    if let Some(friction) = block.friction {
+        let _ = writeln!(keys, "friction = {friction:?}");
+    }
+    match keys.is_empty() {
+        true => keys,
+        false => format!("\n[[block]]\nname = {}\n{keys}", quoted(&block.name)),
+    }
+}
+
+fn joint(assembly: &Assembly, named: &NamedJoint) -> String {
+    let [one, other] = named.between.map(|body| match body {
+        Side::Block(block) => quoted(&assembly.blocks[block].name),
+        Side::Support(support) => quoted(&assembly.supports[support].name),
+    });
+    let mut text = format!("\n[[joint]]\nbetween = [{one}, {other}]\n");
+    if let Some(class) = named.class {
+        let _ = writeln!(text, "class = \"{}\"", class.name());
+    }
+    if let Some(friction) = named.friction {
+        let _ = writeln!(text, "friction = {friction:?}");
+    }
+    if named.open {
+        text.push_str("open = true\n");
     }
     text
 }

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::written::{pair, quoted};
-use crate::scene::{Assembly, Support, SupportMotion, beside};
+use crate::scene::{Assembly, HeadJoints, NamedJoint, Push, Side, Support, SupportMotion, beside};
 
 /// Gives the parts of the ground that move supports of their own, and what lies between them others.
 pub(super) fn with_parts(assembly: &mut Assembly, motion: &SupportMotion) {
@@ -28,6 +28,27 @@ pub(super) fn with_parts(assembly: &mut Assembly, motion: &SupportMotion) {
     assembly
         .supports
         .sort_by(|a, b| left(a).total_cmp(&left(b)));
+    let is_base = |named: &NamedJoint| matches!(named.bodies()[0], Side::Support(_));
+    let (on_ground, mut named): (Vec<NamedJoint>, Vec<NamedJoint>) = assembly
+        .named_joints
+        .iter()
+        .partition(|named| is_base(named));
+    let scene = assembly.scene(HeadJoints::Contact, Push::Right);
+    for joint in scene.iter().flat_map(|scene| scene.joints()) {
+        let of_block = |named: &&NamedJoint| named.bodies()[1] == Side::Block(joint.to);
+        let base = matches!(joint.from, Side::Support(_));
+        named.extend(
+            on_ground
+                .iter()
+                .filter(of_block)
+                .filter(|_| base)
+                .map(|known| NamedJoint {
+                    between: joint.bodies(),
+                    ..*known
+                }),
+        );
+    }
+    assembly.named_joints = named;
 }
 
 /// The `[[move]]` tables.

@@ -35,7 +35,8 @@
 //!  - forces by one motion v that opens every joint by more than μ times its slip. By virtual work
 //!    Σ n·opening + t·slip = −f_D·v − λ f_L·v, so that Σ ε N is no more than that, ε being what each
 //!    joint opens beyond μ|slip|. Scenes that lock have no such motion and no certificate;
-//!  - velocities by the rates along a chain of joints from a support. Where the multiplier of
+//!  - velocities by the rates along a chain of joints from a support; that of supports that move, which
+//!    is one for all of them, by the power of their live load, which is 1. Where the multiplier of
 //!    1 × rate is at least what R needs of that rate, R is absorbed, however fast the motion. Where it
 //!    is not, the bound holds for motions whose openings and slips add up to no more than a printed
 //!    cap (total weight, height and f_L·u scaled to 1).
@@ -54,7 +55,7 @@ mod types;
 #[cfg(test)]
 mod walls;
 
-pub(crate) use conditions::{Conditions, Entry};
+pub(crate) use conditions::{Conditions, Entry, Unknown};
 pub use proof::prove;
 pub(crate) use proof::{Prover, scene_fingerprint};
 pub(crate) use tree::{SliceProof, together};

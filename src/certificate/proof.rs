@@ -1,8 +1,8 @@
 //! What a certificate proves: what its slices prove one by one, and all of them together.
 
-use super::conditions::{Conditions, chains};
+use super::conditions::{Chain, Conditions, chains};
 use super::forces::{ForceBound, OUTWARD};
-use super::rounding::{Rounding, deficit};
+use super::rounding::{Rounding, deficits};
 use super::tree::{SliceProof, together};
 use super::types::{Certificate, Proved, Refusal, Slice};
 use crate::fingerprint::Fingerprint;
@@ -69,7 +69,7 @@ pub fn prove(scene: &Scene, certificate: &Certificate) -> Result<Proved, Refusal
 pub(crate) struct Prover {
     conditions: Conditions,
     forces: ForceBound,
-    chains: Vec<Vec<(usize, usize, [f64; 3])>>,
+    chains: Vec<Chain>,
 }
 
 impl Prover {
@@ -84,7 +84,7 @@ impl Prover {
     ) -> Result<Self, Refusal> {
         Ok(Self {
             forces: ForceBound::of(&conditions, opening)?,
-            chains: chains(scene).ok_or(Refusal::Unsupported)?,
+            chains: chains(scene, &conditions).ok_or(Refusal::Unsupported)?,
             conditions,
         })
     }
@@ -106,14 +106,14 @@ impl Prover {
     ) -> Result<SliceProof, Refusal> {
         check(&self.conditions, slice, index)?;
         let rounding = Rounding::of(&self.conditions, slice);
-        let deficit = deficit(
+        let [deficit, of_power] = deficits(
             &self.conditions,
             slice,
             &rounding,
             &self.forces,
             &self.chains,
         );
-        let least = slice.sigma - cap * deficit * OUTWARD;
+        let least = slice.sigma - (cap * deficit + of_power) * OUTWARD;
         let least = least - 1e-15 * (1.0 + least.abs());
         if !least.is_finite() {
             return Err(Refusal::NotFinite);

@@ -1,6 +1,6 @@
 //! What rounding leaves of a certificate's identity, and what it can cost.
 
-use super::conditions::Conditions;
+use super::conditions::{Chain, Conditions};
 use super::forces::{ForceBound, OUTWARD};
 use super::sum::Sum;
 use super::types::Slice;
@@ -135,25 +135,25 @@ fn force_combination(conditions: &Conditions, slice: &Slice, rate: usize) -> Vec
 }
 
 /// How much more a unit of some rate can cost by rounding than the multipliers of that rate absorb:
-/// the bound is lower by this times the sum of all rates; 0 where they absorb all.
-pub(super) fn deficit(
+/// the bound is lower by this times the sum of all rates of joints; 0 where they absorb all. Then the same
+/// for the power of the live load, which is 1.
+pub(super) fn deficits(
     conditions: &Conditions,
     slice: &Slice,
     rounding: &Rounding,
     forces: &ForceBound,
-    chains: &[Vec<(usize, usize, [f64; 3])>],
-) -> f64 {
+    chains: &[Chain],
+) -> [f64; 2] {
     let over = |motion| rounding.over_forces(motion, conditions, slice, forces);
     let velocities = conditions.velocities();
-    let mut needed = vec![0.0; 4 * conditions.joints.len()];
-    for (block, chain) in chains.iter().enumerate() {
-        let of_block = [0, 1, 2].map(|k| over(3 * block + k));
-        for &(joint, kind, share) in chain {
-            let parts = share.iter().zip(&of_block);
-            let cost: f64 = parts.map(|(share, of)| share.abs() * of).sum();
-            needed[4 * joint + kind] += cost;
-            if kind == 2 {
-                needed[4 * joint + 3] += cost;
+    let mut needed = vec![0.0; conditions.power() + 1];
+    for (velocity, chain) in chains.iter().enumerate() {
+        let of_velocity = over(velocity);
+        for &(rate, share) in chain {
+            let cost = share.abs() * of_velocity;
+            needed[rate] += cost;
+            if rate < conditions.power() && rate % 4 == 2 {
+                needed[rate + 1] += cost;
             }
         }
     }
@@ -166,18 +166,18 @@ pub(super) fn deficit(
     let moving = needed.iter().enumerate();
     // A rate that is zero costs nothing, and its multipliers, of any sign, absorb nothing.
     let moving = moving.filter(|(rate, _)| !zeros.rate(*rate));
-    let deficits = moving.map(|(rate, needed)| {
+    let mut largest = [0.0f64; 2];
+    for (rate, needed) in moving {
         let [one, above, below] =
             [0, 1, 2].map(|k| slice.multipliers[(of_joints + k) * rates + rate]);
         let absorbed = one + (slice.to - slice.from).max(0.0) * above.min(below);
-        needed * OUTWARD - absorbed * (1.0 - 1e-9)
-    });
-    // A NaN must not be passed over.
-    deficits.fold(0.0, |most: f64, deficit| {
-        if deficit.is_nan() {
-            f64::INFINITY
-        } else {
-            most.max(deficit)
-        }
-    })
+        let deficit = needed * OUTWARD - absorbed * (1.0 - 1e-9);
+        let largest = &mut largest[usize::from(rate == conditions.power())];
+        // A NaN must not be passed over.
+        *largest = match deficit.is_nan() {
+            true => f64::INFINITY,
+            false => largest.max(deficit),
+        };
+    }
+    largest
 }

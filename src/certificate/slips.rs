@@ -26,7 +26,7 @@ impl Conditions {
     /// walls.
     pub(crate) fn with_slip_bounds(mut self, scene: &Scene) -> Self {
         let ways = Ways::of(scene);
-        for joint in 0..scene.joints().len() {
+        for joint in 0..self.joints.len() {
             let bounds = ways.between(joint).into_iter();
             let bounds = bounds.map(|way| bound(scene, &self, joint, &way));
             let bounds: Vec<_> = bounds.collect();
@@ -45,7 +45,7 @@ struct Ways {
 impl Ways {
     fn of(scene: &Scene) -> Self {
         let ground = scene.blocks().len();
-        let bodies = scene.joints().iter().map(|joint| match joint.from {
+        let bodies = scene.contacts().iter().map(|joint| match joint.from {
             Side::Block(from) => [from, joint.to],
             Side::Support(_) => [ground, joint.to],
         });
@@ -87,7 +87,7 @@ const SMALL: f64 = 1e-15;
 
 /// The bound of a joint's slip along a way.
 fn bound(scene: &Scene, conditions: &Conditions, joint: usize, way: &[Leg]) -> SlipBound {
-    let own = &scene.joints()[joint];
+    let own = &scene.contacts()[joint];
     let direction = own.tangent();
     let mut shares = Vec::new();
     // What is left of the slip, by velocity.
@@ -105,16 +105,17 @@ fn bound(scene: &Scene, conditions: &Conditions, joint: usize, way: &[Leg]) -> S
     add(&conditions.joints[joint].rates[2], 1.0);
     for &(other, is_back) in way {
         let sign = if is_back { -1.0 } else { 1.0 };
-        for (_, kind, [x, y, _]) in relative(scene, other, own.ends[0], sign) {
+        for (rate, [x, y, _]) in relative(scene, other, own.ends[0], sign) {
             let share = direction.x * x + direction.y * y;
             if share.abs() <= SMALL {
                 continue;
             }
+            let kind = rate % 4;
             add(&conditions.joints[other].rates[kind], -share);
             if share > 0.0 {
-                shares.push((4 * other + kind, share));
+                shares.push((rate, share));
             } else if kind == 2 {
-                shares.push((4 * other + 3, -share));
+                shares.push((rate + 1, -share));
             }
         }
     }

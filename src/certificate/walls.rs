@@ -1,6 +1,6 @@
 //! Walls for the tests of this folder.
 
-use crate::scene::{HeadJoints, OfBlocks, Piece, Push, Scene, Wall};
+use crate::scene::{HeadJoints, Own, Piece, Push, Scene, Wall};
 
 /// A wall of these courses with head joints in contact.
 pub(super) fn wall(courses: &[&[Piece]]) -> Scene {
@@ -13,7 +13,7 @@ pub(super) fn wall(courses: &[&[Piece]]) -> Scene {
         friction: 0.65.into(),
         overburden: 0.0,
         push: Push::Right,
-        of_blocks: OfBlocks::default(),
+        own: Own::default(),
     };
     wall.scene(HeadJoints::Contact).expect("it can be laid")
 }

@@ -22,6 +22,7 @@ mod report;
 mod run;
 mod screen;
 mod settings;
+mod show;
 mod slurm;
 mod solve;
 mod stop;
@@ -153,7 +154,7 @@ pub fn main() -> ExitCode {
         Command::Atlas(arguments) => atlas::atlas(&arguments),
         Command::Report(arguments) => report::report(&arguments),
         Command::List => cases::list(),
-        Command::Show { case, pushover } => cases::show(&case, pushover),
+        Command::Show { case, pushover } => show::show(&case, pushover),
         Command::Export {
             case,
             head_joints,

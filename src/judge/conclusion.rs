@@ -3,8 +3,10 @@
 
 use std::fmt;
 
+use thiserror::Error;
+
 use super::heard::LowerState;
-use crate::answer::{Bracket, Status, write_floor};
+use crate::answer::{Bracket, Status, floor_words};
 use crate::number::{above, below, number, percent};
 use crate::scene::{HeadJoints, Push, Reaction};
 
@@ -53,19 +55,6 @@ pub(crate) struct Seen {
     pub bracket: Bracket,
 }
 
-impl Seen {
-    /// The same in words, where people read this number for each λ.
-    pub(super) fn write(
-        &self,
-        f: &mut fmt::Formatter<'_>,
-        reads: &dyn Fn(f64) -> String,
-    ) -> fmt::Result {
-        let [one, other] = [self.bracket.lower, self.bracket.upper].map(reads);
-        let by = &self.by;
-        write!(f, "; {by} saw {one} to {other}, which is not their range")
-    }
-}
-
 /// A proved lower bound.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Floor {
@@ -85,7 +74,7 @@ impl fmt::Display for Floor {
         if let Some(push) = self.push {
             write!(f, "pushed to the {}, ", push.name())?;
         }
-        write_floor(f, &below(self.lower, 5), self.cap)
+        f.write_str(&floor_words(&below(self.lower, 5), self.cap))
     }
 }
 
@@ -141,11 +130,13 @@ pub struct Difference {
 }
 
 /// Why associative friction gives more than the lowest state.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
 pub enum Explanation {
     /// With dilatancy joints open as they slip, which takes more push than any state found.
+    #[error("explained by its dilatancy")]
     Dilatancy,
     /// States are verified up to there: which of them happens nobody knows of a real wall.
+    #[error("explained, because collapse states are verified up to there")]
     SeveralStates,
 }
 
@@ -160,11 +151,18 @@ impl Explanation {
 }
 
 /// What is not explained.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Error, PartialEq)]
 pub enum Doubt {
     /// Somebody lies lower.
+    #[error(
+        "{} gives {}, which is {} lower, so that a lower state may exist",
+        .0.by,
+        number(.0.lambda, .0.decimals),
+        percent(.0.below)
+    )]
     Lower(LowerState),
     /// A proof contradicts: it bounds the multiplier by less.
+    #[error("{by} proves that none is above {}", above(*.lambda, 5))]
     Bound {
         /// Whose.
         by: String,
@@ -172,6 +170,11 @@ pub enum Doubt {
         lambda: f64,
     },
     /// Somebody lies above what no collapse multiplier exceeds.
+    #[error(
+        "{by} gives {}, which is {} above what no collapse multiplier exceeds",
+        number(*.lambda, 4),
+        percent(*.above)
+    )]
     Above {
         /// Who.
         by: String,
@@ -181,6 +184,11 @@ pub enum Doubt {
         above: f64,
     },
     /// Somebody lies below what is proved of every collapse.
+    #[error(
+        "{by} gives {}, and {floor} proves that no collapse is below {}",
+        number(*.lambda, 4),
+        below(*.least, 5)
+    )]
     Excluded {
         /// Who.
         by: String,
@@ -192,6 +200,7 @@ pub enum Doubt {
         least: f64,
     },
     /// Somebody gives what no multiplier can be.
+    #[error("{by} gives {lambda:.1e}, which can be no multiplier")]
     Impossible {
         /// Who.
         by: String,
@@ -199,11 +208,13 @@ pub enum Doubt {
         lambda: f64,
     },
     /// This method proves that nothing collapses.
+    #[error("{by} says that it stands")]
     Stands {
         /// Who.
         by: String,
     },
     /// This method says that it falls under its own weight.
+    #[error("{by} says that it falls under its own weight")]
     Falls {
         /// Who.
         by: String,
@@ -240,79 +251,22 @@ pub(super) const ALIKE: f64 = 1e-4;
 
 impl fmt::Display for Difference {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let method = &self.method;
+        let (method, explanation) = (&self.method, self.explanation);
         let (Some(lambda), Some(relative)) = (self.associative, self.relative) else {
-            return write!(f, "{method} stands, which is {}", self.explanation);
+            return write!(f, "{method} stands, which is {explanation}");
         };
         if relative.abs() <= ALIKE {
             return write!(f, "{method} gives the same");
         }
-        let lambda = number(lambda, 5);
+        write!(f, "{method} gives {}", number(lambda, 5))?;
         if relative > 10.0 {
             // Beside a state at 0, say, a percentage says nothing.
-            write!(f, "{method} gives {lambda}, which is {}", self.explanation)
+            write!(f, ", which is {explanation}")
         } else if relative > 0.0 {
             let above = percent(relative);
-            write!(
-                f,
-                "{method} gives {lambda}, which is {above} higher and {}",
-                self.explanation
-            )
+            write!(f, ", which is {above} higher and {explanation}")
         } else {
-            write!(f, "{method} gives {lambda}")
-        }
-    }
-}
-
-impl fmt::Display for Explanation {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Explanation::Dilatancy => "explained by its dilatancy",
-            Explanation::SeveralStates => {
-                "explained, because collapse states are verified up to there"
-            }
-        })
-    }
-}
-
-impl fmt::Display for Doubt {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Doubt::Lower(lower) => {
-                let lambda = number(lower.lambda, lower.decimals);
-                let (by, below) = (&lower.by, percent(lower.below));
-                write!(
-                    f,
-                    "{by} gives {lambda}, which is {below} lower, so that a lower state may exist"
-                )
-            }
-            Doubt::Above { by, lambda, above } => {
-                let (lambda, above) = (number(*lambda, 4), percent(*above));
-                write!(
-                    f,
-                    "{by} gives {lambda}, which is {above} above what no collapse multiplier exceeds"
-                )
-            }
-            Doubt::Excluded {
-                by,
-                lambda,
-                floor,
-                least,
-            } => {
-                let (lambda, least) = (number(*lambda, 4), below(*least, 5));
-                write!(
-                    f,
-                    "{by} gives {lambda}, and {floor} proves that no collapse is below {least}"
-                )
-            }
-            Doubt::Impossible { by, lambda } => {
-                write!(f, "{by} gives {lambda:.1e}, which can be no multiplier")
-            }
-            Doubt::Bound { by, lambda } => {
-                write!(f, "{by} proves that none is above {}", above(*lambda, 5))
-            }
-            Doubt::Stands { by } => write!(f, "{by} says that it stands"),
-            Doubt::Falls { by } => write!(f, "{by} says that it falls under its own weight"),
+            Ok(())
         }
     }
 }

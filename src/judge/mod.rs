@@ -15,14 +15,14 @@ mod reaction;
 mod references;
 mod sentence;
 
+pub use crate::mechanics::Recomputed;
 pub(crate) use both::of_wall;
 pub use check::{Check, Verdict};
 pub(crate) use conclude::conclude;
 pub use conclusion::{Basis, Conclusion, Difference, Doubt, Explanation, Floor};
 pub(crate) use cross_check::{cross_check, open_never_raises};
 pub use heard::LowerState;
-pub(crate) use judgement::largest;
-pub use judgement::{Judgement, Recomputed};
+pub use judgement::Judgement;
 pub use proof::judge;
 pub(crate) use references::{Computed, comparisons, computed, reference_checks};
 

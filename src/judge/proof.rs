@@ -1,13 +1,11 @@
 //! What an answer's own forces and mechanism prove.
 
-use super::judgement::{Judgement, Recomputed};
-use crate::answer::{
-    Bracket, CeilingSlack, Evidence, JudgedFact, Outcome, Residuals, Status, magnitude,
-};
+use super::judgement::Judgement;
+use crate::answer::{Bracket, Evidence, JudgedFact, Outcome, Status, magnitude};
 use crate::certificate::{Certificate, Refusal, prove};
 use crate::mechanics::{
     BlockResidual, Ceiling, CollapseResidual, CollapseState, ForceState, JointForce, Mechanism,
-    StaticResidual, VERIFIED_RESIDUAL, associative_violation, falling_violation,
+    Recomputed, StaticResidual, VERIFIED_RESIDUAL, associative_violation, falling_violation,
     kinematic_multiplier,
 };
 use crate::scene::Scene;
@@ -73,7 +71,7 @@ fn refuted(why: JudgedFact) -> Ruling {
 /// An estimate stays one.
 fn unresolved(status: Status, blocks: BlockResidual) -> Ruling {
     match status {
-        Status::Estimate => Ruling::Noted(status, JudgedFact::NoProof(Residuals::Block(blocks))),
+        Status::Estimate => Ruling::Noted(status, JudgedFact::NoProofOfBlock(blocks)),
         _ => Ruling::Taken(Status::Undecided, JudgedFact::Unresolved(blocks)),
     }
 }
@@ -87,41 +85,50 @@ fn multiplier(scene: &Scene, status: Status, evidence: &Evidence) -> Found {
             mechanism: Some(mechanism),
             ..
         } => {
-            let residual = of_state(scene, forces.lambda, &forces.forces, mechanism);
-            one_state(status, bracket.lower == bracket.upper, residual)
+            let put = Put::state(scene, forces.lambda, &forces.forces, mechanism);
+            one_state(status, put.and(bracket.lower == bracket.upper))
         }
-        Evidence::State { state, .. } => one_state(status, true, OfState::new(scene, state)),
+        Evidence::State { state, .. } => one_state(status, Put::of_state(scene, state)),
         Evidence::Bounds { below, above, .. } => {
-            let residual = of_forces(scene, below);
-            bounds(scene, status, residual, below.lambda, above)
+            let ForceState { lambda, forces } = below;
+            let put = Put::forces(scene, *lambda, forces);
+            bounds(scene, status, put, *lambda, above)
         }
         Evidence::Enclosed { state, ceiling, .. } => {
-            let residual = OfState::new(scene, state);
-            bounds(scene, status, residual, state.lambda, ceiling)
+            let put = Put::of_state(scene, state);
+            bounds(scene, status, put, state.lambda, ceiling)
         }
-        Evidence::States { states, .. } => all_states(scene, status, states),
+        Evidence::States { states, .. } => {
+            let put = states.iter().map(|state| Put::of_state(scene, state));
+            let ordered = states.is_sorted_by(|a, b| a.lambda <= b.lambda);
+            let put = put.fold(Put::nothing(), Put::beside);
+            // Refuted where one fails.
+            (put.and(!states.is_empty() && ordered)).found(status, true, Ruling::Stays)
+        }
         Evidence::Bounded {
             lower: Some(lower),
             certificate,
             state,
             ..
         } => bounded(scene, status, *lower, certificate.as_deref(), state),
-        Evidence::Observed(observed) => Found {
-            residuals: Vec::new(),
-            ruling: match observed.bracket {
-                Some(_) if status == Status::Bracketed => Ruling::Stays,
-                _ => without_proof(status),
-            },
+        Evidence::Observed(observed) => match observed.bracket {
+            Some(_) if status == Status::Bracketed => Found::of(Ruling::Stays),
+            _ => Found::of(without_proof(status)),
         },
         Evidence::Nothing
         | Evidence::ClosedForm { .. }
         | Evidence::Number { .. }
         | Evidence::Bounded { lower: None, .. }
         | Evidence::Falls { .. }
-        | Evidence::Stands { .. } => Found {
-            residuals: Vec::new(),
-            ruling: without_proof(status),
-        },
+        | Evidence::Stands { .. } => Found::of(without_proof(status)),
+    }
+}
+
+impl Found {
+    /// Where nothing was recomputed.
+    fn of(ruling: Ruling) -> Self {
+        let residuals = Vec::new();
+        Self { residuals, ruling }
     }
 }
 
@@ -133,103 +140,90 @@ fn without_proof(status: Status) -> Ruling {
     }
 }
 
-/// What was computed of forces, and of velocities beside them.
-struct OfState {
-    lambda: f64,
-    statics: StaticResidual,
-    /// With velocities.
-    collapse: Option<CollapseResidual>,
+/// What an answer puts forward, recomputed.
+struct Put {
+    residuals: Vec<Recomputed>,
     /// The largest violation of one block's own conditions.
     blocks: BlockResidual,
+    /// Whether it holds over the whole scene.
+    holds: bool,
 }
 
-impl OfState {
-    fn new(scene: &Scene, state: &CollapseState) -> Self {
-        of_state(scene, state.lambda, &state.forces, &state.mechanism)
-    }
-
-    fn recomputed(&self) -> Recomputed {
-        let (lambda, statics) = (self.lambda, self.statics);
-        match self.collapse {
-            Some(collapse) => Recomputed::State {
-                lambda,
-                statics,
-                collapse,
-            },
-            None => Recomputed::Forces { lambda, statics },
+impl Put {
+    fn new(residual: Recomputed, blocks: BlockResidual) -> Self {
+        Self {
+            // Written so that a NaN does not hold.
+            holds: residual.largest() <= VERIFIED_RESIDUAL,
+            residuals: vec![residual],
+            blocks,
         }
     }
 
-    fn residuals(&self) -> Residuals {
-        let statics = self.statics;
-        match self.collapse {
-            Some(collapse) => Residuals::State { statics, collapse },
-            None => Residuals::Largest(statics.largest()),
+    fn nothing() -> Self {
+        Self {
+            residuals: Vec::new(),
+            blocks: BlockResidual::default(),
+            holds: true,
         }
     }
 
-    fn largest(&self) -> f64 {
-        self.recomputed().largest()
+    fn forces(scene: &Scene, lambda: f64, forces: &[JointForce]) -> Self {
+        let statics = StaticResidual::of(scene, forces, lambda);
+        let blocks = BlockResidual::of_forces(scene, forces, lambda);
+        Self::new(Recomputed::Forces { lambda, statics }, blocks)
     }
-}
 
-fn of_forces(scene: &Scene, of: &ForceState) -> OfState {
-    OfState {
-        lambda: of.lambda,
-        statics: StaticResidual::of(scene, &of.forces, of.lambda),
-        collapse: None,
-        blocks: BlockResidual::of_forces(scene, &of.forces, of.lambda),
+    fn state(scene: &Scene, lambda: f64, forces: &[JointForce], mechanism: &Mechanism) -> Self {
+        let residual = Recomputed::State {
+            lambda,
+            statics: StaticResidual::of(scene, forces, lambda),
+            collapse: CollapseResidual::of(scene, forces, mechanism),
+        };
+        let blocks = BlockResidual::of_forces(scene, forces, lambda);
+        let of_collapse = BlockResidual::of_collapse(scene, forces, mechanism);
+        Self::new(residual, blocks.worse(of_collapse))
     }
-}
 
-fn of_state(scene: &Scene, lambda: f64, forces: &[JointForce], mechanism: &Mechanism) -> OfState {
-    let blocks = BlockResidual::of_forces(scene, forces, lambda);
-    OfState {
-        lambda,
-        statics: StaticResidual::of(scene, forces, lambda),
-        collapse: Some(CollapseResidual::of(scene, forces, mechanism)),
-        blocks: blocks.worse(BlockResidual::of_collapse(scene, forces, mechanism)),
+    fn of_state(scene: &Scene, state: &CollapseState) -> Self {
+        Self::state(scene, state.lambda, &state.forces, &state.mechanism)
+    }
+
+    /// The same, with something beside it that has to hold too.
+    fn beside(self, other: Put) -> Self {
+        Self {
+            residuals: [self.residuals, other.residuals].concat(),
+            blocks: self.blocks.worse(other.blocks),
+            holds: self.holds && other.holds,
+        }
+    }
+
+    fn and(self, holds: bool) -> Self {
+        let holds = self.holds && holds;
+        Self { holds, ..self }
+    }
+
+    /// What becomes of an answer that is `proved` where all of it holds, and refuted where it does not
+    /// although that is claimed.
+    fn found(self, status: Status, is_claimed: bool, proved: Ruling) -> Found {
+        let Put {
+            residuals,
+            blocks,
+            holds,
+        } = self;
+        let ruling = match holds {
+            true if blocks.is_small() => proved,
+            true => unresolved(status, blocks),
+            false if is_claimed => refuted(JudgedFact::Refuted(residuals.clone())),
+            false => Ruling::Noted(status, JudgedFact::NoProof(residuals.clone())),
+        };
+        Found { residuals, ruling }
     }
 }
 
 /// One state: `verified` where it holds at one multiplier, whatever was claimed.
-fn one_state(status: Status, at_one: bool, state: OfState) -> Found {
-    let holds = at_one && state.largest() <= VERIFIED_RESIDUAL;
-    let ruling = if holds && !state.blocks.is_small() {
-        unresolved(status, state.blocks)
-    } else if holds {
-        Ruling::Noted(Status::Verified, JudgedFact::CollapseState)
-    } else if status == Status::Verified {
-        refuted(JudgedFact::Refuted(state.residuals()))
-    } else {
-        Ruling::Noted(status, JudgedFact::NoProof(state.residuals()))
-    };
-    Found {
-        residuals: vec![state.recomputed()],
-        ruling,
-    }
-}
-
-/// The states that an interval rests on: refuted where one fails.
-fn all_states(scene: &Scene, status: Status, states: &[CollapseState]) -> Found {
-    let of_states = states.iter().map(|state| OfState::new(scene, state));
-    let of_states: Vec<OfState> = of_states.collect();
-    let largest = of_states.iter().map(OfState::largest).fold(0.0, f64::max);
-    let blocks = of_states.iter().map(|of| of.blocks);
-    let blocks = blocks.fold(BlockResidual::default(), BlockResidual::worse);
-    let ordered = states.is_sorted_by(|a, b| a.lambda <= b.lambda);
-    let proved = !states.is_empty() && ordered && largest <= VERIFIED_RESIDUAL;
-    let ruling = if !proved {
-        refuted(JudgedFact::Refuted(Residuals::Largest(largest)))
-    } else if !blocks.is_small() {
-        unresolved(status, blocks)
-    } else {
-        Ruling::Stays
-    };
-    Found {
-        residuals: of_states.iter().map(OfState::recomputed).collect(),
-        ruling,
-    }
+fn one_state(status: Status, put: Put) -> Found {
+    let proved = Ruling::Noted(Status::Verified, JudgedFact::CollapseState);
+    put.found(status, status == Status::Verified, proved)
 }
 
 /// A state and a certificate: refuted where that does not prove the lower end. An estimate claims no
@@ -241,28 +235,26 @@ fn bounded(
     certificate: Option<&Certificate>,
     state: &CollapseState,
 ) -> Found {
-    let upper = state.lambda;
-    let of = OfState::new(scene, state);
-    // Written so that a NaN refutes.
-    let holds = of.largest() <= VERIFIED_RESIDUAL;
-    let ruling = if !holds {
-        refuted(JudgedFact::Refuted(of.residuals()))
-    } else if status == Status::Estimate {
-        Ruling::Stays
-    } else if lower < 0.0 {
-        refuted(JudgedFact::Uncertified(Refusal::Nothing { claimed: lower }))
-    } else if let Err(refusal) = certified(scene, lower, certificate) {
-        refuted(JudgedFact::Uncertified(refusal))
-    } else if !of.blocks.is_small() {
-        unresolved(status, of.blocks)
-    } else if (Bracket { lower, upper }).is_one_number(scene.multiplier_unit()) {
-        Ruling::Is(Status::Verified)
-    } else {
-        Ruling::Is(Status::Bracketed)
+    let put = Put::of_state(scene, state);
+    let ruling = match put.holds {
+        true if status == Status::Estimate => Some(Ruling::Stays),
+        true => {
+            let refusal = certified(scene, lower, certificate).err();
+            refusal.map(|refusal| refuted(JudgedFact::Uncertified(refusal)))
+        }
+        false => None,
     };
-    Found {
-        residuals: vec![of.recomputed()],
+    let upper = state.lambda;
+    match (
         ruling,
+        Bracket { lower, upper }.is_one_number(scene.multiplier_unit()),
+    ) {
+        (Some(ruling), _) => Found {
+            residuals: put.residuals,
+            ruling,
+        },
+        (None, true) => put.found(status, true, Ruling::Is(Status::Verified)),
+        (None, false) => put.found(status, true, Ruling::Is(Status::Bracketed)),
     }
 }
 
@@ -270,6 +262,9 @@ fn bounded(
 fn certified(scene: &Scene, lower: f64, certificate: Option<&Certificate>) -> Result<(), Refusal> {
     if lower == 0.0 {
         return Ok(());
+    }
+    if lower < 0.0 {
+        return Err(Refusal::Nothing { claimed: lower });
     }
     let proved = prove(scene, certificate.ok_or(Refusal::Missing)?)?.lower;
     if lower <= proved {
@@ -284,56 +279,34 @@ fn certified(scene: &Scene, lower: f64, certificate: Option<&Certificate>) -> Re
 
 /// Both ends proved: `verified` where they are one number, else `bracketed`, or `undecided` where
 /// the method says that its bracket is no answer. An estimate is never downgraded.
-fn bounds(scene: &Scene, status: Status, below: OfState, lower: f64, above: &Ceiling) -> Found {
+fn bounds(scene: &Scene, status: Status, below: Put, lower: f64, above: &Ceiling) -> Found {
     let unit = scene.multiplier_unit();
-    let upper = above.lambda;
-    let ceiling = CeilingSlack {
-        flow_rule: associative_violation(scene, &above.mechanism),
-        multiplier: kinematic_multiplier(scene, &above.mechanism),
-    };
-    let own = ceiling.multiplier;
-    let proof = Recomputed::Ceiling {
+    let (own, upper) = (kinematic_multiplier(scene, &above.mechanism), above.lambda);
+    let ceiling = Recomputed::Ceiling {
         lambda: own,
-        flow_rule: ceiling.flow_rule,
+        flow_rule: associative_violation(scene, &above.mechanism),
         // Written so that a NaN refutes.
         bounds: upper >= own && lower <= own + 1e-9 * magnitude(own, unit),
     };
     let flow = BlockResidual::of_flow(scene, &above.mechanism);
-    let blocks = below.blocks.worse(flow);
-    let holds = below.largest().max(proof.largest()) <= VERIFIED_RESIDUAL;
-    let residuals = Residuals::Bounds {
-        statics: below.statics,
-        collapse: below.collapse,
-        ceiling: Some(ceiling),
+    let put = below.beside(Put::new(ceiling, flow));
+    let proved = match status {
+        Status::Undecided => Status::Undecided,
+        _ if (Bracket { lower, upper }).is_one_number(unit) => Status::Verified,
+        _ => Status::Bracketed,
     };
-    let ruling = if holds && !blocks.is_small() {
-        unresolved(status, blocks)
-    } else if holds {
-        Ruling::Is(match status {
-            Status::Undecided => Status::Undecided,
-            _ if (Bracket { lower, upper }).is_one_number(unit) => Status::Verified,
-            _ => Status::Bracketed,
-        })
-    } else if status == Status::Estimate {
-        Ruling::Noted(status, JudgedFact::NoProof(residuals))
-    } else {
-        refuted(JudgedFact::Refuted(residuals))
-    };
-    Found {
-        residuals: vec![below.recomputed(), proof],
-        ruling,
-    }
+    put.found(status, status != Status::Estimate, Ruling::Is(proved))
 }
 
 /// What proves `falls` (a mechanism) or `stands` (forces at λ = 0 and a ray, without friction where
 /// it is not about associative friction): the status is refuted where that fails, and `undecided`
 /// where nothing is given.
 fn settled(scene: &Scene, status: Status, evidence: &Evidence) -> Found {
-    let (residuals, blocks) = match (status, evidence) {
+    let put = match (status, evidence) {
         (Status::Falls, Evidence::Falls { mechanism }) => {
             let flow_rule = falling_violation(scene, mechanism);
             let blocks = BlockResidual::of_flow(scene, mechanism);
-            (vec![Recomputed::Falling { flow_rule }], blocks)
+            Put::new(Recomputed::Falling { flow_rule }, blocks)
         }
         (
             Status::Stands,
@@ -347,39 +320,17 @@ fn settled(scene: &Scene, status: Status, evidence: &Evidence) -> Found {
             // ray without friction proves that nothing collapses.
             let smooth = scene.clone().with_friction(|_, _| 0.0);
             let pushed = if *associative { scene } else { &smooth };
-            let (lambda, statics) = (0.0, StaticResidual::of(scene, at_rest, 0.0));
-            let of_ray = StaticResidual::of_ray(pushed, ray);
-            let blocks = BlockResidual::of_forces(scene, at_rest, 0.0);
-            let residuals = vec![
-                Recomputed::Forces { lambda, statics },
-                Recomputed::Ray { statics: of_ray },
-            ];
-            (residuals, blocks.worse(BlockResidual::of_ray(pushed, ray)))
+            let statics = StaticResidual::of_ray(pushed, ray);
+            let blocks = BlockResidual::of_ray(pushed, ray);
+            let ray = Put::new(Recomputed::Ray { statics }, blocks);
+            Put::forces(scene, 0.0, at_rest).beside(ray)
         }
         // Seen, not proved.
-        (Status::Falls, Evidence::Observed(_)) => {
-            return Found {
-                residuals: Vec::new(),
-                ruling: Ruling::Stays,
-            };
-        }
+        (Status::Falls, Evidence::Observed(_)) => return Found::of(Ruling::Stays),
         _ => {
-            return Found {
-                residuals: Vec::new(),
-                ruling: Ruling::Taken(Status::Undecided, JudgedFact::NoCertificate(status)),
-            };
+            let unproved = JudgedFact::NoCertificate(status);
+            return Found::of(Ruling::Taken(Status::Undecided, unproved));
         }
     };
-    let largest = residuals.iter().map(Recomputed::largest);
-    let largest = largest.fold(0.0, f64::max);
-    // Written so that a NaN refutes.
-    let holds = residuals.iter().all(|of| of.largest() <= VERIFIED_RESIDUAL);
-    let ruling = if !holds {
-        refuted(JudgedFact::Refuted(Residuals::Largest(largest)))
-    } else if !blocks.is_small() {
-        unresolved(status, blocks)
-    } else {
-        Ruling::Stays
-    };
-    Found { residuals, ruling }
+    put.found(status, true, Ruling::Stays)
 }

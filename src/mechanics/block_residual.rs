@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use super::mechanism::{JointRate, Mechanism};
 use super::residual::{balances, live_unit};
 use super::state::{CollapseState, JointForce};
-use crate::scene::{Block, Joint, Scene, Side, Wrench};
+use crate::scene::{Block, Joint, Scene, Wrench};
 
 /// Largest residual of a block in a verified result, over that block's own forces and velocities.
 pub const VERIFIED_BLOCK: f64 = 1e-6;
@@ -39,10 +39,7 @@ pub struct BlockResidual {
 impl BlockResidual {
     /// Violations of equilibrium, compression and friction at the multiplier `lambda`.
     pub fn of_forces(scene: &Scene, forces: &[JointForce], lambda: f64) -> Self {
-        let loads = |block: &Block| {
-            let (dead, live) = (block.dead(), block.live());
-            std::array::from_fn(|k| dead[k] + lambda * live[k])
-        };
+        let loads = |block: &Block| block.loads_at(lambda);
         let largest = |block: &Block| {
             let sizes = block.loads.iter();
             let sizes = sizes.map(|load| load.dead.norm().max(lambda.abs() * load.live.norm()));
@@ -173,26 +170,17 @@ fn contact_forces(scene: &Scene, forces: &[JointForce]) -> Vec<f64> {
     for (joint, force) in scene.joints().iter().zip(forces) {
         let [n1, n2] = force.normal.map(f64::abs);
         let of_joint = n1.max(n2).max(force.shear.abs());
-        for block in bodies(joint) {
+        for (block, _) in joint.blocks() {
             largest[block] = largest[block].max(of_joint);
         }
     }
     largest
 }
 
-/// The blocks of a joint.
-fn bodies(joint: &Joint) -> impl Iterator<Item = usize> {
-    let from = match joint.from {
-        Side::Block(from) => Some(from),
-        Side::Support(_) => None,
-    };
-    std::iter::once(joint.to).chain(from)
-}
-
 /// The smallest unit of a joint's blocks, and whose it is.
 fn lightest(joint: &Joint, units: &[f64]) -> (f64, usize) {
-    let of_bodies = bodies(joint).map(|block| (units[block], block));
-    let lightest = of_bodies.min_by(|a, b| a.0.total_cmp(&b.0));
+    let units = joint.blocks().map(|(block, _)| (units[block], block));
+    let lightest = units.min_by(|a, b| a.0.total_cmp(&b.0));
     lightest.expect("a joint has a block")
 }
 
@@ -211,10 +199,7 @@ struct Speeds {
 
 impl Speeds {
     fn of(scene: &Scene, mechanism: &Mechanism) -> Self {
-        let blocks = 0..mechanism.motions.len();
-        let of_blocks: Vec<f64> = blocks
-            .map(|block| mechanism.speed(scene, block, None))
-            .collect();
+        let of_blocks = mechanism.speeds(scene);
         Self {
             fastest: of_blocks.iter().copied().fold(0.0, f64::max),
             of_blocks,
@@ -223,7 +208,7 @@ impl Speeds {
 
     /// What rates of a joint are measured against.
     fn at(&self, joint: &Joint) -> f64 {
-        let of_bodies = bodies(joint).map(|block| self.of_blocks[block]);
-        of_bodies.fold(SLOW * self.fastest, f64::max)
+        let speeds = joint.blocks().map(|(block, _)| self.of_blocks[block]);
+        speeds.fold(SLOW * self.fastest, f64::max)
     }
 }

@@ -1,6 +1,7 @@
 //! How far forces that exceed Coulomb's law can raise a multiplier.
 
 use super::mechanism::Mechanism;
+use super::residual::live_power;
 use super::state::JointForce;
 use crate::scene::Scene;
 
@@ -9,14 +10,7 @@ use crate::scene::Scene;
 /// which the live load does work 1. By virtual work nothing else that is in equilibrium and in
 /// compression can raise it. Infinite where the live load does no positive work on the mechanism.
 pub fn friction_excess(scene: &Scene, forces: &[JointForce], mechanism: &Mechanism) -> f64 {
-    let mut live = 0.0;
-    for (block, motion) in scene.blocks().iter().zip(&mechanism.motions) {
-        for load in &block.loads {
-            live += load
-                .live
-                .dot(&motion.at(load.point - block.shape.centroid()));
-        }
-    }
+    let live = live_power(scene, mechanism);
     let rates = mechanism.joint_rates(scene);
     let joints = scene.joints().iter().zip(forces).zip(&rates);
     let power = joints.map(|((joint, force), rate)| {

@@ -61,11 +61,7 @@ impl Mechanism {
                     let arm = point - scene.blocks()[block].shape.centroid();
                     self.motions[block].at(arm)
                 };
-                of(joint.to)
-                    - match joint.from {
-                        crate::scene::Side::Block(from) => of(from),
-                        crate::scene::Side::Support(_) => Vector::zeros(),
-                    }
+                of(joint.to) - joint.from.block().map_or(Vector::zeros(), of)
             };
             let ends = joint.ends.map(moves);
             JointRate {
@@ -89,19 +85,20 @@ impl Mechanism {
         shape.corners().iter().map(speed).fold(0.0, f64::max)
     }
 
+    /// Largest corner velocity of every block.
+    pub fn speeds(&self, scene: &Scene) -> Vec<f64> {
+        let blocks = 0..self.motions.len();
+        blocks.map(|block| self.speed(scene, block, None)).collect()
+    }
+
     /// Largest corner velocity of all blocks; 0 where nothing moves.
     pub fn fastest(&self, scene: &Scene) -> f64 {
-        let blocks = 0..self.motions.len();
-        blocks
-            .map(|block| self.speed(scene, block, None))
-            .fold(0.0, f64::max)
+        self.speeds(scene).into_iter().fold(0.0, f64::max)
     }
 
     /// Which blocks move: largest corner velocity beyond `threshold` of the scene's largest.
     pub fn moving(&self, scene: &Scene, threshold: f64) -> Vec<bool> {
-        let speeds: Vec<f64> = (0..self.motions.len())
-            .map(|block| self.speed(scene, block, None))
-            .collect();
+        let speeds = self.speeds(scene);
         let limit = threshold * speeds.iter().copied().fold(0.0, f64::max);
         speeds.iter().map(|&speed| speed > limit).collect()
     }

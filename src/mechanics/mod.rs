@@ -10,6 +10,7 @@ mod crack;
 mod friction_excess;
 mod mechanism;
 mod motion_words;
+mod recomputed;
 mod residual;
 mod rigid_parts;
 mod state;
@@ -22,6 +23,7 @@ pub(crate) use crack::{VELOCITY_THRESHOLDS, crack_slope, crack_slope_by_gap};
 pub use friction_excess::friction_excess;
 pub use mechanism::{JointRate, Mechanism, Motion};
 pub(crate) use motion_words::Moved;
+pub use recomputed::{Recomputed, largest, residual_words};
 pub use residual::{
     CollapseResidual, StaticResidual, dead_power, falling_violation, kinematic_multiplier,
 };

@@ -80,14 +80,10 @@ impl<'a> Moved<'a> {
 
     /// The blocks that move fastest.
     pub fn first_blocks(&self) -> Vec<String> {
-        let speed = |block: usize| self.mechanism.speed(self.scene, block, None);
-        let blocks = (0..self.part_of.len()).filter(|&block| !self.scene.is_moving_support(block));
-        let mut order: Vec<(usize, f64)> = blocks.map(|block| (block, speed(block))).collect();
-        order.retain(|(_, speed)| *speed > STILL * self.fastest);
-        // What is equal but for rounding keeps the order of the blocks.
-        order.sort_by_key(|one| Reverse(self.rank(one.1)));
-        let order = order.into_iter().take(NAMED);
-        order
+        let speeds = self.mechanism.speeds(self.scene).into_iter().enumerate();
+        let blocks = speeds.filter(|&(block, _)| !self.scene.is_moving_support(block));
+        let first = self.first(blocks);
+        first
             .map(|(block, _)| self.scene.block_name(block))
             .collect()
     }
@@ -95,17 +91,10 @@ impl<'a> Moved<'a> {
     /// The joints that open or slip fastest.
     pub fn first_joints(&self) -> Vec<String> {
         let rates = self.mechanism.joint_rates(self.scene).into_iter();
-        let rate = |rate: JointRate| {
-            let [a, b] = rate.opening;
-            a.max(b).max(rate.slip.abs())
-        };
-        let mut order: Vec<(usize, f64)> = rates.map(rate).enumerate().collect();
-        order.retain(|(_, rate)| *rate > STILL * self.fastest);
-        order.sort_by_key(|one| Reverse(self.rank(one.1)));
-        let order = order.into_iter().take(NAMED);
-        order
-            .map(|(joint, _)| self.joint_name(&self.scene.joints()[joint]))
-            .collect()
+        let rates =
+            rates.map(|JointRate { opening, slip }| opening[0].max(opening[1]).max(slip.abs()));
+        let first = self.first(rates.enumerate());
+        first.map(|(joint, _)| self.joint_name(joint)).collect()
     }
 
     /// The joints that open most, each with its opening over the motion of the live load: where a support
@@ -114,27 +103,26 @@ impl<'a> Moved<'a> {
         let motion = live_power(self.scene, self.mechanism);
         let rates = self.mechanism.joint_rates(self.scene).into_iter();
         let openings = rates.map(|rate| rate.opening[0].max(rate.opening[1]));
-        let mut order: Vec<(usize, f64)> = openings.enumerate().collect();
-        order.retain(|(_, opening)| *opening > STILL * self.fastest);
-        order.sort_by_key(|one| Reverse(self.rank(one.1)));
-        let order = order.into_iter().take(NAMED);
-        let order = order.filter(|_| motion > CARRIED * self.fastest);
-        order
-            .map(|(joint, opening)| {
-                (
-                    self.joint_name(&self.scene.joints()[joint]),
-                    opening / motion,
-                )
-            })
+        let first = self.first(openings.enumerate());
+        let first = first.filter(|_| motion > CARRIED * self.fastest);
+        first
+            .map(|(joint, opening)| (self.joint_name(joint), opening / motion))
             .collect()
     }
 
-    /// A rate in thousandths of the fastest.
-    fn rank(&self, rate: f64) -> i64 {
-        (1e3 * rate / self.fastest).round() as i64
+    /// The first of these by their rates. What is equal to a thousandth keeps its order.
+    fn first(
+        &self,
+        rates: impl Iterator<Item = (usize, f64)>,
+    ) -> impl Iterator<Item = (usize, f64)> {
+        let moving = rates.filter(|(_, rate)| *rate > STILL * self.fastest);
+        let mut order: Vec<(usize, f64)> = moving.collect();
+        order.sort_by_key(|(_, rate)| Reverse((1e3 * rate / self.fastest).round() as i64));
+        order.into_iter().take(NAMED)
     }
 
-    fn joint_name(&self, joint: &Joint) -> String {
+    fn joint_name(&self, joint: usize) -> String {
+        let joint = &self.scene.joints()[joint];
         let to = self.scene.block_name(joint.to);
         match joint.from {
             Side::Support(_) => format!("{to} on its support"),
@@ -166,8 +154,8 @@ impl<'a> Moved<'a> {
         let mut text = format!("{who} move in {} parts: ", moving.len());
         match self.hinges() {
             Some(hinges) => {
-                let names: Vec<String> =
-                    hinges.iter().map(|joint| self.joint_name(joint)).collect();
+                let names = hinges.iter().map(|&joint| self.joint_name(joint));
+                let names: Vec<String> = names.collect();
                 text.push_str(&format!(
                     "they turn about {} hinges ({})",
                     hinges.len(),
@@ -233,11 +221,9 @@ impl<'a> Moved<'a> {
         let s = if self.count(part) == 1 { "s" } else { "" };
         let motion = self.mechanism.motions[first];
         let (low, high) = self.bounds(part);
-        let speed = self.parts[part]
-            .blocks
-            .iter()
-            .map(|&block| self.mechanism.speed(self.scene, block, None))
-            .fold(0.0, f64::max);
+        let blocks = self.parts[part].blocks.iter();
+        let speeds = blocks.map(|&block| self.mechanism.speed(self.scene, block, None));
+        let speed = speeds.fold(0.0, f64::max);
         let centroid = self.scene.blocks()[first].shape.centroid();
         let centre = match RigidMotion::of(motion, centroid, (high - low).norm(), speed) {
             RigidMotion::Turns(centre) => centre,
@@ -272,13 +258,10 @@ impl<'a> Moved<'a> {
 
     /// Joints of a part with other bodies.
     fn rim(&self, part: usize) -> impl Iterator<Item = (usize, &'a Joint)> + '_ {
-        let of = move |side: Side| match side {
-            Side::Block(block) => Some(self.part_of[block]),
-            Side::Support(_) => None,
-        };
         let joints = self.scene.joints().iter().enumerate();
         joints.filter(move |(_, joint)| {
-            let (from, to) = (of(joint.from), self.part_of[joint.to]);
+            let from = joint.from.block().map(|from| self.part_of[from]);
+            let to = self.part_of[joint.to];
             joint.class != JointClass::Guide && (to == part) != (from == Some(part))
         })
     }
@@ -309,8 +292,7 @@ impl<'a> Moved<'a> {
     fn on(&self, joint: &Joint) -> String {
         let course = self.scene.coursing().map(|coursing| {
             let (low, _) = self.scene.bounds();
-            let high = coursing.height / coursing.courses as f64;
-            ((joint.ends[0].y - low.y) / high).round() as usize
+            coursing.courses_up_to(joint.ends[0].y - low.y)
         });
         match (joint.from, course) {
             (Side::Support(_), _) => "on the base".to_owned(),
@@ -323,20 +305,18 @@ impl<'a> Moved<'a> {
     }
 
     /// The joints at which parts turn against each other, where nothing slips and they are few.
-    fn hinges(&self) -> Option<Vec<&'a Joint>> {
-        let rates = self.mechanism.joint_rates(self.scene);
+    fn hinges(&self) -> Option<Vec<usize>> {
+        let rates = self.mechanism.joint_rates(self.scene).into_iter();
         let limit = STILL * self.fastest;
         let mut hinges = Vec::new();
-        let joints = self.scene.joints().iter().zip(&rates);
-        for (joint, rate) in joints.filter(|(joint, _)| joint.class != JointClass::Guide) {
-            let [low, high] = [
-                rate.opening[0].min(rate.opening[1]),
-                rate.opening[0].max(rate.opening[1]),
-            ];
-            if rate.slip.abs() > limit || low > limit {
+        for (joint, JointRate { opening, slip }) in rates.enumerate() {
+            if self.scene.joints()[joint].class == JointClass::Guide {
+                continue;
+            }
+            if slip.abs() > limit || opening[0].min(opening[1]) > limit {
                 return None;
             }
-            if high > limit {
+            if opening[0].max(opening[1]) > limit {
                 hinges.push(joint);
             }
         }

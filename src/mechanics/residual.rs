@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::mechanism::Mechanism;
 use super::state::JointForce;
-use crate::scene::{Block, Point, Scene, Side, Vector, Wrench};
+use crate::scene::{Block, Point, Scene, Vector, Wrench};
 
 /// Largest residual of a verified result, with total weight, height and live power scaled to 1.
 pub const VERIFIED_RESIDUAL: f64 = 1e-8;
@@ -26,10 +26,7 @@ pub struct StaticResidual {
 impl StaticResidual {
     /// Violations of a force state at the multiplier `lambda`.
     pub fn of(scene: &Scene, forces: &[JointForce], lambda: f64) -> Self {
-        let loads = scene.blocks().iter().map(|block| {
-            let (dead, live) = (block.dead(), block.live());
-            std::array::from_fn(|k| dead[k] + lambda * live[k])
-        });
+        let loads = scene.blocks().iter().map(|block| block.loads_at(lambda));
         Self::under(scene, forces, loads.collect(), scene.total_weight())
     }
 
@@ -85,21 +82,17 @@ pub fn balances(scene: &Scene, forces: &[JointForce], loads: Vec<Wrench>) -> Vec
             (joint.ends[0], tangential),
         ];
         for (point, part) in parts {
-            add(scene, &mut sums, joint.to, point, part);
-            if let Side::Block(from) = joint.from {
-                add(scene, &mut sums, from, point, -part);
+            for (block, sign) in joint.blocks() {
+                let (arm, force) = (point - scene.blocks()[block].shape.centroid(), part * sign);
+                let parts = [force.x, force.y, arm.perp(&force)];
+                sums[block]
+                    .iter_mut()
+                    .zip(parts)
+                    .for_each(|(sum, part)| *sum += part);
             }
         }
     }
     sums
-}
-
-fn add(scene: &Scene, sums: &mut [Wrench], block: usize, point: Point, force: Vector) {
-    let arm = point - scene.blocks()[block].shape.centroid();
-    let sum = &mut sums[block];
-    sum[0] += force.x;
-    sum[1] += force.y;
-    sum[2] += arm.perp(&force);
 }
 
 /// Force unit of a ray: the total live load for λ = 1, or the weight where there is none.

@@ -17,46 +17,55 @@ macro_rules! tuned {
             /// The numbers that answers are found with.
             pub const TUNED: Self = Self { $($field: $value),+ };
 
-            /// The name of every number, and what multiplies it.
+            /// Its numbers with one of them times a factor: each once, with its name.
             #[cfg(test)]
-            pub const EACH: &'static [(&'static str, fn(&mut Self, f64))] = &[$((
-                stringify!($field),
-                |table, by| $crate::method::tuned::Scaled::scale(&mut table.$field, by),
-            )),+];
+            pub fn each_times(&self, by: f64) -> Vec<(&'static str, Self)> {
+                let mut changed = Vec::new();
+                $(for $field in $crate::method::tuned::Scaled::scaled(&self.$field, by) {
+                    changed.push((stringify!($field), Self { $field, ..*self }));
+                })+
+                changed
+            }
         }
     };
 }
 
 /// What a test can halve and double.
 #[cfg(test)]
-pub(super) trait Scaled {
-    fn scale(&mut self, by: f64);
+pub(super) trait Scaled: Sized {
+    /// The same times a factor; of several numbers, each of them once.
+    fn scaled(&self, by: f64) -> Vec<Self>;
 }
 
 #[cfg(test)]
 impl Scaled for f64 {
-    fn scale(&mut self, by: f64) {
-        *self *= by;
+    fn scaled(&self, by: f64) -> Vec<Self> {
+        vec![self * by]
     }
 }
 
 #[cfg(test)]
 impl Scaled for usize {
-    fn scale(&mut self, by: f64) {
-        *self = ((*self as f64 * by) as usize).max(1);
+    fn scaled(&self, by: f64) -> Vec<Self> {
+        vec![((*self as f64 * by) as usize).max(1)]
     }
 }
 
 #[cfg(test)]
 impl Scaled for u32 {
-    fn scale(&mut self, by: f64) {
-        *self = ((f64::from(*self) * by) as u32).max(1);
+    fn scaled(&self, by: f64) -> Vec<Self> {
+        vec![((f64::from(*self) * by) as u32).max(1)]
     }
 }
 
 #[cfg(test)]
 impl<const N: usize> Scaled for [f64; N] {
-    fn scale(&mut self, by: f64) {
-        self.iter_mut().for_each(|number| *number *= by);
+    fn scaled(&self, by: f64) -> Vec<Self> {
+        let scaled = |place: usize| {
+            let mut all = *self;
+            all[place] *= by;
+            all
+        };
+        (0..N).map(scaled).collect()
     }
 }

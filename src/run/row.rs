@@ -9,8 +9,8 @@ use super::ends::{Ends, Side, ends};
 use super::sides::{self, OtherSide};
 use crate::answer::{Bracket, Fact, Outcome, Status, magnitude, sentence};
 use crate::case::{Case, Quantity, Reference};
-use crate::judge::{Check, Computed, Recomputed, Verdict, computed, largest};
-use crate::mechanics::Crack;
+use crate::judge::{Check, Computed, Recomputed, Verdict, computed};
+use crate::mechanics::{Crack, largest};
 use crate::method::{Kind, kind};
 use crate::number::short;
 use crate::scene::{HeadJoints, Push, Reaction};
@@ -200,29 +200,36 @@ impl Row {
     }
 
     /// What is to be said of the answer: of a wall that is pushed both ways, of its sides first.
-    pub fn facts(&self) -> Cow<'_, [Fact]> {
-        if let Some(reaction) = &self.reaction {
-            let facts = self.outcome.facts.iter().map(|fact| fact.read(reaction));
-            return facts.collect();
-        }
-        let (own, Some(other)) = self.two_sides() else {
-            return Cow::Borrowed(&self.outcome.facts);
+    fn facts(&self) -> Vec<Fact> {
+        let (own, other) = self.two_sides();
+        let Some(other) = other.filter(|_| self.reaction.is_none()) else {
+            return self.outcome.facts.clone();
         };
         let compared = sides::compared(own, other, self.multiplier_unit).into_iter();
         let compared = compared.map(Fact::from);
         compared.chain(sides::facts(own, other)).collect()
     }
 
-    /// The facts as one text; empty where there is nothing to say.
+    /// The same in words; empty where there is nothing to say.
     pub fn reason(&self) -> String {
-        sentence(&self.facts())
+        self.told(&self.facts())
     }
 
     /// The same without what a search counts, which may differ between machines.
     pub fn settled_reason(&self) -> String {
-        let mut facts = self.facts().into_owned();
+        let mut facts = self.facts();
         facts.retain(|fact| !matches!(fact, Fact::Search(_)));
-        sentence(&facts)
+        self.told(&facts)
+    }
+
+    /// Facts as one text: of a support that moves, in terms of its reaction.
+    fn told(&self, facts: &[Fact]) -> String {
+        let Some(reaction) = &self.reaction else {
+            return sentence(facts);
+        };
+        let words = facts.iter().map(|fact| fact.of_reaction(reaction));
+        let words: Vec<String> = words.filter(|words| !words.is_empty()).collect();
+        words.join("; ")
     }
 
     /// The crack, where there is one.

@@ -43,6 +43,7 @@ impl Arch {
                 shape: self.trapezoid(from, to)?,
                 weight,
                 centre: on_circle(centre, (from + to) / 2.0),
+                friction: None,
             })
         };
         // Wide enough to bear the joint, and clear of each other however far the arch embraces.
@@ -63,6 +64,7 @@ impl Arch {
                 springer("right", right, right - wide)?,
             ],
             friction: self.friction,
+            overburden: 0.0,
             forces: self.forces.clone(),
             tolerance: TOUCHING,
             radial: true,

@@ -36,6 +36,12 @@ impl Block {
         self.resultant(|load| load.live)
     }
 
+    /// Resultant of all forces about the centroid at this multiplier.
+    pub fn loads_at(&self, lambda: f64) -> Wrench {
+        let (dead, live) = (self.dead(), self.live());
+        std::array::from_fn(|k| dead[k] + lambda * live[k])
+    }
+
     fn resultant(&self, part: impl Fn(&Load) -> Vector) -> Wrench {
         let centroid = self.shape.centroid();
         self.loads.iter().fold([0.0; 3], |[x, y, m], load| {

@@ -12,6 +12,16 @@ pub enum Side {
     Block(usize),
 }
 
+impl Side {
+    /// The block, where it is one.
+    pub fn block(self) -> Option<usize> {
+        match self {
+            Side::Block(block) => Some(block),
+            Side::Support(_) => None,
+        }
+    }
+}
+
 /// How a joint runs through the masonry.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum JointClass {
@@ -63,27 +73,41 @@ impl Joint {
         Vector::new(self.normal.y, -self.normal.x)
     }
 
+    /// What it lies between: supports come before blocks, and blocks in their order.
+    pub(crate) fn bodies(&self) -> [Side; 2] {
+        [self.from, Side::Block(self.to)]
+    }
+
     /// Distance between the ends.
     pub fn length(&self) -> f64 {
         (self.ends[1] - self.ends[0]).norm()
     }
+
+    /// Its blocks, `to` first, each with the sign of what the joint's forces are on it.
+    pub fn blocks(&self) -> impl Iterator<Item = (usize, f64)> {
+        let from = self.from.block().map(|from| (from, -1.0));
+        [(self.to, 1.0)].into_iter().chain(from)
+    }
 }
 
-/// A joint between two blocks that a case calls a bed or a head joint.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// What a case says itself of the joint between two bodies; of all, where they share several.
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NamedJoint {
-    /// The two blocks, in any order.
-    pub between: [usize; 2],
-    /// What it is.
-    pub class: JointClass,
+    /// The two bodies, in any order.
+    pub between: [Side; 2],
+    /// Bed or head joint, whichever way it runs.
+    pub class: Option<JointClass>,
+    /// Coefficient of friction, instead of that of its class and of its blocks.
+    pub friction: Option<f64>,
+    /// Whether it carries nothing, if it is a head joint.
+    pub open: bool,
 }
 
 impl NamedJoint {
-    /// Whether a joint is this one, or one of those where two blocks share several.
-    pub(super) fn is(&self, joint: &Joint) -> bool {
+    /// Its bodies in the order of [`Joint::bodies`].
+    pub(crate) fn bodies(&self) -> [Side; 2] {
         let [a, b] = self.between;
-        let pair = [joint.from, Side::Block(joint.to)];
-        pair == [Side::Block(a), Side::Block(b)] || pair == [Side::Block(b), Side::Block(a)]
+        [a.min(b), a.max(b)]
     }
 }
 
@@ -137,7 +161,7 @@ pub(super) fn call_voussoir_joints_beds(joints: &mut [Joint], blocks: usize) {
     for joint in joints.iter() {
         let ends = [
             (Some(joint.to), joint.normal.y),
-            (block(joint.from), -joint.normal.y),
+            (joint.from.block(), -joint.normal.y),
         ];
         for (of, upward) in ends {
             let Some(of) = of else { continue };
@@ -150,18 +174,11 @@ pub(super) fn call_voussoir_joints_beds(joints: &mut [Joint], blocks: usize) {
     }
     let is_voussoir = |of: Option<usize>| of.is_some_and(|of| wedged[of] && !rests[of]);
     for joint in joints.iter_mut().filter(|j| j.class == JointClass::Head) {
-        let of = [Some(joint.to), block(joint.from)].map(is_voussoir);
+        let of = [Some(joint.to), joint.from.block()].map(is_voussoir);
         let inclined = joint.normal.y.abs() > INCLINED;
         if of[0] && of[1] || inclined && (of[0] || of[1]) {
             joint.class = JointClass::Bed;
         }
-    }
-}
-
-fn block(side: Side) -> Option<usize> {
-    match side {
-        Side::Block(block) => Some(block),
-        Side::Support(_) => None,
     }
 }
 

@@ -3,7 +3,7 @@
 use super::block::Block;
 use super::joints::Joint;
 use super::labels::Labels;
-use super::polygon::{Point, Polygon};
+use super::polygon::{Point, Polygon, bounds_of};
 use super::push::{HeadJoints, Push};
 use super::reaction::Reaction;
 use super::regular::{Coursing, Irregularity, RegularWall, WallFacts};
@@ -75,8 +75,8 @@ impl Scene {
     }
 
     /// Height and overlap of a staggered wall, which the crack slope is measured with.
-    pub fn coursing(&self) -> Option<Coursing> {
-        self.wall.as_ref()?.coursing
+    pub fn coursing(&self) -> Option<&Coursing> {
+        self.wall.as_ref()?.coursing.as_ref()
     }
 
     /// The wall's closed-form description, or why it has none. Only the macro-block needs it.
@@ -118,9 +118,7 @@ impl Scene {
 
     /// Lower-left and upper-right corner of all blocks.
     pub fn bounds(&self) -> (Point, Point) {
-        let mut boxes = self.blocks.iter().map(|block| block.shape.bounds());
-        let first = boxes.next().unwrap_or((Point::origin(), Point::origin()));
-        boxes.fold(first, |(low, high), (l, h)| (low.inf(&l), high.sup(&h)))
+        bounds_of(self.blocks.iter().map(|block| &block.shape))
     }
 
     /// Height of the blocks above their lowest point: the length unit of residuals.

@@ -121,6 +121,43 @@ impl Scene {
             && joints.any(|joint| joint.class == JointClass::Guide && joint.to == block)
     }
 
+    /// How fast each support moves, where the first one's middle has a speed of 1 away from the wall: x, y
+    /// and rotation. They are the last blocks; empty where none moves.
+    pub(crate) fn support_motion(&self) -> Vec<[f64; 3]> {
+        let Some(reaction) = &self.reaction else {
+            return Vec::new();
+        };
+        let moving = (0..self.blocks.len()).filter(|&block| self.is_moving_support(block));
+        let moving: Vec<usize> = moving.collect();
+        let share = -reaction.sign() / moving.len() as f64;
+        let of = |block: usize| {
+            let own = &self.blocks[block];
+            let live = own.loads.iter().map(|load| load.live).sum::<Vector>();
+            let away = live * (share / live.norm_squared());
+            let turns = self.pin(block).map_or(0.0, |pin| {
+                let arm = own.shape.centroid() - pin;
+                arm.perp(&away) / arm.norm_squared()
+            });
+            [away.x, away.y, turns]
+        };
+        moving.into_iter().map(of).collect()
+    }
+
+    /// The joints between bodies that touch: those that guide supports come behind them.
+    pub(crate) fn contacts(&self) -> &[Joint] {
+        let mut joints = self.joints.iter();
+        let guides = joints.position(|joint| joint.class == JointClass::Guide);
+        &self.joints[..guides.unwrap_or(self.joints.len())]
+    }
+
+    /// The point that a support turns about; `None` for other blocks and supports that do not turn.
+    pub(crate) fn pin(&self, block: usize) -> Option<Point> {
+        let is_pin = |joint: &&Joint| {
+            joint.class == JointClass::Guide && joint.to == block && joint.length() == 0.0
+        };
+        self.joints.iter().find(is_pin).map(|joint| joint.ends[0])
+    }
+
     /// What stands still of every support: all of it, or the ground beside the parts that move.
     pub(crate) fn still_supports(&self) -> Vec<Polygon> {
         let still = |(index, support): (usize, &Polygon)| {

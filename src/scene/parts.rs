@@ -1,8 +1,12 @@
 //! The one way to make a scene: bodies, friction and push in, joints found and everything checked.
 
+use std::collections::BTreeMap;
+
 use super::block::{Block, Load};
 use super::friction::Friction;
-use super::joints::{JointClass, NamedJoint, TOUCHING, call_voussoir_joints_beds, find_joints};
+use super::joints::{
+    Joint, JointClass, NamedJoint, Side, TOUCHING, call_voussoir_joints_beds, find_joints,
+};
 use super::labels::Labels;
 use super::model::Scene;
 use super::polygon::Polygon;
@@ -18,11 +22,14 @@ pub struct SceneParts {
     pub supports: Vec<Polygon>,
     /// Coefficients of friction.
     pub friction: Friction,
+    /// Coefficients of friction of single blocks by their place. In a joint that of either block counts,
+    /// or of its class where the block has none, and the smaller one.
+    pub own_friction: BTreeMap<usize, f64>,
     /// Edges touch within this fraction of the smaller body's extent.
     pub tolerance: f64,
     /// Whether joints between blocks are bed joints whichever way they run, as in an arch.
     pub radial: bool,
-    /// Joints that are bed or head joints whatever the rule says.
+    /// Joints that have a class or a friction of their own, or are open.
     pub named_joints: Vec<NamedJoint>,
     /// Direction of the live load.
     pub push: Push,
@@ -37,6 +44,7 @@ impl SceneParts {
             blocks,
             supports,
             friction: friction.into(),
+            own_friction: BTreeMap::new(),
             tolerance: TOUCHING,
             radial: false,
             named_joints: Vec::new(),
@@ -65,6 +73,9 @@ pub enum SceneError {
         /// The coefficient.
         value: f64,
     },
+    /// The same of a single block or joint.
+    #[error("a block or a joint has the friction {0}; it must be finite and not negative")]
+    OwnFriction(f64),
     /// A tolerance that is no small positive fraction.
     #[error("edges cannot touch within {0} of a body's extent")]
     Tolerance(f64),
@@ -77,13 +88,7 @@ impl Scene {
     /// # Errors
     /// [`SceneError`], where a number in the parts means nothing.
     pub fn new(parts: SceneParts) -> Result<Self, SceneError> {
-        let friction = parts.friction;
-        for class in JointClass::ALL {
-            let value = friction.of(class);
-            if !(value.is_finite() && value >= 0.0) {
-                return Err(SceneError::Friction { class, value });
-            }
-        }
+        parts.check_friction()?;
         if !(parts.tolerance > 0.0 && parts.tolerance < 1.0) {
             return Err(SceneError::Tolerance(parts.tolerance));
         }
@@ -99,26 +104,57 @@ impl Scene {
         let shapes: Vec<&Polygon> = parts.blocks.iter().map(|block| &block.shape).collect();
         let mut joints = find_joints(parts.tolerance, &shapes, &parts.supports);
         call_voussoir_joints_beds(&mut joints, shapes.len());
-        for joint in &mut joints {
-            if parts.radial && joint.class == JointClass::Head {
-                joint.class = JointClass::Bed;
-            }
-            if let Some(named) = parts.named_joints.iter().find(|named| named.is(joint)) {
-                joint.class = named.class;
-            }
-            joint.friction = friction.of(joint.class);
-        }
+        let found = joints.len();
+        parts.settle(&mut joints);
         Ok(Self {
             blocks: parts.blocks,
             supports: parts.supports,
+            left_out: found - joints.len(),
             joints,
             head_joints: HeadJoints::Contact,
-            left_out: 0,
             push: parts.push,
             wall: parts.wall,
             labels: Labels::default(),
             reaction: None,
         })
+    }
+}
+
+impl SceneParts {
+    fn check_friction(&self) -> Result<(), SceneError> {
+        let sound = |value: f64| value.is_finite() && value >= 0.0;
+        for class in JointClass::ALL {
+            let value = self.friction.of(class);
+            if !sound(value) {
+                return Err(SceneError::Friction { class, value });
+            }
+        }
+        let joints = self.named_joints.iter().filter_map(|named| named.friction);
+        let mut own = self.own_friction.values().copied().chain(joints);
+        own.find(|&value| !sound(value))
+            .map_or(Ok(()), |value| Err(SceneError::OwnFriction(value)))
+    }
+
+    /// Gives joints their class and friction, and takes away the head joints that are open.
+    fn settle(&self, joints: &mut Vec<Joint>) {
+        let named = self.named_joints.iter();
+        let named: BTreeMap<[Side; 2], &NamedJoint> =
+            named.map(|named| (named.bodies(), named)).collect();
+        joints.retain_mut(|joint| {
+            let named = named.get(&joint.bodies());
+            if self.radial && joint.class == JointClass::Head {
+                joint.class = JointClass::Bed;
+            }
+            joint.class = named.and_then(|named| named.class).unwrap_or(joint.class);
+            let of_class = self.friction.of(joint.class);
+            let of = |body| match body {
+                Side::Block(block) => self.own_friction.get(&block).copied().unwrap_or(of_class),
+                Side::Support(_) => of_class,
+            };
+            let [one, other] = joint.bodies().map(of);
+            joint.friction = (named.and_then(|named| named.friction)).unwrap_or(one.min(other));
+            !(joint.class == JointClass::Head && named.is_some_and(|named| named.open))
+        });
     }
 }
 

@@ -141,6 +141,13 @@ pub(crate) fn bounds(points: &[Point]) -> (Point, Point) {
     grown.fold(first, |(low, high), p| (low.inf(p), high.sup(p)))
 }
 
+/// Lower-left and upper-right corner of shapes; the origin where there are none.
+pub(super) fn bounds_of<'a>(shapes: impl Iterator<Item = &'a Polygon>) -> (Point, Point) {
+    let mut boxes = shapes.map(Polygon::bounds);
+    let first = boxes.next().unwrap_or((Point::origin(), Point::origin()));
+    boxes.fold(first, |(low, high), (l, h)| (low.inf(&l), high.sup(&h)))
+}
+
 /// The edges before and behind a corner.
 fn edges_at(corners: &[Point], i: usize) -> (Vector, Vector) {
     let count = corners.len();

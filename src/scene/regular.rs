@@ -3,16 +3,25 @@
 use serde::{Deserialize, Serialize};
 
 /// What the crack slope of a coursed wall is measured with.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Coursing {
     /// Wall height H.
     pub height: f64,
+    /// Heights of the tops of the courses above the lowest point, from bottom to top.
+    pub levels: Vec<f64>,
     /// Overlap s = l/2.
     pub overlap: f64,
-    /// Number of courses.
-    pub courses: usize,
     /// Whether it is laid of units and halves alone, as the crack slope supposes.
     pub halves: bool,
+}
+
+impl Coursing {
+    /// How many courses there are up to a height above the lowest point.
+    pub(crate) fn courses_up_to(&self, height: f64) -> usize {
+        // As exact as any height that comes from moved or scaled corners.
+        let near = 1e-6 * self.height;
+        self.levels.partition_point(|&level| level <= height + near)
+    }
 }
 
 /// The regular wall of the closed form (paper, Figs. 1-3).
@@ -55,6 +64,15 @@ pub enum Irregularity {
         "the bed joints and the base differ in friction, and the closed form knows one coefficient"
     )]
     Friction,
+    /// Joints or blocks with a friction of their own, of which it knows none.
+    #[error("some joints have a friction of their own, and the closed form knows one coefficient")]
+    OwnFriction,
+    /// The course (from 1, bottom to top) is higher or lower than a unit.
+    #[error("course {0} is not as high as a unit: the closed form knows one height of courses")]
+    Height(usize),
+    /// Weights act upwards too as they push.
+    #[error("the push acts upwards as well, and the closed form knows it sideways alone")]
+    PushedUpwards,
     /// Blocks with weights of their own, or loads beside weights and overburden.
     #[error("some blocks have weights or loads of their own, which the closed form does not know")]
     OwnLoads,

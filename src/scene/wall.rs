@@ -1,12 +1,14 @@
 //! Coursed walls: laying courses into blocks, the overburden, the closed-form description.
 
+use std::collections::BTreeMap;
+
 use super::assembly::{Assembly, Force, Forces, NamedBlock, Support};
 use super::friction::Friction;
-use super::joints::TOUCHING;
+use super::joints::{JointClass, NamedJoint, Side, TOUCHING};
 use super::model::Scene;
-use super::of_blocks::OfBlocks;
+use super::own::Own;
 use super::parts::{SceneError, SceneParts};
-use super::polygon::{Point, Polygon, PolygonError, Vector};
+use super::polygon::{Point, Polygon, PolygonError};
 use super::push::{HeadJoints, Push};
 use super::regular::{Coursing, Irregularity, RegularWall, WallFacts};
 
@@ -57,7 +59,7 @@ pub type Course = Vec<Piece>;
 pub struct Wall {
     /// Length l of a full unit.
     pub unit_length: f64,
-    /// Height h of every course.
+    /// Height h of a unit, and of every course that has none of its own.
     pub unit_height: f64,
     /// Thickness b of the wall.
     pub thickness: f64,
@@ -71,8 +73,8 @@ pub struct Wall {
     pub overburden: f64,
     /// Direction of the live load.
     pub push: Push,
-    /// What single blocks have of their own.
-    pub of_blocks: OfBlocks,
+    /// What single courses, joints and blocks have of their own.
+    pub own: Own,
 }
 
 /// Why a wall cannot be laid. Courses and pieces count from 1.
@@ -86,6 +88,14 @@ pub enum WallError {
     EmptyCourse {
         /// The course.
         course: usize,
+    },
+    /// Not one height for each course.
+    #[error("there are {heights} heights for {courses} courses")]
+    Heights {
+        /// How many heights.
+        heights: usize,
+        /// How many courses.
+        courses: usize,
     },
     /// The dimensions give no usable block.
     #[error("a block of this size cannot be laid: {0}")]
@@ -114,20 +124,36 @@ impl Wall {
             friction: 0.5.into(),
             overburden: 0.0,
             push,
-            of_blocks: OfBlocks::default(),
+            own: Own::default(),
         }
     }
 
     /// Height H.
     pub fn height(&self) -> f64 {
-        self.courses.len() as f64 * self.unit_height
+        match self.own.heights.as_slice() {
+            [] => self.courses.len() as f64 * self.unit_height,
+            heights => heights.iter().sum(),
+        }
+    }
+
+    /// Heights of the beds of the courses and of the top above the ground.
+    fn levels(&self) -> Vec<f64> {
+        if self.own.heights.is_empty() {
+            let courses = 0..=self.courses.len();
+            return courses.map(|n| n as f64 * self.unit_height).collect();
+        }
+        let mut levels = vec![0.0];
+        for height in &self.own.heights {
+            levels.push(levels[levels.len() - 1] + height);
+        }
+        levels
     }
 
     /// Where every block lies, in the order of the scene's blocks. Courses count from the bottom,
     /// pieces from the left with gaps. A block with a name of its own has that.
     pub fn block_names(&self) -> Vec<String> {
         let places = self.block_places().enumerate();
-        let name = |(block, (course, piece))| match self.of_blocks.names.get(&block) {
+        let name = |(block, (course, piece))| match self.own.names.get(&block) {
             Some(name) => name.clone(),
             None => format!("course {course} piece {piece}"),
         };
@@ -158,26 +184,56 @@ impl Wall {
                 weight: self.weight(index, &laid.shape),
                 centre: laid.shape.centroid(),
                 shape: laid.shape.clone(),
+                friction: self.own.frictions.get(&index).copied(),
             });
             extra.extend(self.carried(index, &laid));
         }
-        let own = &self.of_blocks.forces;
+        let own = &self.own.forces;
         extra.extend(&own.extra);
-        Ok(Assembly {
+        let mut assembly = Assembly {
             blocks,
             supports: vec![Support {
                 name: "ground".to_owned(),
                 shape: self.ground()?,
             }],
             friction: self.friction,
-            forces: Forces {
-                weight_is_live: own.weight_is_live,
-                extra,
-            },
+            forces: Forces { extra, ..*own },
+            overburden: 0.0,
             tolerance: TOUCHING,
             radial: false,
-            named_joints: Vec::new(),
-        })
+            named_joints: self.own.joints.clone(),
+        };
+        if !(self.own.beds.is_empty() && self.own.open.is_empty()) {
+            assembly.named_joints = self.named_joints(&assembly)?;
+        }
+        Ok(assembly)
+    }
+
+    /// The joints that have a friction of their own or are open, one by one.
+    fn named_joints(&self, assembly: &Assembly) -> Result<Vec<NamedJoint>, SceneError> {
+        let courses: Vec<usize> = self.block_places().map(|(course, _)| course).collect();
+        let named = self.own.joints.iter();
+        let mut named: BTreeMap<[Side; 2], NamedJoint> =
+            named.map(|joint| (joint.bodies(), *joint)).collect();
+        // Of the joints as they are without what is added here.
+        for joint in Scene::new(assembly.parts(self.push))?.joints() {
+            let course = courses[joint.to];
+            let own = NamedJoint {
+                between: joint.bodies(),
+                class: None,
+                friction: match joint.class {
+                    JointClass::Base | JointClass::Bed => self.own.beds.get(&course).copied(),
+                    JointClass::Head | JointClass::Guide => None,
+                },
+                open: joint.class == JointClass::Head && self.own.open.contains(&course),
+            };
+            if own.friction.is_some() || own.open {
+                let known = named.entry(joint.bodies()).or_insert(own);
+                known.friction = known.friction.or(own.friction);
+                known.open |= own.open;
+            }
+        }
+        Ok(named.into_values().collect())
     }
 
     /// Length of a course from the left end of the wall to its last piece or gap.
@@ -205,6 +261,13 @@ impl Wall {
         if self.courses.is_empty() {
             return Err(WallError::NoCourses);
         }
+        let levels = self.levels();
+        if levels.len() != self.courses.len() + 1 {
+            return Err(WallError::Heights {
+                heights: levels.len() - 1,
+                courses: self.courses.len(),
+            });
+        }
         let mut laid = Vec::new();
         for (course, pieces) in self.courses.iter().enumerate() {
             let before = laid.len();
@@ -222,8 +285,7 @@ impl Wall {
                     continue;
                 }
                 let x1 = at(quarters, parts);
-                let level = |n: usize| n as f64 * self.unit_height;
-                let shape = Polygon::rectangle(x0, x1, level(course), level(course + 1))?;
+                let shape = Polygon::rectangle(x0, x1, levels[course], levels[course + 1])?;
                 laid.push(Laid { shape, course });
             }
             if laid.len() == before {
@@ -243,7 +305,7 @@ impl Wall {
 
     /// Weight of a block: its own, or that of the units times its area.
     fn weight(&self, index: usize, shape: &Polygon) -> f64 {
-        let own = self.of_blocks.weights.get(&index);
+        let own = self.own.weights.get(&index);
         own.copied()
             .unwrap_or_else(|| self.pressure() * shape.area())
     }
@@ -260,13 +322,8 @@ impl Wall {
         (self.overburden > 0.0 && is_top).then(|| {
             let (low, high) = laid.shape.bounds();
             let weight = self.overburden * self.height() * self.pressure() * (high.x - low.x);
-            let live = self.of_blocks.forces.weight_is_live;
-            Force {
-                block,
-                point: Point::new((low.x + high.x) / 2.0, high.y),
-                dead: Vector::new(0.0, -weight),
-                live: Vector::new(if live { weight } else { 0.0 }, 0.0),
-            }
+            let middle = Point::new((low.x + high.x) / 2.0, high.y);
+            self.own.forces.weight(block, middle, weight)
         })
     }
 
@@ -276,8 +333,8 @@ impl Wall {
         let staggered = self.courses.windows(2).any(|pair| pair[0] != pair[1]);
         staggered.then(|| Coursing {
             height: self.height(),
+            levels: self.levels().split_off(1),
             overlap: self.unit_length / 2.0,
-            courses: self.courses.len(),
             halves: self.courses.iter().flatten().all(Piece::is_of_halves),
         })
     }
@@ -306,12 +363,7 @@ impl Wall {
                 return Err(Irregularity::NotRunningBond(i + 1));
             }
         }
-        if !self.of_blocks.is_plain() {
-            return Err(Irregularity::OwnLoads);
-        }
-        if self.friction.bed != self.friction.base {
-            return Err(Irregularity::Friction);
-        }
+        self.plain()?;
         let specific_weight =
             self.unit_weight / (self.unit_length * self.unit_height * self.thickness);
         Ok(RegularWall {
@@ -324,5 +376,31 @@ impl Wall {
             overburden: self.overburden * specific_weight * self.height(),
             friction: self.friction.bed,
         })
+    }
+    /// Whether no course, joint or block has anything of its own that the closed form does not know.
+    fn plain(&self) -> Result<(), Irregularity> {
+        let own = &self.own;
+        let heights = own.heights.iter();
+        if let Some(course) = heights
+            .map(|&h| h != self.unit_height)
+            .position(|other| other)
+        {
+            return Err(Irregularity::Height(course + 1));
+        }
+        if own.forces.of_weight.y != 0.0 {
+            return Err(Irregularity::PushedUpwards);
+        }
+        let sideways = own.forces.of_weight.x == 1.0;
+        if !(own.weights.is_empty() && own.forces.extra.is_empty() && sideways) {
+            return Err(Irregularity::OwnLoads);
+        }
+        if self.friction.bed != self.friction.base {
+            return Err(Irregularity::Friction);
+        }
+        let mut joints = own.joints.iter().filter_map(|joint| joint.friction);
+        if !(own.beds.is_empty() && own.frictions.is_empty() && joints.next().is_none()) {
+            return Err(Irregularity::OwnFriction);
+        }
+        Ok(())
     }
 }

@@ -8,7 +8,7 @@ use trilith::case::{self, Case, DrawingOptions, Geometry, Imported};
 use trilith::inside::dxf;
 use trilith::method::{Settings, methods};
 use trilith::run::{Plan, run};
-use trilith::scene::HeadJoints;
+use trilith::scene::{HeadJoints, Own};
 
 fn options() -> DrawingOptions {
     DrawingOptions {
@@ -561,7 +561,7 @@ fn coursed_cases() -> impl Iterator<Item = Case> {
         .into_iter()
         .filter(move |case| match &case.geometry {
             _ if moves(case) => false,
-            Geometry::Wall(wall) => wall.overburden == 0.0 && wall.of_blocks.is_plain(),
+            Geometry::Wall(wall) => wall.overburden == 0.0 && wall.own == Own::default(),
             _ => false,
         })
 }

@@ -7,7 +7,7 @@ use trilith::inside::{Refusal, prove};
 use trilith::judge::judge;
 use trilith::method::{self, Method, Settings};
 use trilith::scene::{
-    Block, HeadJoints, Load, OfBlocks, Piece, Point, Polygon, Push, Scene, SceneParts, Vector, Wall,
+    Block, HeadJoints, Load, Own, Piece, Point, Polygon, Push, Scene, SceneParts, Vector, Wall,
 };
 
 fn bound() -> &'static dyn Method {
@@ -71,7 +71,7 @@ fn wall(unit: [f64; 2], courses: &[&str], friction: f64, head_joints: HeadJoints
         friction: friction.into(),
         overburden: 0.0,
         push: Push::Right,
-        of_blocks: OfBlocks::default(),
+        own: Own::default(),
     };
     wall.scene(head_joints).expect("it can be laid")
 }

@@ -9,7 +9,7 @@ use trilith::answer::{Outcome, StaticResidual, Status};
 use trilith::inside::kinematic_multiplier;
 use trilith::method::limit::{Associative, Sequential};
 use trilith::method::{Method, Settings};
-use trilith::scene::{Course, HeadJoints, OfBlocks, Piece, Push, Wall};
+use trilith::scene::{Course, HeadJoints, Own, Piece, Push, Wall};
 
 /// A running-bond wall of 2-5 courses, 2-5 units wide, some full units of upper courses left out.
 fn walls() -> impl Strategy<Value = Wall> {
@@ -34,7 +34,7 @@ fn walls() -> impl Strategy<Value = Wall> {
                 friction: friction.into(),
                 overburden,
                 push: Push::Right,
-                of_blocks: OfBlocks::default(),
+                own: Own::default(),
             },
         )
 }
@@ -198,7 +198,7 @@ fn overburden_lowers_the_multiplier() {
             friction: 0.65.into(),
             overburden,
             push: Push::Right,
-            of_blocks: OfBlocks::default(),
+            own: Own::default(),
         };
         assert!((proved(&wall, HeadJoints::Contact) - contact).abs() < tolerance);
         assert!((proved(&wall, HeadJoints::Open) - open).abs() < tolerance);

@@ -3,7 +3,7 @@
 
 use trilith::method::limit::Sequential;
 use trilith::method::{Method, Settings};
-use trilith::scene::{HeadJoints, OfBlocks, Piece, Push, Wall};
+use trilith::scene::{HeadJoints, Own, Piece, Push, Wall};
 
 /// λ of flat courses, each a unit wide, on top of each other, and the error that is stated for it.
 fn answer(courses: usize, friction: f64) -> [f64; 2] {
@@ -16,7 +16,7 @@ fn answer(courses: usize, friction: f64) -> [f64; 2] {
         friction: friction.into(),
         overburden: 0.0,
         push: Push::Right,
-        of_blocks: OfBlocks::default(),
+        own: Own::default(),
     };
     let scene = wall.scene(HeadJoints::Open).expect("it can be laid");
     let outcome = Sequential.solve(&scene, &Settings::default());

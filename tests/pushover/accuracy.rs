@@ -7,7 +7,7 @@ use trilith::judge::judge;
 use trilith::method::limit::Interval;
 use trilith::method::pushover::Pushover;
 use trilith::method::{Accuracy, Method, PushoverSettings, Settings};
-use trilith::scene::{HeadJoints, OfBlocks, Piece, Push, Wall};
+use trilith::scene::{HeadJoints, Own, Piece, Push, Wall};
 
 /// Verified open values by linear programs that share no code with the pushover: HiGHS through
 /// `oracle.py --start open`.
@@ -115,7 +115,7 @@ fn large_walls_are_within_their_stated_error() {
             friction: 0.65.into(),
             overburden: 0.0,
             push: Push::Right,
-            of_blocks: OfBlocks::default(),
+            own: Own::default(),
         };
         let scene = wall.scene(HeadJoints::Open).expect("it can be laid");
         let mut lowest = Interval.solve(&scene, &Settings::default());

@@ -6,7 +6,7 @@ use trilith::judge::judge;
 use trilith::method::limit::{Associative, Interval};
 use trilith::method::pushover::Pushover;
 use trilith::method::{Method, Settings};
-use trilith::scene::{HeadJoints, OfBlocks, Piece, Push, Scene, Wall};
+use trilith::scene::{HeadJoints, Own, Piece, Push, Scene, Wall};
 
 /// A wall in running bond, with an opening or an overburden in every third.
 fn wall(seed: u64) -> Scene {
@@ -38,7 +38,7 @@ fn wall(seed: u64) -> Scene {
             false => 0.0,
         },
         push: Push::Right,
-        of_blocks: OfBlocks::default(),
+        own: Own::default(),
     };
     wall.scene(HeadJoints::Open)
         .expect("whole units fill every course")

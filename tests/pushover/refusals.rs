@@ -5,7 +5,7 @@ use trilith::answer::{Checked, Fact, Outcome, Status};
 use trilith::inside::PushoverFact;
 use trilith::inside::{Parameters, solve_with};
 use trilith::method::{PushoverSettings, Settings};
-use trilith::scene::{Course, HeadJoints, OfBlocks, Piece, Point, Push, Scene, Side, Vector, Wall};
+use trilith::scene::{Course, HeadJoints, Own, Piece, Point, Push, Scene, Side, Vector, Wall};
 
 /// paper-1 and its verified open value (HiGHS through `oracle.py --start open`).
 const PAPER_1: f64 = 0.639969;
@@ -28,7 +28,7 @@ fn wall(unit: [f64; 2], friction: f64, courses: &[&str]) -> Wall {
         friction: friction.into(),
         overburden: 0.0,
         push: Push::Right,
-        of_blocks: OfBlocks::default(),
+        own: Own::default(),
     }
 }
 

@@ -4,7 +4,7 @@
 #![allow(dead_code, reason = "every test binary uses its own part")]
 
 use trilith::scene::{
-    Arch, Block, Course, Forces, HeadJoints, Load, OfBlocks, Piece, Point, Polygon, Push, Scene,
+    Arch, Block, Course, Forces, HeadJoints, Load, Own, Piece, Point, Polygon, Push, Scene,
     SceneParts, Vector, Wall, WallFacts,
 };
 
@@ -103,7 +103,7 @@ pub fn wall(courses: &[&str], friction: f64) -> Wall {
         friction: friction.into(),
         overburden: 0.0,
         push: Push::Right,
-        of_blocks: OfBlocks::default(),
+        own: Own::default(),
     }
 }
 

@@ -3,19 +3,28 @@
 use std::fmt;
 
 use serde::{Deserialize, Serialize};
+use thiserror::Error;
 
 use crate::certificate::Proved;
 use crate::number::below;
 
 /// What a lifted program proves, or why it proves nothing.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Error, PartialEq, Serialize, Deserialize)]
 pub enum BoundFact {
     /// What its certificate proves.
+    #[error("{0}")]
     Proved(Proved),
     /// It is computed alone: scenes that can lock have forces without bounds, so that rounding is not
     /// bounded either.
+    #[error(
+        "the bound is computed and not certified: the scene can lock, so that its forces have no limit"
+    )]
     Uncertified,
     /// No program was solved, as there would be too many unknowns.
+    #[error(
+        "the lifted program was not solved: it would have {unknowns} unknowns, and `lift-unknowns` \
+         allows {most}"
+    )]
     TooLarge {
         /// Unknowns of the program.
         unknowns: usize,
@@ -23,8 +32,10 @@ pub enum BoundFact {
         most: usize,
     },
     /// Nothing falls on which the push does no work: then what is proved is proved of every collapse.
+    #[error("nothing falls on which the push does no work")]
     PushMoves,
     /// It ended before the bound met the lowest state.
+    #[error("the proof ended after {programs} programs, {budget}")]
     OutOfBudget {
         /// What it had no more of.
         budget: Budget,
@@ -32,72 +43,45 @@ pub enum BoundFact {
         programs: usize,
     },
     /// No state is verified, so that there is nothing to bound.
+    #[error("no collapse state is verified that could be bounded")]
     NoState,
 }
 
 /// What limits a proof.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Error, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Budget {
     /// The number of lifted programs.
+    #[error("as many as `lifts` allows")]
     Programs,
     /// Interior-point steps of all of them.
+    #[error("whose steps are as many as `lift-steps` allows")]
     Steps,
     /// Arithmetic of all of them.
+    #[error("whose work is as much as `lift-work` allows")]
     Work,
-}
-
-impl fmt::Display for BoundFact {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            BoundFact::Proved(proved) => proved.fmt(f),
-            BoundFact::Uncertified => write!(
-                f,
-                "the bound is computed and not certified: the scene can lock, so that its forces have no limit"
-            ),
-            BoundFact::TooLarge { unknowns, most } => write!(
-                f,
-                "the lifted program was not solved: it would have {unknowns} unknowns, and `lift-unknowns` \
-                 allows {most}"
-            ),
-            BoundFact::PushMoves => write!(f, "nothing falls on which the push does no work"),
-            BoundFact::OutOfBudget { budget, programs } => {
-                write!(f, "the proof ended after {programs} programs")?;
-                match budget {
-                    Budget::Programs => write!(f, ", as many as `lifts` allows"),
-                    Budget::Steps => write!(f, ", whose steps are as many as `lift-steps` allows"),
-                    Budget::Work => write!(f, ", whose work is as much as `lift-work` allows"),
-                }
-            }
-            BoundFact::NoState => write!(f, "no collapse state is verified that could be bounded"),
-        }
-    }
 }
 
 impl fmt::Display for Proved {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if self.lower <= 0.0 {
-            return write!(f, "nothing is proved of lower states");
+            return f.write_str("nothing is proved of lower states");
         }
-        write!(f, "it is proved that ")?;
-        write_floor(f, &below(self.lower, 6), self.cap)
+        let floor = floor_words(&below(self.lower, 6), self.cap);
+        write!(f, "it is proved that {floor}")
     }
 }
 
 /// What a lower bound says that is proved for motions up to a cap, where it needs one.
-pub(crate) fn write_floor(
-    f: &mut fmt::Formatter<'_>,
-    lower: &str,
-    cap: Option<f64>,
-) -> fmt::Result {
-    write!(
-        f,
-        "no collapse state with 0 ≤ λ < {lower} exists in which the push does work"
-    )?;
-    match cap {
-        Some(cap) => write!(
-            f,
-            " and openings and slips add up to no more than {cap:.0e} times the push's own motion"
-        ),
-        None => Ok(()),
-    }
+pub(crate) fn floor_words(lower: &str, cap: Option<f64>) -> String {
+    let capped = capped(cap, "push");
+    format!("no collapse state with 0 ≤ λ < {lower} exists in which the push does work{capped}")
+}
+
+/// The cap on motions, as the end of a sentence.
+pub(super) fn capped(cap: Option<f64>, of: &str) -> String {
+    cap.map_or_else(String::new, |cap| {
+        format!(
+            " and openings and slips add up to no more than {cap:.0e} times the {of}'s own motion"
+        )
+    })
 }

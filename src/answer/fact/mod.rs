@@ -11,7 +11,6 @@ mod limit;
 mod outside;
 mod pushover;
 mod reaction;
-mod read;
 mod search;
 mod sequential;
 mod side;
@@ -19,27 +18,50 @@ mod side;
 use std::fmt;
 
 pub use auto::{AutoFact, Uniqueness};
-pub(crate) use bound::write_floor;
+pub(crate) use bound::floor_words;
 pub use bound::{BoundFact, Budget};
 pub use closed_form::{InapplicableForm, Invalid};
-pub use judged::{CeilingSlack, JudgedFact, Residuals};
-pub(crate) use limit::AT_REST;
+pub use judged::JudgedFact;
 pub use limit::{LimitFact, SolverEnding};
 pub use outside::{ProgramEnding, ProgramFailure};
 pub use pushover::PushoverFact;
 pub use reaction::ReactionFact;
-pub(crate) use reaction::write_motion_cap;
+pub(crate) use reaction::reaction_floor;
 pub use search::{Coverage, SearchEnding, SearchFacts, SearchFailure, SearchStart, StartEnding};
 pub use sequential::{SequentialEnding, SequentialFacts};
 pub use side::SideFact;
 
-/// One thing that is to be said about an answer.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-pub enum Fact {
+/// Makes [`Fact`] from its families: it holds one of them, is said in its words, and made from it.
+macro_rules! facts {
+    ($( $(#[doc = $doc:literal])+ $Family:ident($Held:ty), )+) => {
+        /// One thing that is to be said about an answer.
+        #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+        pub enum Fact {
+            /// What the judge refuted, in the words that a file kept of it.
+            KeptRefutation(String),
+            $( $(#[doc = $doc])+ $Family($Held), )+
+        }
+
+        impl fmt::Display for Fact {
+            fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                match self {
+                    Fact::KeptRefutation(words) => words.fmt(f),
+                    $(Fact::$Family(fact) => fact.fmt(f),)+
+                }
+            }
+        }
+
+        $(impl From<$Held> for Fact {
+            fn from(held: $Held) -> Self {
+                Fact::$Family(held)
+            }
+        })+
+    };
+}
+
+facts! {
     /// Free words: those of an outside program, or of a panic.
     Words(String),
-    /// What the judge refuted, in the words that a file kept of it.
-    KeptRefutation(String),
     /// Why the closed form does not apply.
     ClosedForm(InapplicableForm),
     /// What a limit analysis proves, or fails to.
@@ -67,67 +89,13 @@ pub enum Fact {
 impl Fact {
     /// Whether the fact introduces the facts after it, like a heading: a colon follows it.
     fn introduces_next(&self) -> bool {
-        match self {
-            Fact::Auto(fact) => fact.introduces_next(),
-            Fact::Pushover(fact) => fact.introduces_next(),
-            Fact::Side(fact) => fact.introduces_next(),
-            Fact::Words(_)
-            | Fact::KeptRefutation(_)
-            | Fact::ClosedForm(_)
-            | Fact::Limit(_)
-            | Fact::Search(_)
-            | Fact::Sequential(_)
-            | Fact::Bound(_)
-            | Fact::Judged(_)
-            | Fact::Reaction(_)
-            | Fact::Program(_) => false,
-        }
+        matches!(
+            self,
+            Fact::Auto(AutoFact::SettledByAssociative | AutoFact::NoState { .. })
+                | Fact::Pushover(PushoverFact::Without(_))
+                | Fact::Side(SideFact::Unanswered(_) | SideFact::For(_) | SideFact::Either)
+        )
     }
-}
-
-impl fmt::Display for Fact {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Fact::Words(words) | Fact::KeptRefutation(words) => f.write_str(words),
-            Fact::ClosedForm(fact) => fact.fmt(f),
-            Fact::Limit(fact) => fact.fmt(f),
-            Fact::Search(fact) => fact.fmt(f),
-            Fact::Sequential(fact) => fact.fmt(f),
-            Fact::Pushover(fact) => fact.fmt(f),
-            Fact::Auto(fact) => fact.fmt(f),
-            Fact::Bound(fact) => fact.fmt(f),
-            Fact::Judged(fact) => fact.fmt(f),
-            Fact::Side(fact) => fact.fmt(f),
-            Fact::Reaction(fact) => fact.fmt(f),
-            Fact::Program(fact) => fact.fmt(f),
-        }
-    }
-}
-
-/// A fact of each kind from what it holds.
-macro_rules! from {
-    ($($variant:ident($held:ty)),* $(,)?) => {$(
-        impl From<$held> for Fact {
-            fn from(held: $held) -> Self {
-                Fact::$variant(held)
-            }
-        }
-    )*};
-}
-
-from! {
-    Words(String),
-    ClosedForm(InapplicableForm),
-    Limit(LimitFact),
-    Search(SearchFacts),
-    Sequential(SequentialFacts),
-    Pushover(PushoverFact),
-    Auto(AutoFact),
-    Bound(BoundFact),
-    Judged(JudgedFact),
-    Side(SideFact),
-    Reaction(ReactionFact),
-    Program(ProgramFailure),
 }
 
 impl From<&str> for Fact {

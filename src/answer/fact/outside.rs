@@ -1,7 +1,6 @@
 //! Facts of outside programs.
 
 use std::borrow::Cow;
-use std::fmt;
 
 use serde::{Deserialize, Serialize};
 
@@ -99,43 +98,27 @@ fn after_colon(messages: &str) -> String {
 }
 
 /// How an outside program ended that gave no answer.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]
 pub enum ProgramEnding {
     /// It was stopped at its time limit.
+    #[error("the program was stopped after its time limit of {seconds} s")]
     TimeLimit {
         /// The limit, seconds.
         seconds: f64,
     },
     /// By a signal of this number.
+    #[error("the program was ended by signal {0}")]
     Signal(i32),
     /// With an exit status other than 0.
+    #[error("the program ended with exit status {0}")]
     ExitStatus(i32),
     /// Without an exit status.
+    #[error("the program ended without an exit status")]
     NoExitStatus,
     /// Its output is longer than what is kept.
+    #[error("the program wrote more than {mebibytes} MiB")]
     TooMuchOutput {
         /// What is kept, MiB.
         mebibytes: u64,
     },
-}
-
-impl fmt::Display for ProgramEnding {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            ProgramEnding::TimeLimit { seconds } => {
-                write!(
-                    f,
-                    "the program was stopped after its time limit of {seconds} s"
-                )
-            }
-            ProgramEnding::Signal(signal) => write!(f, "the program was ended by signal {signal}"),
-            ProgramEnding::ExitStatus(code) => {
-                write!(f, "the program ended with exit status {code}")
-            }
-            ProgramEnding::NoExitStatus => write!(f, "the program ended without an exit status"),
-            ProgramEnding::TooMuchOutput { mebibytes } => {
-                write!(f, "the program wrote more than {mebibytes} MiB")
-            }
-        }
-    }
 }

@@ -190,12 +190,6 @@ pub enum PushoverFact {
     Without(Variation),
 }
 
-impl PushoverFact {
-    pub(super) fn introduces_next(&self) -> bool {
-        matches!(self, PushoverFact::Without(_))
-    }
-}
-
 /// A bracket with the decimals of tables.
 fn printed(Bracket { lower, upper }: &Bracket) -> String {
     format!("{}-{}", number(*lower, 5), number(*upper, 5))

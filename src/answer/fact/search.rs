@@ -3,6 +3,7 @@
 use std::fmt;
 
 use serde::{Deserialize, Serialize};
+use thiserror::Error;
 
 use crate::answer::bracket::is_same_multiplier;
 
@@ -77,21 +78,28 @@ pub enum SearchEnding {
 }
 
 /// Why a start gave no state.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Error, PartialEq, Eq, Serialize, Deserialize)]
 pub enum SearchFailure {
     /// The gap stayed open.
+    #[error("did not close the gap between forces and mechanism")]
     GapOpen,
     /// A program with frozen capacities has no force state.
+    #[error("met a linear program without a force state")]
     Infeasible,
     /// A program is unbounded.
+    #[error("met a linear program without a limit of λ")]
     Unbounded,
     /// The solver gave up on a program.
+    #[error("met a linear program that the solver gave up")]
     Unsolved,
     /// The state found for a part of the scene is none of the whole scene.
+    #[error("reached a state of a part that is none of the whole scene")]
     PartOnly,
     /// The state found leaves residuals that prove nothing.
+    #[error("reached a state that is not proved")]
     Unproved,
     /// All states of the mechanism lie below λ = 0, where a push begins.
+    #[error("reached a mechanism whose states lie below λ = 0, where a push begins")]
     BelowZero,
 }
 
@@ -106,22 +114,6 @@ impl SearchFailure {
         SearchFailure::Unproved,
         SearchFailure::BelowZero,
     ];
-}
-
-impl fmt::Display for SearchFailure {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            SearchFailure::GapOpen => "did not close the gap between forces and mechanism",
-            SearchFailure::Infeasible => "met a linear program without a force state",
-            SearchFailure::Unbounded => "met a linear program without a limit of λ",
-            SearchFailure::Unsolved => "met a linear program that the solver gave up",
-            SearchFailure::PartOnly => "reached a state of a part that is none of the whole scene",
-            SearchFailure::Unproved => "reached a state that is not proved",
-            SearchFailure::BelowZero => {
-                "reached a mechanism whose states lie below λ = 0, where a push begins"
-            }
-        })
-    }
 }
 
 /// How far the starts of a search cover the states that there are.
@@ -181,35 +173,39 @@ impl SearchFacts {
 
 impl fmt::Display for SearchFacts {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let coverage = self.coverage();
+        let Coverage {
+            starts,
+            verified,
+            distinct,
+            lowest_met,
+            unseen,
+        } = self.coverage();
         let counted = |count: usize, word: &str| match count {
             1 => format!("1 {word}"),
             _ => format!("{count} {word}s"),
         };
-        let mut texts = Vec::new();
-        if coverage.verified > 0 {
-            texts.push(format!(
-                "{} of {} reached {}, and the lowest was reached {}; about {:.0} % of further starts \
-                 would reach a new one (Good-Turing estimate)",
-                coverage.verified,
-                counted(coverage.starts, "start"),
-                counted(coverage.distinct, "collapse state"),
-                counted(coverage.lowest_met, "time"),
-                100.0 * coverage.unseen
-            ));
+        let starts = counted(starts, "start");
+        if verified > 0 {
+            let (states, times) = (
+                counted(distinct, "collapse state"),
+                counted(lowest_met, "time"),
+            );
+            write!(
+                f,
+                "{verified} of {starts} reached {states}, and the lowest was reached {times}; about \
+                 {:.0} % of further starts would reach a new one (Good-Turing estimate)",
+                100.0 * unseen
+            )?;
         } else {
-            texts.push(format!(
-                "{} reached no collapse state",
-                counted(coverage.starts, "start")
-            ));
+            write!(f, "{starts} reached no collapse state")?;
         }
         for failure in SearchFailure::ALL {
             let count = self.failed(failure);
             if count > 0 {
-                texts.push(format!("{} {failure}", counted(count, "start")));
+                write!(f, "; {} {failure}", counted(count, "start"))?;
             }
         }
-        f.write_str(&texts.join("; "))
+        Ok(())
     }
 }
 

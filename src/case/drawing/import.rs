@@ -234,6 +234,7 @@ fn assembled(drawn: &[Drawn], fixed: &[bool], options: &DrawingOptions) -> Assem
                 weight: body.weight * shape.area(),
                 centre: shape.centroid(),
                 shape,
+                friction: None,
             });
         }
     }
@@ -242,6 +243,7 @@ fn assembled(drawn: &[Drawn], fixed: &[bool], options: &DrawingOptions) -> Assem
         supports,
         friction: options.friction.unwrap_or(0.0).into(),
         forces: Forces::default(),
+        overburden: 0.0,
         tolerance: TOUCHING,
         radial: false,
         named_joints: Vec::new(),

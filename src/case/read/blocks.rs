@@ -3,14 +3,16 @@
 use toml::Spanned;
 
 use super::bodies::{ReadFile, bodies};
-use super::checks::{positive_or_one, within};
+use super::checks::{Written, not_negative, positive_or_one, within};
 use super::file::CaseFile;
 use super::forces::{Loadable, forces};
 use super::friction::friction;
-use super::named_joints::named_joints;
 use super::outline::Outline;
+use super::own_joints::own_joints;
 use crate::case::complaint::{Complaint, Document};
-use crate::scene::{Assembly, Forces, NamedBlock, Point, Side, Support, TOUCHING, Unsound, extent};
+use crate::scene::{
+    Assembly, Forces, HeadJoints, NamedBlock, Point, Push, Side, Support, TOUCHING, Unsound, extent,
+};
 
 /// Tolerances of the joint search, fractions of the smaller block's extent.
 const TOLERANCES: std::ops::RangeInclusive<f64> = 1e-9..=1e-2;
@@ -40,6 +42,7 @@ pub(super) fn assembly(
         supports: Vec::new(),
         friction: friction(file)?,
         forces: Forces::default(),
+        overburden: 0.0,
         tolerance,
         radial: table.and_then(|table| table.radial).unwrap_or(false),
         named_joints: Vec::new(),
@@ -50,11 +53,13 @@ pub(super) fn assembly(
         let name = body.outline.name.clone();
         if body.moves {
             let given = body.weight.as_ref().map(|(weight, _)| *weight);
+            let specific = body.specific_weight.unwrap_or(specific);
             of_block.push(&body.outline);
             assembly.blocks.push(NamedBlock {
                 name,
                 weight: given.unwrap_or(specific * thickness * shape.area()),
                 centre: body.centre.unwrap_or(shape.centroid()),
+                friction: body.friction,
                 shape,
             });
         } else {
@@ -64,9 +69,39 @@ pub(super) fn assembly(
     }
     in_range(&assembly, &of_block, &of_support)?;
     sound(&assembly, &of_block, &of_support)?;
-    assembly.named_joints = named_joints(file, &assembly)?;
+    assembly.named_joints = own_joints(file, &assembly, None)?.named;
     assembly.forces = forces(file, &Loadable::of(&assembly))?;
+    assembly.overburden = overburden(file, &assembly)?;
     Ok(assembly)
+}
+
+/// The overburden ratio, which needs level faces at the top that nothing lies on.
+fn overburden(file: &CaseFile, assembly: &Assembly) -> Result<f64, Complaint> {
+    let Some(value) = &file.overburden else {
+        return Ok(0.0);
+    };
+    let ratio = not_negative("overburden", value)?;
+    let faces = assembly.top_faces();
+    // Numbers that make no scene are refused elsewhere.
+    let scene = assembly.scene(HeadJoints::Contact, Push::Right).ok();
+    let mut joints = scene.iter().flat_map(|scene| scene.joints());
+    let covered = joints.find(|joint| {
+        let on_top = matches!(joint.from, Side::Support(_)) && joint.normal.y < 0.0;
+        on_top && faces.iter().any(|face| face.0 == joint.to)
+    });
+    let (title, help) = match covered {
+        _ if ratio == 0.0 => return Ok(0.0),
+        None if !faces.is_empty() => return Ok(ratio),
+        None => (
+            "no block has a level face at the top".to_owned(),
+            "write the load as `[[load]]`s, each with `along` the line that it lies on",
+        ),
+        Some(joint) => (
+            format!("a support lies on `{}`", assembly.blocks[joint.to].name),
+            "the overburden needs a free face at the top; write `[[load]]`s instead",
+        ),
+    };
+    Err(value.wrong(title, "on what does it lie?").help(help))
 }
 
 /// Refuses blocks so far from the origin, for their size, that joints are lost in rounding.

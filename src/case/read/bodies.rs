@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use toml::Spanned;
 
-use super::checks::{MOST_BLOCKS, Written, coordinates, positive, unknown_block};
+use super::checks::{MOST_BLOCKS, Written, coordinates, not_negative, positive, unknown_block};
 use super::csv::{CsvBlock, outlines};
 use super::file::{BlocksTable, BodyTable, CaseFile};
 use super::missing::missing_key;
@@ -21,6 +21,10 @@ pub(super) struct Body {
     pub outline: Outline,
     /// The weight and its place, where it is given.
     pub weight: Option<(f64, Place)>,
+    /// Weight over area and thickness, where that is given.
+    pub specific_weight: Option<f64>,
+    /// Its own coefficient of friction.
+    pub friction: Option<f64>,
     /// Where the weight acts, where it is not the centroid.
     pub centre: Option<Point>,
     pub moves: bool,
@@ -69,6 +73,8 @@ pub(super) fn bodies(
             bodies.push(Body {
                 outline,
                 weight,
+                specific_weight: None,
+                friction: None,
                 centre: None,
                 moves: true,
                 of_csv: true,
@@ -182,15 +188,28 @@ fn add(
         Ok((weight, Place::new(document, value.span())))
     });
     let weight = weight.transpose()?;
-    let gives = weight.is_some() || centre.is_some();
+    let specific_weight = specific_weight(body)?;
+    let friction = own_friction(body, moves)?;
+    let gives = [
+        weight.is_some() || specific_weight.is_some(),
+        centre.is_some(),
+        friction.is_some(),
+    ];
     let twice = |known: &Body| {
-        (weight.is_some() && known.weight.is_some()) || (centre.is_some() && known.centre.is_some())
+        let has = [
+            known.weight.is_some() || known.specific_weight.is_some(),
+            known.centre.is_some(),
+            known.friction.is_some(),
+        ];
+        gives.iter().zip(has).any(|(gives, has)| *gives && has)
     };
     let again = |title: String| written.wrong(title, "here again");
     match (&body.corners, bodies.named(name)) {
         (Some(corners), None) => bodies.push(Body {
             outline: inline_outline(document, written, corners.get_ref())?,
             weight,
+            specific_weight,
+            friction,
             centre,
             moves,
             of_csv: false,
@@ -200,20 +219,48 @@ fn add(
             return Err(again(format!("two bodies are named `{name}`"))
                 .help(format!("rename one; the other is at {rows}")));
         }
-        (None, Some(known)) if gives && !twice(known) => {
+        (None, Some(known)) if gives.contains(&true) && !twice(known) => {
             known.weight = weight.or(known.weight.take());
+            known.specific_weight = specific_weight.or(known.specific_weight);
+            known.friction = friction.or(known.friction);
             known.centre = centre.or(known.centre);
         }
         (None, Some(_)) => {
             return Err(again(format!("`{name}` is there already")).help(
-                "without corners this table may give the block of the CSV its weight and the centre of \
-                 it, once",
+                "without corners this table may give the block of the CSV its weight, the centre of it \
+                 and its friction, once",
             ));
         }
         (None, None) if !csv => return Err(missing_key(written.span(), "corners")),
         (None, None) => return Err(unknown_block(written, bodies.names())),
     }
     Ok(())
+}
+
+/// The weight over area and thickness of a block that has no weight.
+pub(super) fn specific_weight(body: &BodyTable) -> Result<Option<f64>, Complaint> {
+    match (&body.specific_weight, &body.weight) {
+        (Some(value), Some(_)) => {
+            let complaint = value.wrong("`specific_weight` beside `weight`", "which of the two?");
+            Err(complaint.help("remove one of them"))
+        }
+        (Some(value), None) => positive("specific_weight", value).map(Some),
+        (None, _) => Ok(None),
+    }
+}
+
+/// The friction of a block.
+fn own_friction(body: &BodyTable, moves: bool) -> Result<Option<f64>, Complaint> {
+    match &body.friction {
+        Some(value) if !moves => {
+            let complaint = value.wrong("a support has no friction of its own", "here");
+            Err(complaint.help(
+                "write it as `base` of the case's `friction`, or in a `[[joint]]` between it and a block",
+            ))
+        }
+        Some(value) => not_negative("friction", value).map(Some),
+        None => Ok(None),
+    }
 }
 
 /// Refuses what places a block in a course.

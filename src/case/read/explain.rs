@@ -19,6 +19,10 @@ pub(crate) fn explain(document: &Document, error: &toml::de::Error) -> Complaint
         missing_key(span, key.trim_matches('`')).in_document(document)
     } else if message.starts_with("unknown field ") {
         unknown_key(document, span, message)
+    } else if message == "duplicate field `joint`" {
+        document
+            .complain(span, "`joint` beside `joints`", "the two are one key")
+            .help("write all joints as `[[joint]]`, or all of them in `joints = [...]`")
     } else if message == "duplicate key" {
         let title = format!("the key `{}` is written twice", document.at(span.clone()));
         document
@@ -109,8 +113,15 @@ fn type_help(written: &str, expected: &str) -> String {
         "a coefficient of friction" => {
             "write `friction = 0.65`, or `friction = { bed = 0.65, head = 0.4, base = 0.5 }`".into()
         }
+        "a live load" => "write `live = \"weight\"`, every weight sideways, `live = { weight = [1, 0.3] }`, \
+                          0.3 of it upwards too, or `live = \"loads\"`; a live force stands in a `[[load]]`, \
+                          as `live = [1.0, 0.0]`"
+            .into(),
         "an `[arch]` table" => "write `[arch]` in a line of its own, its keys below".into(),
         "a `[blocks]` table" => "write `[blocks]` in a line of its own, its keys below".into(),
+        "a `[[joint]]` table" => {
+            "write `joints = [{ course = 3, friction = 0.3 }]`, or `[[joint]]` in a line of its own".into()
+        }
         "a `[[block]]` or `[[support]]` table" | "a `[[load]]` table" | "a `[[move]]` table" => {
             "write the key in two brackets in a line of its own, `[[block]]`, its keys below".into()
         }
@@ -137,11 +148,6 @@ fn key_of_line(document: &Document, at: usize) -> &str {
 fn text_help(document: &Document, span: Range<usize>) -> String {
     let key = key_of_line(document, span.start);
     let words = match key {
-        "live" => {
-            return "write `live = \"weight\"`, every weight sideways, or `live = \"loads\"`; a live \
-                    force stands in a `[[load]]`, as `live = [1.0, 0.0]`"
-                .into();
-        }
         "push" => "\"right\"`, `push = \"left\"` or `push = \"both\"",
         "head_joints" => "\"contact\"`, `head_joints = \"open\"` or `head_joints = \"both\"",
         "bond" => "\"running\"",

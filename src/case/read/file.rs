@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use toml::Spanned;
 
-use super::values::{CoursesValue, FrictionValue, Number, Pair, Pieces, WholeNumber};
+use super::values::{CoursesValue, FrictionValue, LiveValue, Number, Pair, Pieces, WholeNumber};
 
 /// The forms of a case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -88,18 +88,20 @@ case_keys! {
     unit: Option<Spanned<UnitTable>> => WALL,
     courses: Option<Spanned<CoursesValue>> => WALL,
     repeat: Option<Spanned<WholeNumber>> => WALL,
+    heights: Option<Spanned<Vec<Spanned<Number>>>> => WALL,
     pieces: Option<Spanned<Pieces>> => WALL,
     bond: Option<Spanned<String>> => BOND,
     units: Option<Spanned<WholeNumber>> => BOND,
     first: Option<Spanned<String>> => BOND,
     overlap: Option<Spanned<Number>> => BOND,
-    overburden: Option<Spanned<Number>> => WALL,
+    overburden: Option<Spanned<Number>> => OF_BLOCKS,
+    open_head_joints: Option<Spanned<Vec<Spanned<WholeNumber>>>> => WALL,
     arch: Option<Spanned<ArchTable>> => ARCH,
     blocks: Option<Spanned<BlocksTable>> => BLOCKS,
     #[serde(default)] block: Vec<Spanned<BodyTable>> => OF_BLOCKS,
     #[serde(default)] support: Vec<Spanned<BodyTable>> => BLOCKS,
-    #[serde(default)] joint: Vec<Spanned<JointTable>> => BLOCKS,
-    live: Option<Spanned<String>> => FORCES,
+    #[serde(default, alias = "joints")] joint: Vec<Spanned<JointTable>> => OF_BLOCKS,
+    live: Option<Spanned<LiveValue>> => FORCES,
     #[serde(default)] load: Vec<Spanned<LoadTable>> => FORCES,
     #[serde(default, rename = "move")] moves("move"): Vec<Spanned<MoveTable>> => FORCES,
     friction: Spanned<FrictionValue> => WITH_ALL,
@@ -165,6 +167,8 @@ pub(super) struct BodyTable {
     pub name: Option<Spanned<String>>,
     pub corners: Option<Spanned<Vec<Spanned<Pair>>>>,
     pub weight: Option<Spanned<Number>>,
+    pub specific_weight: Option<Spanned<Number>>,
+    pub friction: Option<Spanned<Number>>,
     pub centre: Option<Spanned<Pair>>,
     pub course: Option<Spanned<WholeNumber>>,
     pub piece: Option<Spanned<WholeNumber>>,
@@ -181,12 +185,15 @@ pub(super) struct LoadTable {
     pub live: Option<Spanned<Pair>>,
 }
 
-/// A joint that is a bed or a head joint because the case says so.
+/// What the case says itself of a joint: of one between two bodies, or of the bed that a course lies on.
 #[derive(Debug, serde::Deserialize)]
 #[serde(deny_unknown_fields, expecting = "a `[[joint]]` table")]
 pub(super) struct JointTable {
-    pub between: Spanned<[Spanned<String>; 2]>,
-    pub class: Spanned<String>,
+    pub between: Option<Spanned<[Spanned<String>; 2]>>,
+    pub course: Option<Spanned<WholeNumber>>,
+    pub class: Option<Spanned<String>>,
+    pub friction: Option<Spanned<Number>>,
+    pub open: Option<Spanned<bool>>,
 }
 
 /// A support that moves.

@@ -6,7 +6,7 @@ use toml::Spanned;
 
 use super::checks::{Written, choose, coordinates, unknown_block};
 use super::file::{CaseFile, LoadTable};
-use super::values::Pair;
+use super::values::{LiveValue, Pair};
 use crate::case::complaint::Complaint;
 use crate::scene::{Assembly, Force, Forces, Point, Polygon, Vector};
 
@@ -46,23 +46,43 @@ impl<'a> Loadable<'a> {
 
 /// The forces of a file on these blocks.
 pub(super) fn forces(file: &CaseFile, loadable: &Loadable) -> Result<Forces, Complaint> {
-    let words = [("weight", true), ("loads", false)];
     let live = file.live.as_ref();
-    let weight_is_live = live.map_or(Ok(true), |word| choose("live", words, word))?;
+    let of_weight = live.map_or(Ok(Forces::default().of_weight), of_weight)?;
     let loads = file.load.iter();
     let extra: Vec<Force> = loads
         .map(|load| force(load, loadable))
         .collect::<Result<_, _>>()?;
     let pushes = extra.iter().any(|force| force.live != Vector::zeros());
     match live {
-        Some(word) if !weight_is_live && !pushes => Err(word
+        Some(word) if of_weight == Vector::zeros() && !pushes => Err(word
             .wrong("nothing pushes", "no `[[load]]` has a live part")
             .help("add a `[[load]]` with `live = [1.0, 0.0]`, or write `live = \"weight\"`")),
-        _ => Ok(Forces {
-            weight_is_live,
-            extra,
-        }),
+        _ => Ok(Forces { of_weight, extra }),
     }
+}
+
+/// The live part of every weight over the weight, along the push and upwards.
+fn of_weight(live: &Spanned<LiveValue>) -> Result<Vector, Complaint> {
+    let table = match live.get_ref() {
+        LiveValue::Word(word) => {
+            let words = [
+                ("weight", Forces::default().of_weight),
+                ("loads", Vector::zeros()),
+            ];
+            return choose("live", words, &Spanned::new(live.span(), word.clone()));
+        }
+        LiveValue::OfWeight(table) => table,
+    };
+    let part = coordinates(&table.weight, "the live part of weights")?.coords;
+    if part.x < 0.0 {
+        let complaint = table
+            .weight
+            .wrong("weights that act against the push", "x is along it");
+        return Err(
+            complaint.help("write `push = \"left\"` and a positive x, as in `weight = [1, 0.3]`")
+        );
+    }
+    Ok(part)
 }
 
 fn force(load: &Spanned<LoadTable>, loadable: &Loadable) -> Result<Force, Complaint> {

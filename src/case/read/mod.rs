@@ -18,10 +18,11 @@ mod friction;
 mod leaves;
 mod missing;
 mod moves;
-mod named_joints;
+
 mod not_modelled;
 mod outline;
 mod own_blocks;
+mod own_joints;
 mod pieces;
 mod references;
 mod spreadsheet;

@@ -1,14 +1,15 @@
-//! Names, weights and loads of single blocks of a coursed wall.
+//! What single blocks and joints of a coursed wall have of their own, and the forces on it.
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 
 use toml::Spanned;
 
-use super::bodies::short_name;
-use super::checks::{Written, positive, whole};
+use super::bodies::{short_name, specific_weight};
+use super::checks::{Written, not_negative, positive, whole};
 use super::file::{BodyTable, CaseFile, Place};
 use super::forces::{Loadable, forces};
 use super::missing::missing_key;
+use super::own_joints::own_joints;
 use super::values::WholeNumber;
 use crate::case::complaint::Complaint;
 use crate::scene::Wall;
@@ -19,15 +20,17 @@ pub(super) fn own_blocks(
     wall: &mut Wall,
     weights: BTreeMap<usize, f64>,
 ) -> Result<(), Complaint> {
-    wall.of_blocks.weights = weights;
+    wall.own.weights = weights;
     if !file.block.is_empty() {
         named_blocks(file, wall)?;
     }
-    if file.load.is_empty() && file.live.is_none() {
+    if file.load.is_empty() && file.live.is_none() && file.joint.is_empty() {
         return Ok(());
     }
     let assembly = wall.assembly().expect("the wall was laid before");
-    wall.of_blocks.forces = forces(file, &Loadable::of(&assembly))?;
+    let joints = own_joints(file, &assembly, Some(wall.courses.len()))?;
+    (wall.own.joints, wall.own.beds) = (joints.named, joints.beds);
+    wall.own.forces = forces(file, &Loadable::of(&assembly))?;
     Ok(())
 }
 
@@ -57,12 +60,22 @@ fn named_blocks(file: &CaseFile, wall: &mut Wall) -> Result<(), Complaint> {
                         .wrong(title, "here again")
                         .help("choose a name that no other block has"));
                 }
-                _ => wall.of_blocks.names.insert(block, short),
+                _ => wall.own.names.insert(block, short),
             };
         }
         if let Some(weight) = &table.weight {
             let weight = positive("weight", weight)?;
-            wall.of_blocks.weights.insert(block, weight);
+            wall.own.weights.insert(block, weight);
+        }
+        if let Some(specific) = specific_weight(table)? {
+            let assembly = wall.assembly().expect("the wall was laid before");
+            let area = assembly.blocks[block].shape.area();
+            let weight = specific * wall.thickness * area;
+            wall.own.weights.insert(block, weight);
+        }
+        if let Some(friction) = &table.friction {
+            let friction = not_negative("friction", friction)?;
+            wall.own.frictions.insert(block, friction);
         }
     }
     Ok(())

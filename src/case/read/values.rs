@@ -22,6 +22,22 @@ pub(super) enum FrictionValue {
     Classes(FrictionTable),
 }
 
+/// `live` in its two forms.
+#[derive(Debug)]
+pub(super) enum LiveValue {
+    /// What pushes, by a word.
+    Word(String),
+    /// How the weights do.
+    OfWeight(LiveTable),
+}
+
+/// How the weights push.
+#[derive(Debug, serde::Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct LiveTable {
+    pub weight: Spanned<Pair>,
+}
+
 /// Two numbers, `[x, y]`.
 #[derive(Clone, Debug)]
 pub(super) struct Pair(pub Vec<Spanned<Number>>);
@@ -128,6 +144,16 @@ read_by_visitor!(FrictionValue, "a coefficient of friction", {
 
     fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<FrictionValue, A::Error> {
         FrictionTable::deserialize(MapAccessDeserializer::new(map)).map(FrictionValue::Classes)
+    }
+});
+
+read_by_visitor!(LiveValue, "a live load", {
+    fn visit_str<E>(self, text: &str) -> Result<LiveValue, E> {
+        Ok(LiveValue::Word(text.to_owned()))
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<LiveValue, A::Error> {
+        LiveTable::deserialize(MapAccessDeserializer::new(map)).map(LiveValue::OfWeight)
     }
 });
 

@@ -1,18 +1,20 @@
 //! A coursed wall from a file, laid once with head joints in contact and once with open ones.
 
+use std::collections::BTreeSet;
+
 use toml::Spanned;
 
-use super::checks::{HEAD_JOINTS, Written, not_negative, positive, positive_or_one};
+use super::checks::{HEAD_JOINTS, Written, not_negative, positive, positive_or_one, whole};
 use super::courses::{PlacedCourses, courses};
 use super::file::{CaseFile, UnitTable};
 use super::friction::friction;
 use super::missing::missing_key;
 use super::own_blocks::own_blocks;
 use super::pieces::legend;
-use super::values::CoursesValue;
+use super::values::{CoursesValue, Number};
 use crate::case::complaint::{Complaint, Document};
 use crate::number::short;
-use crate::scene::{Course, OfBlocks, Push, Wall, WallError};
+use crate::scene::{Course, HeadJoints, Own, Push, Wall, WallError};
 
 /// Units longer or higher than this times the other side would fall under the joint search's
 /// tolerance.
@@ -35,13 +37,76 @@ pub(super) fn wall(
     let laid = courses(document, file, list, &legend)?;
     let mut wall = sized(file, unit.get_ref(), laid.courses.clone())?;
     not_too_slender(unit.get_ref(), &wall)?;
+    wall.own.heights = heights(file, &laid, &wall)?;
     for head_joints in HEAD_JOINTS {
         wall.scene(head_joints)
             .map_err(|error| not_laid(unit, list, &laid, &error))?;
     }
     warnings.extend(one_of_another_length(&laid, &wall));
     own_blocks(file, &mut wall, laid.weights)?;
+    wall.own.open = open_head_joints(file, wall.courses.len())?;
     Ok(wall)
+}
+
+/// The height of every course, from one for each course string or one for each course; none where all
+/// are as high as a unit.
+fn heights(file: &CaseFile, laid: &PlacedCourses, wall: &Wall) -> Result<Vec<f64>, Complaint> {
+    let Some(list) = &file.heights else {
+        return Ok(Vec::new());
+    };
+    let (strings, courses) = (laid.strings.len(), wall.courses.len());
+    let given = list.get_ref().len();
+    if given != courses && (given != strings || given == 0) {
+        let many = |count: usize, what: &str| match count {
+            1 => format!("1 {what}"),
+            count => format!("{count} {what}s"),
+        };
+        let title = format!("{} for {}", many(given, "height"), many(courses, "course"));
+        let complaint = list.wrong(title, "here");
+        return Err(complaint.help(match strings {
+            0 => "write a height for every course, from bottom to top",
+            _ => "write a height for every string of `courses`, or one for every course with all repeats",
+        }));
+    }
+    let height = |value: &Spanned<Number>| {
+        let height = positive("heights", value)?;
+        let ratio = wall.unit_length / height;
+        if ratio > MOST_SLENDER || ratio < 1.0 / MOST_SLENDER {
+            return Err(too_slender(value, ratio));
+        }
+        Ok(height)
+    };
+    let once: Vec<f64> = list
+        .get_ref()
+        .iter()
+        .map(height)
+        .collect::<Result<_, _>>()?;
+    let heights = once.iter().copied().cycle().take(courses);
+    Ok(
+        match once.iter().all(|&height| height == wall.unit_height) {
+            true => Vec::new(),
+            false => heights.collect(),
+        },
+    )
+}
+
+/// The courses whose head joints are open while those of others are not.
+fn open_head_joints(file: &CaseFile, courses: usize) -> Result<BTreeSet<usize>, Complaint> {
+    let Some(list) = &file.open_head_joints else {
+        return Ok(BTreeSet::new());
+    };
+    let word = file
+        .head_joints
+        .as_ref()
+        .map(|word| word.get_ref().as_str());
+    if word == Some(HeadJoints::Open.name()) {
+        let complaint = list.wrong("all head joints are open already", "these among them");
+        return Err(
+            complaint.help("remove it, or write `head_joints = \"contact\"` for the others")
+        );
+    }
+    let course = |value| whole("open_head_joints", value, courses);
+    list.get_ref().iter().map(course).collect()
 }
 
 /// A warning where one course string is longer or shorter than all others, which are alike: a piece
@@ -77,7 +142,7 @@ fn sized(file: &CaseFile, unit: &UnitTable, courses: Vec<Course>) -> Result<Wall
         friction: friction(file)?,
         overburden: overburden.map_or(Ok(0.0), |value| not_negative("overburden", value))?,
         push: Push::Right,
-        of_blocks: OfBlocks::default(),
+        own: Own::default(),
     })
 }
 
@@ -88,11 +153,14 @@ fn not_too_slender(unit: &UnitTable, wall: &Wall) -> Result<(), Complaint> {
         ratio if ratio < 1.0 / MOST_SLENDER => &unit.height,
         _ => return Ok(()),
     };
+    Err(too_slender(longer, ratio))
+}
+
+fn too_slender(value: &Spanned<Number>, ratio: f64) -> Complaint {
     let title =
         format!("a unit more than {MOST_SLENDER} times longer or higher than the other way");
-    Err(longer
-        .wrong(title, format!("length / height is {ratio:e}"))
-        .help("check that length and height are in one and the same unit of length"))
+    let complaint = value.wrong(title, format!("length / height is {ratio:e}"));
+    complaint.help("check that length and height are in one and the same unit of length")
 }
 
 /// What is wrong with a wall that cannot be laid, at its course, its unit or its list of courses.
@@ -104,6 +172,7 @@ fn not_laid(
 ) -> Complaint {
     let here = "here".to_owned();
     let (span, label, help) = match error {
+        WallError::Heights { .. } => (list.span(), here, "write a height for every course"),
         WallError::NoCourses => (list.span(), here, "write at least one course"),
         WallError::EmptyCourse { course } => (
             laid.course_place(*course).unwrap_or(list.span()),

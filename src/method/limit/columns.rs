@@ -3,7 +3,7 @@
 use std::ops::Range;
 
 use super::scale::Scale;
-use crate::scene::{Scene, Side};
+use crate::scene::Scene;
 
 /// Three columns a joint: two corner forces and the shear. Returns where the joint's four friction
 /// coefficients stand: rows ±t, columns n1 and n2.
@@ -54,8 +54,8 @@ pub(super) fn slack_column(inequalities: Range<usize>, out: &mut Entries) {
 pub(super) fn right_side(scene: &Scene, scale: &Scale, lambda: f64) -> Vec<f64> {
     let units = wrench_units(scale);
     let balanced = scene.blocks().iter().flat_map(|block| {
-        let (dead, live) = (block.dead(), block.live());
-        [0, 1, 2].map(|k| -(dead[k] + lambda * live[k]) / units[k])
+        let loads = block.loads_at(lambda);
+        [0, 1, 2].map(|k| -loads[k] / units[k])
     });
     balanced.collect()
 }
@@ -71,14 +71,11 @@ fn equilibrium_column(scene: &Scene, scale: &Scale, j: usize, kind: usize, out: 
         2 => (joint.ends[0], joint.tangent()),
         corner => (joint.ends[corner], joint.normal),
     };
-    let mut bodies = [(Some(joint.to), 1.0), (None, -1.0)];
-    if let Side::Block(from) = joint.from {
-        bodies[1].0 = Some(from);
-    }
+    let mut blocks = joint.blocks();
+    let mut bodies = [blocks.next(), blocks.next()];
     // Rows of a column must ascend.
-    bodies.sort_by_key(|body| body.0);
-    for (block, sign) in bodies {
-        let Some(block) = block else { continue };
+    bodies.sort_by_key(|body| body.map(|(block, _)| block));
+    for (block, sign) in bodies.into_iter().flatten() {
         let arm = (point - scene.blocks()[block].shape.centroid()) / scale.length;
         let wrench = [direction.x, direction.y, arm.perp(&direction)];
         for (k, value) in wrench.into_iter().enumerate() {

@@ -11,7 +11,7 @@ use super::columns::Entries;
 use super::scale::Scale;
 use super::vertical;
 use crate::mechanics::{JointForce, reach};
-use crate::scene::{Block, Joint, Scene, Side};
+use crate::scene::{Block, Joint, Scene};
 
 /// Which power of a block's own force its unit is. Of 45 walls and arches whose blocks' weights spread
 /// over 8 decades the cube root answered all, the square root 38, the whole force 10; of 200 loose
@@ -172,7 +172,7 @@ fn are_unequal(own: &[f64], reaches: &[f64]) -> bool {
 /// the own weight where that is more.
 fn joint_forces(scene: &Scene, scale: &Scale, own: &[f64]) -> Vec<f64> {
     let of_joint = |(joint, carried): (&Joint, f64)| {
-        let loads = bodies(joint).map(|block| own[block]);
+        let loads = joint.blocks().map(|(block, _)| own[block]);
         let least = loads.filter(|&own| own > 0.0).fold(f64::INFINITY, f64::min);
         if least.is_finite() {
             least.max(carried)
@@ -194,7 +194,7 @@ fn block_units(
 ) -> Vec<[f64; 2]> {
     let mut forces = own.to_vec();
     for (joint, &force) in scene.joints().iter().zip(joints) {
-        for block in bodies(joint) {
+        for (block, _) in joint.blocks() {
             forces[block] = forces[block].max(force);
         }
     }
@@ -235,14 +235,6 @@ fn carried(scene: &Scene, scale: &Scale) -> Vec<f64> {
             .collect(),
         None => vec![0.0; scene.joints().len()],
     }
-}
-
-fn bodies(joint: &Joint) -> impl Iterator<Item = usize> {
-    let from = match joint.from {
-        Side::Block(from) => Some(from),
-        Side::Support(_) => None,
-    };
-    std::iter::once(joint.to).chain(from)
 }
 
 /// The nearest power of two; 1 of what is no positive number.

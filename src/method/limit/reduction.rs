@@ -40,7 +40,6 @@ pub(super) fn parts(scene: &Scene) -> Vec<ScenePart> {
         return Vec::new();
     };
     let (low, high) = scene.bounds();
-    let course_height = coursing.height / coursing.courses as f64;
     let mut parts: Vec<ScenePart> = Vec::new();
     for reach in REACHES {
         let kept: Vec<bool> = scene
@@ -52,7 +51,7 @@ pub(super) fn parts(scene: &Scene) -> Vec<ScenePart> {
                     Push::Right => high.x - h.x,
                     Push::Left => l.x - low.x,
                 };
-                let line = (h.y - low.y) / course_height * coursing.overlap;
+                let line = coursing.courses_up_to(h.y - low.y) as f64 * coursing.overlap;
                 distance < line + reach * 2.0 * coursing.overlap
             })
             .collect();

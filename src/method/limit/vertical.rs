@@ -2,7 +2,7 @@
 //! costs no program, for walls of level beds.
 
 use crate::mechanics::JointForce;
-use crate::scene::{Joint, Scene, Side};
+use crate::scene::{Joint, Scene};
 
 /// Largest sideways part of a level joint's normal; the judge decides what it may be.
 const LEVEL: f64 = 1e-9;
@@ -62,19 +62,17 @@ pub(super) fn forces(scene: &Scene) -> Option<Vec<JointForce>> {
 }
 
 fn block_above(joint: &Joint) -> Option<usize> {
-    match joint.from {
-        _ if joint.normal.x.abs() > LEVEL => None,
-        _ if joint.normal.y > 0.0 => Some(joint.to),
-        Side::Block(from) => Some(from),
-        Side::Support(_) => None,
+    match joint.normal {
+        normal if normal.x.abs() > LEVEL => None,
+        normal if normal.y > 0.0 => Some(joint.to),
+        _ => joint.from.block(),
     }
 }
 
 fn block_below(joint: &Joint) -> Option<usize> {
-    match joint.from {
-        _ if joint.normal.y < 0.0 => Some(joint.to),
-        Side::Block(from) => Some(from),
-        Side::Support(_) => None,
+    match joint.normal.y < 0.0 {
+        true => Some(joint.to),
+        false => joint.from.block(),
     }
 }
 

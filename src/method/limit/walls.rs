@@ -1,6 +1,6 @@
 //! Walls for the tests of this folder.
 
-use crate::scene::{HeadJoints, OfBlocks, Piece, Push, Scene, Wall};
+use crate::scene::{HeadJoints, Own, Piece, Push, Scene, Wall};
 
 /// hh,1,hh of square blocks, whose lowest state with head joints in contact is known from elsewhere.
 pub(super) fn small_wall(head_joints: HeadJoints) -> Scene {
@@ -14,7 +14,7 @@ pub(super) fn small_wall(head_joints: HeadJoints) -> Scene {
         friction: 0.65.into(),
         overburden: 0.0,
         push: Push::Right,
-        of_blocks: OfBlocks::default(),
+        own: Own::default(),
     };
     wall.scene(head_joints).expect("it can be laid")
 }
@@ -57,6 +57,6 @@ fn laid(courses: &[&str]) -> Wall {
         friction: 0.65.into(),
         overburden: 0.5,
         push: Push::Right,
-        of_blocks: OfBlocks::default(),
+        own: Own::default(),
     }
 }

@@ -120,10 +120,8 @@ fn levels_and_ranges_do_not_hang_on_tuned_numbers() {
     let contact = contact.scene(HeadJoints::Contact).unwrap();
     let range = |asked| answer(&contact, &Portion::default(), asked).bracket();
     let usual = range(Asked::new(&settings)).expect("it has one");
-    for (name, scale) in Tuned::EACH {
-        for by in [0.5, 2.0] {
-            let mut tuned = Tuned::TUNED;
-            scale(&mut tuned, by);
+    for by in [0.5, 2.0] {
+        for (name, mut tuned) in Tuned::TUNED.each_times(by) {
             // At 1 a trend has no end.
             tuned.shrinking = tuned.shrinking.min(0.9);
             let asked = Asked {

@@ -49,8 +49,10 @@ pub fn faces(
     (origin, length): (Point, f64),
 ) -> Result<Vec<Face>, PushoverFact> {
     let carries = |joint: &Joint| {
-        !(portion.is_absent(joint.to)
-            || portion.is_fixed(joint.from) && portion.is_fixed(Side::Block(joint.to)))
+        // A pin holds its block by itself.
+        joint.length() > 0.0
+            && !(portion.is_absent(joint.to)
+                || portion.is_fixed(joint.from) && portion.is_fixed(Side::Block(joint.to)))
     };
     let joints: Vec<(usize, &Joint)> = (scene.joints().iter().enumerate())
         .filter(|(_, joint)| carries(joint))

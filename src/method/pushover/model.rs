@@ -14,7 +14,7 @@ use crate::scene::{Block, Point, Polygon, Scene, Side, Vector, multiplier_unit};
 
 /// A force at a point that turns with its block.
 pub struct BodyForce {
-    /// From the centroid to the point.
+    /// From the block's centre to the point.
     pub arm: [f64; 2],
     /// Constant part.
     pub dead: [f64; 2],
@@ -26,15 +26,19 @@ pub struct BodyForce {
 pub struct MovingBody {
     /// Its place in the scene.
     pub index: usize,
-    /// Centroid.
+    /// Centroid, or the point that a support turns about.
     pub centre: [f64; 2],
-    /// Its faces, with middles relative to the centroid.
+    /// Whether that point stays where it is.
+    pub is_pinned: bool,
+    /// Its centroid relative to the centre.
+    pub centroid: [f64; 2],
+    /// Its faces, with middles relative to the centre.
     pub faces: Vec<Face>,
     /// Mass, in mean weights over g.
     pub mass: f64,
-    /// Moment of inertia about the centroid.
+    /// Moment of inertia about the centre.
     pub inertia: f64,
-    /// Largest distance of a corner from the centroid.
+    /// Largest distance of a corner from the centre.
     pub reach: f64,
     /// What its displacements are magnified by before they are judged.
     pub smallness: f64,
@@ -58,7 +62,7 @@ pub struct Model {
     pub courses: f64,
     /// The smaller of width and height, in course heights.
     pub extent: f64,
-    /// Sum of the dead forces of the blocks that may move.
+    /// Sum of the dead forces of the blocks that may move; a pin takes those of its block.
     pub dead: [f64; 2],
     /// Sum of their live forces for a multiplier λ* of 1.
     pub live: [f64; 2],
@@ -89,7 +93,7 @@ impl Model {
         let free = (scene.blocks().iter().enumerate())
             .filter(|&(index, _)| portion.role(index) == Role::Free);
         let mut blocks: Vec<MovingBody> = free
-            .map(|(index, block)| units.body(index, block, inert[index]))
+            .map(|(index, block)| units.body((index, block), scene.pin(index), inert[index]))
             .collect();
         let mut joints: Vec<usize> = faces.iter().map(|face| face.joint).collect();
         joints.dedup();
@@ -186,22 +190,31 @@ impl Units {
         (force / self.force).into()
     }
 
-    fn body(&self, index: usize, block: &Block, inert: Inert) -> MovingBody {
+    fn body(
+        &self,
+        (index, block): (usize, &Block),
+        pin: Option<Point>,
+        inert: Inert,
+    ) -> MovingBody {
         let shape = &block.shape;
-        let centroid = shape.centroid();
+        let centre = pin.unwrap_or(shape.centroid());
+        let centroid = shape.centroid() - centre;
         let mass = inert.mass;
+        let gyration = gyration_squared(shape) + centroid.norm_squared();
         let loads = block.loads.iter().map(|load| BodyForce {
-            arm: ((load.point - centroid) / self.length).into(),
+            arm: ((load.point - centre) / self.length).into(),
             dead: self.vector(load.dead),
             live: self.vector(load.live * self.multiplier),
         });
         MovingBody {
             index,
-            centre: self.point(centroid),
+            centre: self.point(centre),
+            is_pinned: pin.is_some(),
+            centroid: (centroid / self.length).into(),
             faces: Vec::new(),
             mass,
-            inertia: mass * gyration_squared(shape) / (self.length * self.length),
-            reach: reach(block) / self.length,
+            inertia: mass * gyration / (self.length * self.length),
+            reach: (reach(block) + centroid.norm()) / self.length,
             smallness: inert.smallness,
             slowness: inert.slowness,
             loads: loads.collect(),
@@ -209,9 +222,10 @@ impl Units {
     }
 }
 
-/// Sum of a part of all forces.
+/// Sum of a part of all forces on bodies that no pin holds.
 fn total(blocks: &[MovingBody], part: fn(&BodyForce) -> [f64; 2]) -> [f64; 2] {
-    let loads = blocks.iter().flat_map(|block| &block.loads);
+    let free = blocks.iter().filter(|block| !block.is_pinned);
+    let loads = free.flat_map(|block| &block.loads);
     let add = |[x, y]: [f64; 2], force: [f64; 2]| [x + force[0], y + force[1]];
     loads.map(part).fold([0.0; 2], add)
 }

@@ -2,7 +2,7 @@
 //! admits, for at either end the scene is about to move before anything changes.
 
 use crate::answer::{Fact, Outcome, ReactionFact, Status, magnitude};
-use crate::scene::{JointClass, Scene};
+use crate::scene::Scene;
 
 use super::observing::observing;
 
@@ -10,11 +10,6 @@ use super::observing::observing;
 /// where none moves.
 pub(super) fn from_within(scene: &Scene, pushover: impl Fn(&Scene) -> Outcome) -> Option<Outcome> {
     let reaction = scene.reaction()?;
-    let mut guides = scene.joints().iter();
-    if guides.any(|joint| joint.class == JointClass::Guide && joint.length() == 0.0) {
-        let turns = ReactionFact::Turns;
-        return Some(Outcome::without_number(Status::NotApplicable, turns));
-    }
     let before = reaction.range / 3.0;
     let within = reaction.at(before);
     let outcome = pushover(&scene.clone().with_start(within, before, false));

@@ -8,9 +8,9 @@ use rapier2d::parry::shape::SharedShape;
 use rapier2d::prelude::{
     BroadPhaseBvh, CCDSolver, CoefficientCombineRule, ColliderBuilder, ColliderHandle, ColliderSet,
     ContactPair, Group, ImpulseJointSet, IntegrationParameters, InteractionGroups,
-    InteractionTestMode, IslandManager, MultibodyJointSet, NarrowPhase, PhysicsPipeline,
-    RigidBodyBuilder, RigidBodyHandle, RigidBodySet, SoftBodiesSettings, SoftBodySet,
-    SpringCoefficients,
+    InteractionTestMode, IslandManager, LockedAxes, MultibodyJointSet, NarrowPhase,
+    PhysicsPipeline, RigidBodyBuilder, RigidBodyHandle, RigidBodySet, SoftBodiesSettings,
+    SoftBodySet, SpringCoefficients,
 };
 
 use super::faces::{DEPTH, Face};
@@ -282,7 +282,12 @@ fn integration(parameters: &Parameters) -> IntegrationParameters {
 /// A block's body. Gravity is off: weights are forces like all others.
 fn body(block: &MovingBody) -> RigidBodyBuilder {
     let properties = MassProperties::new(Vec2::ZERO, block.mass, block.inertia);
+    let locked = match block.is_pinned {
+        true => LockedAxes::TRANSLATION_LOCKED,
+        false => LockedAxes::empty(),
+    };
     RigidBodyBuilder::dynamic()
+        .locked_axes(locked)
         .translation(vec2(block.centre))
         .gravity_scale(0.0)
         .linear_damping(0.0)

@@ -138,9 +138,8 @@ pub fn beyond_stagger(scene: &Scene, part: &Portion, tuned: &Tuned) -> Option<Po
     scene.regular().as_ref().ok()?;
     let wall = scene
         .coursing()
-        .filter(|wall| wall.courses as f64 >= tuned.swaying)?;
+        .filter(|wall| wall.levels.len() as f64 >= tuned.swaying)?;
     let (low, high) = scene.bounds();
-    let unit_height = wall.height / wall.courses as f64;
     // Overlaps between the stagger line and the block's near side.
     let beyond = scene.blocks().iter().map(|block| {
         let (l, h) = block.shape.bounds();
@@ -148,7 +147,7 @@ pub fn beyond_stagger(scene: &Scene, part: &Portion, tuned: &Tuned) -> Option<Po
             Push::Right => high.x - h.x,
             Push::Left => l.x - low.x,
         };
-        let course = ((l.y - low.y) / unit_height).round() + 1.0;
+        let course = wall.courses_up_to(l.y - low.y) as f64 + 1.0;
         near / wall.overlap - course
     });
     let beyond: Vec<f64> = beyond.collect();

@@ -12,7 +12,8 @@ use crate::answer::{
     Bracket, Checked, Fact, Observed, Outcome, PushoverFact, Recording, SelfCheck, Status, Work,
 };
 use crate::mechanics::{Mechanism, Motion, crack_slope_by_gap};
-use crate::scene::{Scene, Vector};
+use crate::scene::{Scene, Side, Vector};
+use nalgebra::Rotation2;
 
 /// Natural frequency of the contacts times the substep beyond which walls jitter, with a margin
 /// for rounding.
@@ -194,7 +195,11 @@ fn self_checks(
     let weight = (x * x + y * y).sqrt();
     let lambda = seen.lower as f64 / GRID;
     let pushed = [x + lambda * model.live[0], y + lambda * model.live[1]];
-    let fixed = |side| portion.is_fixed(side);
+    let pinned = |side| match side {
+        Side::Block(block) => scene.pin(block).is_some(),
+        Side::Support(_) => false,
+    };
+    let fixed = |side| portion.is_fixed(side) || pinned(side);
     let settled = checks::reaction(scene, &seen.settled.contacts, fixed);
     let carried = checks::reaction(scene, &seen.rest.contacts, fixed);
     let carry =
@@ -213,7 +218,12 @@ fn self_checks(
 fn mechanism(scene: &Scene, model: &Model, from: &[BodyState], to: &[BodyState]) -> Mechanism {
     let mut motions = vec![Motion::default(); scene.blocks().len()];
     for ((a, b), block) in from.iter().zip(to).zip(&model.blocks) {
-        let moved = Vector::new(b.position[0] - a.position[0], b.position[1] - a.position[1]);
+        let mut moved = Vector::new(b.position[0] - a.position[0], b.position[1] - a.position[1]);
+        if block.is_pinned {
+            let arm =
+                |state: &BodyState| Rotation2::new(state.rotation) * Vector::from(block.centroid);
+            moved += arm(b) - arm(a);
+        }
         motions[block.index] = Motion {
             velocity: moved * model.length,
             rotation: b.rotation - a.rotation,

@@ -3,7 +3,7 @@
 use super::verify::verify;
 use super::*;
 use crate::answer::Bracket;
-use crate::scene::{Course, HeadJoints, OfBlocks, Piece, Polygon, Push, SceneParts, Vector, Wall};
+use crate::scene::{Course, HeadJoints, Own, Piece, Polygon, Push, SceneParts, Vector, Wall};
 
 /// A wall of unit thickness and weight from its courses, a letter a piece.
 pub(super) fn wall(unit: [f64; 2], friction: f64, courses: &[&str]) -> Wall {
@@ -24,7 +24,7 @@ pub(super) fn wall(unit: [f64; 2], friction: f64, courses: &[&str]) -> Wall {
         friction: friction.into(),
         overburden: 0.0,
         push: Push::Right,
-        of_blocks: OfBlocks::default(),
+        own: Own::default(),
     }
 }
 

@@ -3,7 +3,7 @@
 use super::grid::Known;
 use crate::answer::Bracket;
 use crate::scene::{
-    Course, Friction, HeadJoints, OfBlocks, Piece, Polygon, Push, Scene, SceneParts, Vector, Wall,
+    Course, Friction, HeadJoints, Own, Piece, Polygon, Push, Scene, SceneParts, Vector, Wall,
 };
 
 /// What multipliers are worth that HiGHS (1.15.1, simplex) computed, the lowest states by blending, as
@@ -42,7 +42,7 @@ pub fn wall(courses: Vec<Course>) -> Wall {
         friction: Friction::from(0.65),
         overburden: 0.0,
         push: Push::Right,
-        of_blocks: OfBlocks::default(),
+        own: Own::default(),
     }
 }
 

@@ -1,8 +1,8 @@
 //! Seeded scenes that fall under their own weight, or nearly do.
 
 use trilith::scene::{
-    Block, Course, HeadJoints, Load, OfBlocks, Piece, Point, Polygon, Push, Scene, SceneParts,
-    Vector, Wall,
+    Block, Course, HeadJoints, Load, Own, Piece, Point, Polygon, Push, Scene, SceneParts, Vector,
+    Wall,
 };
 
 /// Deterministic noise (xorshift).
@@ -187,7 +187,7 @@ pub fn holed_wall(noise: &mut Noise) -> Wall {
             0.0
         },
         push: Push::Right,
-        of_blocks: OfBlocks::default(),
+        own: Own::default(),
     }
 }
 

@@ -153,7 +153,7 @@ mod tests {
         let conditions = Conditions::of(scene).with_slip_bounds(scene);
         let opening = opening(scene, &mut Work::default()).unwrap();
         let prover = Prover::new(scene, conditions.clone(), &opening).unwrap();
-        let lift = Lift::new(conditions, &orders(scene), Parameters::default()).unwrap();
+        let lift = Lift::new(conditions, &orders(scene), Parameters::TUNED).unwrap();
         let settings = Settings::default().bound;
         let mut slices = Slices::default();
         for (leaf, &pair) in pairs.iter().enumerate() {

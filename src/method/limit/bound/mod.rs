@@ -64,7 +64,7 @@ use super::ending::Ending;
 use super::interval::{Interval, lowest};
 use super::program::Program;
 use crate::answer::{BoundFact, Evidence, Fact, LimitFact, Outcome, Status, Work, magnitude};
-use crate::certificate::{Certificate, Conditions, Proved, Prover};
+use crate::certificate::{Certificate, Conditions, Proved, Prover, Unknown};
 use crate::mechanics::{CollapseState, VELOCITY_THRESHOLDS, crack_slope};
 use crate::method::settings::LP_TOLERANCE;
 use crate::method::{Method, Settings};
@@ -82,7 +82,7 @@ impl Method for Bound {
     }
 
     fn solve(&self, scene: &Scene, settings: &Settings) -> Outcome {
-        solve_with(scene, settings, Parameters::default())
+        solve_with(scene, settings, Parameters::TUNED)
     }
 }
 
@@ -198,9 +198,12 @@ fn orders(scene: &Scene) -> [Vec<usize>; 2] {
 /// that all forces together are as small as can be shown; `None` where the scene can lock.
 fn opening(scene: &Scene, work: &mut Work) -> Option<Vec<f64>> {
     let mut program = Program::new(scene);
-    program.set_cost(0.0, &vec![-1.0; scene.joints().len()]);
+    // What guides a support stays closed.
+    let mut opens = vec![0.0; scene.joints().len()];
+    opens[..scene.contacts().len()].fill(-1.0);
+    program.set_cost(0.0, &opens);
     match program.solve_counted(work) {
-        Ending::Solved(solution) => Some(solution.velocity),
+        Ending::Solved(solution) => Some(Unknown::of(scene).velocities(&solution.velocity)),
         _ => None,
     }
 }

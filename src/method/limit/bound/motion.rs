@@ -10,7 +10,7 @@ use nalgebra::DMatrix;
 use super::parameters::ROUNDING;
 use crate::certificate::{Conditions, Entry};
 
-/// How rates follow from a motion's unknowns: three a block, then the forward slip of every joint.
+/// How rates follow from a motion's unknowns: the velocities, then the forward slip of every joint.
 pub(super) struct Motion {
     /// Every rate in the unknowns: four a joint, the power, then those of slip bounds.
     pub(super) rows: Vec<Vec<Entry>>,
@@ -53,7 +53,9 @@ impl Motion {
         let mut replaced: Vec<Option<Vec<Entry>>> = vec![None; plain.unknowns];
         let mut sum: Option<Entry> = None;
         for &block in order {
-            let own = (3 * block..3 * block + 3).map(|k| (k, conditions.live[k]));
+            // Supports that move have one velocity, the last.
+            let own = 3 * block..(3 * block + 3).min(conditions.velocities());
+            let own = own.map(|k| (k, conditions.live[k]));
             let own: Vec<Entry> = own.filter(|entry| entry.1 != 0.0).collect();
             let largest = own.iter().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
             let Some(&(at, load)) = largest else {

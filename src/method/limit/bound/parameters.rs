@@ -5,40 +5,9 @@
 //! They were chosen on walls of about ten blocks and on paper-1 with open head joints (33 blocks). What
 //! else was measured stands with each; "not measured" says that no run tells one value from another.
 
-/// Makes [`Parameters`] from entries `field: type = value;`.
-macro_rules! parameters {
-    ($( $(#[doc = $meaning:literal])+ $field:ident: $Type:ty = $value:expr; )+) => {
-        /// The tuned numbers of one bound.
-        #[derive(Clone, Debug, PartialEq)]
-        pub(super) struct Parameters {$( $(#[doc = $meaning])+ pub(super) $field: $Type, )+}
-
-        impl Default for Parameters {
-            fn default() -> Self {
-                Self { $($field: $value),+ }
-            }
-        }
-
-        #[cfg(test)]
-        impl Parameters {
-            /// Its numbers with each of them once times a factor, and its name.
-            pub(super) fn each_times(&self, by: f64) -> Vec<(String, Self)> {
-                let mut changed = Vec::new();
-                $(
-                    let mut at = 0;
-                    let mut own = self.clone();
-                    while own.$field.scale(at, by) {
-                        changed.push((format!("{} {at} × {by}", stringify!($field)), own));
-                        own = self.clone();
-                        at += 1;
-                    }
-                )+
-                changed
-            }
-        }
-    };
-}
-
-parameters! {
+tuned! {
+    /// The tuned numbers of one bound.
+    Parameters:
     // Slices.
     /// Searches with the states of lifts as starts, at most: such starts led to states that 150 random
     /// ones had missed.
@@ -176,33 +145,3 @@ pub(super) const OTHER_MACHINE: f64 = 1e-9;
 
 /// Columns of a block of a dense factor (what fits the fastest memory of any processor of today).
 pub(super) const BLOCK: usize = 48;
-
-/// One number or several of the table, as the test scales them.
-#[cfg(test)]
-trait Scaled {
-    /// Scales the number at a place; whether there is one.
-    fn scale(&mut self, at: usize, by: f64) -> bool;
-}
-
-#[cfg(test)]
-impl Scaled for f64 {
-    fn scale(&mut self, at: usize, by: f64) -> bool {
-        *self *= by;
-        at == 0
-    }
-}
-
-#[cfg(test)]
-impl Scaled for usize {
-    fn scale(&mut self, at: usize, by: f64) -> bool {
-        *self = (*self as f64 * by).round() as usize;
-        at == 0
-    }
-}
-
-#[cfg(test)]
-impl<const N: usize> Scaled for [f64; N] {
-    fn scale(&mut self, at: usize, by: f64) -> bool {
-        self.get_mut(at).is_some_and(|own| own.scale(0, by))
-    }
-}

@@ -177,7 +177,7 @@ mod tests {
         let conditions = Conditions::of(&scene);
         let opening = opening(&scene, &mut Work::default()).unwrap();
         let prover = Prover::new(&scene, conditions.clone(), &opening).unwrap();
-        let lift = Lift::new(conditions, &orders(&scene), Parameters::default()).unwrap();
+        let lift = Lift::new(conditions, &orders(&scene), Parameters::TUNED).unwrap();
         let mut refuted = 0;
         for (pair, vanishing) in vanishings(&scene) {
             assert!(vanishing.share == 0.0 || !vanishing.is_excluded(vanishing.upto - 1e-3, &lift));

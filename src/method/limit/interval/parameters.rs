@@ -118,14 +118,14 @@ mod tests {
     use crate::scene::Scene;
 
     impl Scaled for Range {
-        fn scale(&mut self, by: f64) {
-            *self = Range(self.0 * by, self.1 * by);
+        fn scaled(&self, by: f64) -> Vec<Self> {
+            vec![Range(self.0 * by, self.1 * by)]
         }
     }
 
     impl Scaled for Decades {
-        fn scale(&mut self, by: f64) {
-            *self = Decades(self.0 + by.log10(), self.1 + by.log10());
+        fn scaled(&self, by: f64) -> Vec<Self> {
+            vec![Decades(self.0 + by.log10(), self.1 + by.log10())]
         }
     }
 
@@ -147,10 +147,12 @@ mod tests {
     }
 
     /// What is wrong with the answers where one number is multiplied.
-    fn faults(&(name, scale, by): &(&str, fn(&mut Tuned, f64), f64)) -> Vec<String> {
+    fn faults(&(by, (name, tuned)): &(f64, (&str, Tuned))) -> Vec<String> {
         let settings = Settings::default();
-        let mut request = Request::of(&settings);
-        scale(&mut request.tuned, by);
+        let request = Request {
+            tuned,
+            ..Request::of(&settings)
+        };
         let faults = walls().into_iter().filter_map(|(scene, lowest)| {
             let outcome = solve(&scene, &request);
             let ceiling = Associative.solve(&scene, &settings).bracket()?.upper;
@@ -164,9 +166,13 @@ mod tests {
 
     #[test]
     fn lowest_states_do_not_hang_on_tuned_numbers() {
-        let each = Tuned::EACH.iter();
-        let each = each.flat_map(|&(name, scale)| [0.5, 2.0].map(|by| (name, scale, by)));
-        let each: Vec<_> = each.collect();
+        let each = |by| {
+            Tuned::TUNED
+                .each_times(by)
+                .into_iter()
+                .map(move |one| (by, one))
+        };
+        let each: Vec<_> = [0.5, 2.0].into_iter().flat_map(each).collect();
         let faults: Vec<String> = each.par_iter().flat_map(faults).collect();
         assert!(faults.is_empty(), "{faults:#?}");
     }

@@ -1,0 +1,270 @@
+//! `trilith show`: one case as it is read.
+
+use std::fmt::Write;
+
+use crate::case::{self, Case, Geometry};
+use crate::method::{PushoverSettings, pushover};
+use crate::number::short;
+use crate::scene::{
+    Assembly, Forces, Friction, HeadJoints, Joint, JointClass, Push, Scene, Sense, Side, Wall,
+};
+
+use super::plan::warn;
+use super::screen::print_lines;
+use super::stop::Stop;
+
+pub(super) fn show(argument: &str, pushover: bool) -> Result<u8, Stop> {
+    let cases = case::find(argument)?;
+    warn(&cases);
+    for case in &cases {
+        print_lines(&description(case))?;
+        for &head_joints in case.head_joints.iter().filter(|_| pushover) {
+            let scene = case.scene(head_joints);
+            let lines = pushover::parameters(&scene, &PushoverSettings::default())
+                .unwrap_or_else(|reason| format!("It is not run: {reason}.\n"));
+            print_lines(&format!(
+                "pushover, {} head joints\n{lines}",
+                head_joints.name()
+            ))?;
+        }
+    }
+    Ok(0)
+}
+
+fn description(case: &Case) -> String {
+    let mut text = format!("{}: {}\nsource: {}\n", case.name, case.title, case.source);
+    text.push_str(&geometry(&case.geometry));
+    text.push_str(&own(&case.geometry));
+    let _ = writeln!(text, "pushed {}", pushes(&case.pushes));
+    for head_joints in &case.head_joints {
+        let scene = case.scene(*head_joints);
+        let _ = writeln!(text, "{}", crate::record::fingerprint(*head_joints, &scene));
+    }
+    if let Geometry::Blocks(_) = case.geometry {
+        text.push_str(&steep_joints(&case.scene(HeadJoints::Contact)));
+    }
+    if let Some(motion) = &case.motion {
+        for support in &motion.supports {
+            let [x, y] = [support.away.x, support.away.y].map(|part| short(part, 4));
+            let _ = writeln!(
+                text,
+                "{} moves {} the wall, which is {} [{x}, {y}]",
+                support.name,
+                match motion.sense {
+                    Sense::Away => "away from",
+                    Sense::Against => "against",
+                },
+                match motion.sense {
+                    Sense::Away => "along",
+                    Sense::Against => "against",
+                },
+            );
+        }
+    }
+    for r in &case.references {
+        let joints = r.head_joints.map_or("both", |h| h.name());
+        let _ = writeln!(
+            text,
+            "{} {} {}: {} +- {} ({}, {})",
+            r.method,
+            joints,
+            r.quantity.name(),
+            r.value,
+            r.tolerance,
+            r.kind.name(),
+            r.source
+        );
+    }
+    text
+}
+
+/// Which joints between blocks are head joints, and which are bed joints although they are steep.
+fn steep_joints(scene: &Scene) -> String {
+    let named = |wanted: &dyn Fn(&Joint) -> bool| {
+        let joints = scene.joints().iter().filter(|joint| wanted(joint));
+        let names = joints.filter_map(|joint| match joint.from {
+            Side::Block(from) => {
+                let names = [from, joint.to].map(|block| scene.block_name(block));
+                Some(names.join(" | "))
+            }
+            Side::Support(_) => None,
+        });
+        names.collect::<Vec<_>>()
+    };
+    let is_steep = |joint: &Joint| joint.normal.x.abs() > joint.normal.y.abs();
+    let heads = named(&|joint| joint.class == JointClass::Head);
+    let beds = named(&|joint| joint.class == JointClass::Bed && is_steep(joint));
+    listed("head joints", heads) + &listed("steep bed joints", beds)
+}
+
+/// Joints and blocks that are named at most.
+const MOST_NAMED: usize = 40;
+
+/// What the case is made of, in one paragraph.
+fn geometry(geometry: &Geometry) -> String {
+    match geometry {
+        Geometry::Wall(wall) => format!(
+            "{} courses of units {} x {} x {}, weight {} each; friction {}, overburden ratio {}\n",
+            wall.courses.len(),
+            wall.unit_length,
+            wall.unit_height,
+            wall.thickness,
+            wall.unit_weight,
+            friction(wall.friction),
+            wall.overburden
+        ),
+        Geometry::Blocks(assembly) => {
+            let supports = assembly.supports.iter().map(|s| s.name.as_str());
+            format!(
+                "{} blocks on {}; friction {}; {}\n\
+                 edges touch within {:e} of the smaller block's extent\n",
+                assembly.blocks.len(),
+                supports.collect::<Vec<_>>().join(", "),
+                friction(assembly.friction),
+                forces(&assembly.forces),
+                assembly.tolerance
+            )
+        }
+        Geometry::Arch(arch) => format!(
+            "an arch of mean radius {}, thickness {}, embrace {} degrees, {} voussoirs; \
+             friction {}; {}\n",
+            arch.mean_radius,
+            arch.thickness,
+            arch.embrace,
+            arch.voussoirs,
+            friction(arch.friction),
+            forces(&arch.forces)
+        ),
+    }
+}
+
+fn forces(forces: &Forces) -> String {
+    let weight = live(forces);
+    match forces.extra.len() {
+        0 => weight,
+        1 => format!("{weight}, and 1 load"),
+        count => format!("{weight}, and {count} loads"),
+    }
+}
+
+/// What pushes without the loads.
+fn live(forces: &Forces) -> String {
+    let [along, upwards] = forces.of_weight.into();
+    match [along, upwards] {
+        [1.0, 0.0] => "the live load is every weight sideways".to_owned(),
+        [0.0, 0.0] => "the live load is the loads alone".to_owned(),
+        _ => {
+            format!("the live load is {along} of every weight sideways and {upwards} of it upwards")
+        }
+    }
+}
+
+/// What single courses, joints and blocks have of their own, a line each; no line where they have nothing.
+fn own(geometry: &Geometry) -> String {
+    let assembly = geometry.assembly();
+    let mut text = match geometry {
+        Geometry::Wall(wall) => own_courses(wall),
+        Geometry::Blocks(_) | Geometry::Arch(_) => String::new(),
+    };
+    let name = |body: Side| match body {
+        Side::Block(block) => assembly.blocks[block].name.as_str(),
+        Side::Support(support) => assembly.supports[support].name.as_str(),
+    };
+    let joints = match geometry {
+        // Those of whole courses are named by them.
+        Geometry::Wall(wall) => &wall.own.joints,
+        Geometry::Blocks(_) | Geometry::Arch(_) => &assembly.named_joints,
+    };
+    let words = joints.iter().map(|joint| {
+        let [one, other] = joint.between.map(name);
+        let class = joint.class.map(|class| format!("{} joint", class.name()));
+        let friction = joint
+            .friction
+            .map(|friction| format!("friction {friction}"));
+        let open = joint.open.then(|| "open".to_owned());
+        let said: Vec<String> = class.into_iter().chain(friction).chain(open).collect();
+        format!("{one} | {other} ({})", said.join(", "))
+    });
+    text.push_str(&listed("joints of their own kind", words.collect()));
+    let blocks = assembly.blocks.iter();
+    let rough = blocks.filter_map(|block| Some(format!("{} {}", block.name, block.friction?)));
+    text.push_str(&listed("friction of blocks", rough.collect()));
+    if assembly.overburden > 0.0 {
+        let faces = assembly.top_faces().into_iter();
+        let faces = faces.map(|(block, _, _)| assembly.blocks[block].name.clone());
+        let (ratio, pressure) = (assembly.overburden, short(assembly.pressure(), 6));
+        let what = format!("overburden ratio {ratio}, {pressure} a unit of length, on");
+        text.push_str(&listed(&what, faces.collect()));
+    }
+    text + &weights(&assembly)
+}
+
+/// What courses of a wall have of their own.
+fn own_courses(wall: &Wall) -> String {
+    let mut text = String::new();
+    let heights = wall.own.heights.iter().map(f64::to_string);
+    text.push_str(&listed(
+        "heights of the courses from the bottom",
+        heights.collect(),
+    ));
+    for (course, friction) in &wall.own.beds {
+        let _ = writeln!(
+            text,
+            "friction {friction} of the joint that course {course} lies on"
+        );
+    }
+    let open = wall.own.open.iter().map(usize::to_string);
+    text.push_str(&listed("open head joints in course", open.collect()));
+    if wall.own.forces != Forces::default() {
+        let _ = writeln!(text, "{}", forces(&wall.own.forces));
+    }
+    text
+}
+
+/// Weights over areas, where they differ.
+fn weights(assembly: &Assembly) -> String {
+    let blocks = assembly.blocks.iter();
+    let specific = blocks.map(|block| (block.weight / block.shape.area(), &block.name));
+    let [least, most] = [1.0, -1.0].map(|sign: f64| {
+        specific
+            .clone()
+            .min_by(|a, b| (sign * a.0).total_cmp(&(sign * b.0)))
+    });
+    match (least, most) {
+        (Some((low, light)), Some((high, heavy))) if high > low * (1.0 + 1e-6) => format!(
+            "weight over area from {} ({light}) to {} ({heavy})\n",
+            short(low, 6),
+            short(high, 6)
+        ),
+        _ => String::new(),
+    }
+}
+
+/// A line that names what there is, not too many of it; nothing where there is nothing.
+fn listed(what: &str, names: Vec<String>) -> String {
+    match names.split_at_checked(MOST_NAMED) {
+        Some((first, more)) if !more.is_empty() => {
+            format!("{what}: {} and {} more\n", first.join(", "), more.len())
+        }
+        _ if names.is_empty() => String::new(),
+        _ => format!("{what}: {}\n", names.join(", ")),
+    }
+}
+
+fn pushes(pushes: &[Push]) -> &'static str {
+    match pushes {
+        [Push::Right] => "to the right",
+        [Push::Left] => "to the left",
+        _ => "to the right and to the left, and the weaker side counts",
+    }
+}
+
+/// One number where all joints are alike.
+fn friction(friction: Friction) -> String {
+    let Friction { bed, head, base } = friction;
+    if bed == head && bed == base {
+        bed.to_string()
+    } else {
+        format!("{bed} bed, {head} head, {base} base")
+    }
+}
