@@ -9,6 +9,7 @@ use super::prose;
 use super::ranges::range_figure;
 use super::residuals::in_short;
 use super::sortable::{TableCell, cells, plain, titles};
+use super::witnesses::witnesses;
 use crate::case::Case;
 use crate::judge::Verdict;
 use crate::method::Settings;
@@ -61,6 +62,7 @@ fn case(result: &CaseResult) -> Markup {
             }
             @if !result.case.references.is_empty() { (references(result)) }
             (answers(result))
+            (witnesses(name))
             @for conclusion in &result.conclusions {
                 p.answer { b { (conclusion.head_joints.name()) " head joints: " } (conclusion) }
             }

@@ -18,6 +18,7 @@ mod residuals;
 mod sortable;
 mod summary;
 mod sweep;
+mod witnesses;
 
 pub use manual::manual;
 pub use page::{Report, page};
