@@ -9,7 +9,11 @@ use super::bracket::Bracket;
 use super::recording::Recording;
 use super::self_check::SelfCheck;
 use crate::certificate::Certificate;
-use crate::mechanics::{Ceiling, CollapseState, Crack, ForceState, JointForce, Mechanism};
+use crate::mechanics::{
+    Ceiling, CollapseState, Crack, ForceState, JointForce, Mechanism, VELOCITY_THRESHOLDS,
+    crack_slope,
+};
+use crate::scene::Scene;
 
 /// What an answer proves or has seen. Whoever reads it matches every kind, so that a further one does
 /// not compile until each reader knows it.
@@ -35,8 +39,6 @@ pub enum Evidence {
         forces: Option<ForceState>,
         /// Velocities at the lower end; with the forces they may be a collapse state.
         mechanism: Option<Mechanism>,
-        /// The crack of the mechanism.
-        crack: Option<Crack>,
     },
     /// What is put forward as a collapse state, or as a number that the judge may find to be one.
     State {
@@ -44,8 +46,6 @@ pub enum Evidence {
         state: CollapseState,
         /// Error that is stated for λ, relative to it.
         stated_error: Option<f64>,
-        /// The crack of the mechanism.
-        crack: Option<Crack>,
     },
     /// Bounds of λ_A, the multiplier of associative friction.
     Bounds {
@@ -53,15 +53,11 @@ pub enum Evidence {
         below: ForceState,
         /// A mechanism that is, and its multiplier.
         above: Ceiling,
-        /// The crack of the mechanism.
-        crack: Option<Crack>,
     },
     /// Collapse states without dilatancy.
     States {
         /// One or more, lowest λ first.
         states: Vec<CollapseState>,
-        /// The crack of the lowest.
-        crack: Option<Crack>,
     },
     /// A collapse state, and what no collapse multiplier exceeds.
     Enclosed {
@@ -69,8 +65,6 @@ pub enum Evidence {
         state: CollapseState,
         /// A mechanism with dilatancy, and the multiplier that it proves to be an upper bound.
         ceiling: Ceiling,
-        /// The crack of the state.
-        crack: Option<Crack>,
     },
     /// A collapse state, and what none lies below.
     Bounded {
@@ -81,8 +75,6 @@ pub enum Evidence {
         certificate: Option<Arc<Certificate>>,
         /// The lowest state.
         state: CollapseState,
-        /// The crack of the state.
-        crack: Option<Crack>,
     },
     /// What was seen, as in an experiment: nothing is proved.
     Observed(Observed),
@@ -182,17 +174,20 @@ impl Evidence {
         }
     }
 
-    /// The crack, where there is one.
-    pub fn crack(&self) -> Option<&Crack> {
+    /// The crack in the scene that it is about, where there is one: of a mechanism at the thresholds for
+    /// velocities, else what the evidence says itself.
+    pub fn crack(&self, scene: &Scene) -> Option<Crack> {
         match self {
-            Evidence::ClosedForm { crack, .. } => Some(crack),
-            Evidence::Number { crack, .. }
-            | Evidence::State { crack, .. }
-            | Evidence::Bounds { crack, .. }
-            | Evidence::States { crack, .. }
-            | Evidence::Enclosed { crack, .. }
-            | Evidence::Bounded { crack, .. }
-            | Evidence::Observed(Observed { crack, .. }) => crack.as_ref(),
+            Evidence::ClosedForm { crack, .. } => Some(*crack),
+            Evidence::Observed(observed) => observed.crack,
+            Evidence::Number { .. }
+            | Evidence::State { .. }
+            | Evidence::Bounds { .. }
+            | Evidence::States { .. }
+            | Evidence::Enclosed { .. }
+            | Evidence::Bounded { .. } => {
+                crack_slope(scene, self.mechanism()?, VELOCITY_THRESHOLDS)
+            }
             Evidence::Nothing | Evidence::Falls { .. } | Evidence::Stands { .. } => None,
         }
     }

@@ -183,7 +183,7 @@ fn views<'a>(result: &'a CaseResult, methods: &[String]) -> Vec<View<'a>> {
         .rows
         .iter()
         .find(|row| row.kind() == Kind::ClosedForm);
-    let slope = closed.and_then(|row| row.outcome.evidence.crack().copied());
+    let slope = closed.and_then(|row| row.crack);
     let row = |name: &String| result.rows.iter().find(|row| row.method == *name);
     let rows = methods.iter().filter_map(row);
     rows.map(|row| {

@@ -4,8 +4,7 @@ use super::answer::{AnswerFile, AnswerKind};
 use super::text::shortened;
 use crate::answer::{Bracket, Evidence, Fact, Outcome, ProgramFailure, Status};
 use crate::mechanics::{
-    Ceiling, CollapseState, ForceState, JointForce, Mechanism, Motion, VELOCITY_THRESHOLDS,
-    crack_slope, kinematic_multiplier,
+    Ceiling, CollapseState, ForceState, JointForce, Mechanism, Motion, kinematic_multiplier,
 };
 use crate::scene::{Scene, Vector};
 
@@ -55,8 +54,6 @@ fn evidence(scene: &Scene, answer: &AnswerFile) -> Result<Evidence, ProgramFailu
     let ceiling = of_blocks(&answer.ceiling, "ceiling")?;
     let forces = of_joints(&answer.forces, "forces")?;
     let ray = of_joints(&answer.ray, "ray")?;
-    let crack = velocities.as_ref();
-    let crack = crack.and_then(|m| crack_slope(scene, m, VELOCITY_THRESHOLDS));
     let needs = |keys: &'static str| ProgramFailure::MissingKeys { keys: keys.into() };
     let two = "`forces` and `velocities`; a number alone is an `estimate`";
     let lambda = || answer.lambda.ok_or(needs("`lambda`"));
@@ -67,7 +64,6 @@ fn evidence(scene: &Scene, answer: &AnswerFile) -> Result<Evidence, ProgramFailu
             Evidence::Bounds {
                 below: ForceState { lambda, forces },
                 above,
-                crack,
             }
         }
         AnswerKind::CollapseState => {
@@ -79,7 +75,6 @@ fn evidence(scene: &Scene, answer: &AnswerFile) -> Result<Evidence, ProgramFailu
                     mechanism,
                 },
                 stated_error: None,
-                crack,
             }
         }
         AnswerKind::Enclosed => {
@@ -94,7 +89,6 @@ fn evidence(scene: &Scene, answer: &AnswerFile) -> Result<Evidence, ProgramFailu
                     mechanism,
                 },
                 ceiling,
-                crack,
             }
         }
         AnswerKind::Estimate => Evidence::Number {
@@ -103,7 +97,6 @@ fn evidence(scene: &Scene, answer: &AnswerFile) -> Result<Evidence, ProgramFailu
             forces: (forces.zip(answer.lambda))
                 .map(|(forces, lambda)| ForceState { lambda, forces }),
             mechanism: velocities,
-            crack,
         },
         AnswerKind::Falls => {
             velocities.map_or(Evidence::Nothing, |mechanism| Evidence::Falls { mechanism })

@@ -35,7 +35,6 @@ fn bound(lambda: f64) -> Outcome {
             lambda,
             mechanism: Mechanism::default(),
         },
-        crack: None,
     };
     with(Status::Verified, evidence)
 }
@@ -43,7 +42,6 @@ fn bound(lambda: f64) -> Outcome {
 fn states(lower: f64, upper: f64) -> Outcome {
     let evidence = Evidence::States {
         states: [lower, upper].map(state_at).into(),
-        crack: None,
     };
     with(Status::Verified, evidence)
 }
@@ -56,7 +54,6 @@ fn stating(lambda: f64, stated_error: Option<f64>) -> Outcome {
     let evidence = Evidence::State {
         state: state_at(lambda),
         stated_error,
-        crack: None,
     };
     with(Status::Estimate, evidence)
 }

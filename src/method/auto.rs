@@ -226,16 +226,13 @@ impl Ladder<'_> {
 /// The lowest state, and the mechanism of λ_A as the proof that none is above `upper`.
 fn enclosed(bound: Evidence, found: Evidence, upper: f64) -> Evidence {
     match (bound, found) {
-        (Evidence::Bounds { above, .. }, Evidence::States { mut states, crack })
-            if !states.is_empty() =>
-        {
+        (Evidence::Bounds { above, .. }, Evidence::States { mut states }) if !states.is_empty() => {
             Evidence::Enclosed {
                 state: states.swap_remove(0),
                 ceiling: Ceiling {
                     lambda: upper,
                     ..above
                 },
-                crack,
             }
         }
         _ => Evidence::Nothing,

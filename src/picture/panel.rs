@@ -114,13 +114,13 @@ impl<'a> Panel<'a> {
             }
             Contents::Mechanism => {
                 if self.view.is_macro_block() {
-                    let tan_beta = outcome.evidence.crack().map(|crack| crack.tan_beta);
+                    let tan_beta = outcome.evidence.crack(scene).map(|crack| crack.tan_beta);
                     tan_beta.inspect(|&t| crack::turned_macro_block(svg, &frame, scene, t));
                 }
                 if let Some(tan_beta) = self.view.macro_slope {
                     crack::macro_crack(svg, &frame, scene, tan_beta);
                 }
-                if let Some(found) = outcome.evidence.crack() {
+                if let Some(found) = &outcome.evidence.crack(scene) {
                     crack::crack(svg, &frame, scene, found, above);
                 }
             }
@@ -165,9 +165,10 @@ impl<'a> Panel<'a> {
             frictions: wall::own_frictions(scene).iter().map(|of| of.0).collect(),
             crack: is_mechanism
                 && scene.coursing().is_some()
-                && outcome
-                    .evidence
-                    .crack()
+                && self
+                    .view
+                    .row
+                    .crack
                     .is_some_and(|crack| crack.c.is_some() && crack.e.is_some()),
             macro_crack: is_mechanism && self.view.macro_slope.is_some(),
             force: forces.and_then(|(_, forces)| forces::round_force(scene, forces, scale)),
@@ -249,7 +250,7 @@ impl<'a> Panel<'a> {
             )],
             None => vec![format!("no multiplier: {status}")],
         };
-        if let Some(crack) = outcome.evidence.crack() {
+        if let Some(crack) = &row.crack {
             let about = if crack.sharp { "=" } else { "≈" };
             let mut slope = format!("tan β {about} {}", number(crack.tan_beta, 4));
             if let (Some(c), Some(e)) = (crack.c, crack.e) {

@@ -20,7 +20,7 @@ pub struct View<'a> {
 impl View<'_> {
     /// Whether the answer is the closed form's, which has a macro-block instead of a mechanism.
     pub(super) fn is_macro_block(&self) -> bool {
-        self.row.kind() == Kind::ClosedForm && self.row.crack().is_some()
+        self.row.kind() == Kind::ClosedForm && self.row.crack.is_some()
     }
 }
 

@@ -162,9 +162,9 @@ pub static COLUMNS: &[Column] = &[
     data("status", |row| row.status().name().into()).headed("status", "Status"),
     data("lower", |row| row.ends().lower.map(End::written).into()),
     data("upper", |row| row.ends().upper.map(End::written).into()),
-    data("tan_beta", |row| row.crack().map(|c| c.tan_beta).into()),
-    data("c", |row| row.crack().and_then(|c| c.c).into()),
-    data("e", |row| row.crack().and_then(|c| c.e).into()),
+    data("tan_beta", |row| row.crack.map(|c| c.tan_beta).into()),
+    data("c", |row| row.crack.and_then(|c| c.c).into()),
+    data("e", |row| row.crack.and_then(|c| c.e).into()),
     data("residual", |row| row.residual().into()),
     effort("seconds", |row| Value::Number(row.seconds)),
     data("reason", |row| Value::Text(row.reason())),
@@ -218,8 +218,8 @@ pub static COLUMNS: &[Column] = &[
         row.reference(Quantity::TanBeta).map(with_letter).into()
     })
     .headed("reference", "Ref. β"),
-    words("width_c", |row| width(row.crack().and_then(|c| c.c))).headed("c", "c"),
-    words("width_e", |row| width(row.crack().and_then(|c| c.e))).headed("e", "e"),
+    words("width_c", |row| width(row.crack.and_then(|c| c.c))).headed("c", "c"),
+    words("width_e", |row| width(row.crack.and_then(|c| c.e))).headed("e", "e"),
     words("note", |row| Value::Text(note(row))).headed("note", "Note"),
     words("cpu_seconds", |row| Value::Text(number(row.seconds, 2))).headed("CPU s", "CPU s"),
 ];
@@ -311,7 +311,7 @@ fn multiplier_reference(row: &Row) -> Value {
 
 /// tan β, with `~` where c or e is not sharp.
 fn slope(row: &Row) -> Value {
-    let text = row.crack().map(|crack| {
+    let text = row.crack.map(|crack| {
         let mark = if crack.sharp { "" } else { "~" };
         format!("{}{mark}", number(crack.tan_beta, 4))
     });
@@ -339,7 +339,7 @@ fn note(row: &Row) -> String {
         note.push_str(if note.is_empty() { "" } else { "; " });
         note.push_str("the largest residual is above 1e-8");
     }
-    if row.crack().is_some_and(|crack| !crack.sharp) {
+    if row.crack.is_some_and(|crack| !crack.sharp) {
         if !note.is_empty() {
             note.push_str("; ");
         }

@@ -80,6 +80,7 @@ fn thinned(mut row: Row) -> Row {
             push: other.push,
             outcome: Box::new(told(*other.outcome)),
             residuals: worst(other.residuals),
+            crack: other.crack,
         }),
         residuals: worst(row.residuals),
         references: Vec::new(),

@@ -50,6 +50,8 @@ pub struct Row {
     pub other: Option<OtherSide>,
     /// Residuals that the judge computed, where there was something to judge.
     pub residuals: Vec<Recomputed>,
+    /// The crack, where there is one.
+    pub crack: Option<Crack>,
     /// CPU time of the method over all sides, seconds. The only thing here that is not the same in
     /// every run.
     pub seconds: f64,
@@ -107,6 +109,7 @@ impl Row {
                 push,
                 outcome: (*other.outcome).clone(),
                 residuals: other.residuals.clone(),
+                crack: other.crack,
                 other: None,
                 ..self.clone()
             }),
@@ -195,7 +198,7 @@ impl Row {
             status: self.status(),
             lower: ends.lower.map(|end| end.lambda),
             upper: ends.upper.map(|end| end.lambda),
-            crack: self.crack(),
+            crack: self.crack.as_ref(),
         }
     }
 
@@ -230,11 +233,6 @@ impl Row {
         let words = facts.iter().map(|fact| fact.of_reaction(reaction));
         let words: Vec<String> = words.filter(|words| !words.is_empty()).collect();
         words.join("; ")
-    }
-
-    /// The crack, where there is one.
-    pub fn crack(&self) -> Option<&Crack> {
-        self.outcome.evidence.crack()
     }
 
     /// What kind of claim the answer is.

@@ -5,6 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::ends::{Side, ends, is_unanswered};
 use crate::answer::{BoundFact, Evidence, Fact, Outcome, SideFact, Status, magnitude};
 use crate::judge::Recomputed;
+use crate::mechanics::Crack;
 use crate::scene::Push;
 
 /// A method's judged answer for one side of the push; of a wall that is pushed both ways, the side that
@@ -17,6 +18,8 @@ pub struct OtherSide {
     pub outcome: Box<Outcome>,
     /// Residuals that the judge computed.
     pub residuals: Vec<Recomputed>,
+    /// The crack, where there is one.
+    pub crack: Option<Crack>,
 }
 
 /// Multipliers nearer than this, relative to the larger, are those of sides alike.
@@ -165,7 +168,6 @@ mod tests {
             stated_error: None,
             forces: None,
             mechanism: None,
-            crack: None,
         };
         Outcome {
             evidence,
@@ -183,7 +185,6 @@ mod tests {
             lower: Some(lower),
             certificate: None,
             state,
-            crack: None,
         };
         Outcome::with(status, evidence)
     }
@@ -196,6 +197,7 @@ mod tests {
             push,
             outcome: Box::new(outcome),
             residuals: Vec::new(),
+            crack: None,
         });
         let unit = 1.0;
         let (own, other) = governing(answers.collect(), unit);

@@ -167,6 +167,7 @@ impl<'a> Task<'a> {
             },
             other,
             residuals: own.residuals,
+            crack: own.crack,
             seconds,
             references: Vec::new(),
             verdict: None,
@@ -192,6 +193,7 @@ impl<'a> Task<'a> {
         });
         let side = OtherSide {
             push: scene.push(),
+            crack: outcome.evidence.crack(scene),
             outcome: Box::new(outcome),
             residuals,
         };

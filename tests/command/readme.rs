@@ -119,7 +119,7 @@ fn solved() -> Solved {
             .mechanism()
             .cloned()
             .expect("verified by a mechanism"),
-        crack: row.outcome.evidence.crack().copied().expect("it rocks"),
+        crack: row.crack.expect("it rocks"),
         lambda: row.bracket().expect("verified").upper,
         scene,
     }

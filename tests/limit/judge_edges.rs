@@ -142,7 +142,6 @@ fn a_state_of_two_multipliers_is_not_verified() {
                 forces: state.forces.clone(),
             }),
             mechanism: Some(state.mechanism.clone()),
-            crack: None,
         };
         judged(&scene, Outcome::with(Status::Estimate, evidence))
     };

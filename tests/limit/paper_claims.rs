@@ -119,7 +119,7 @@ fn the_macro_range_contains_the_micro_values_and_all_fall_with_the_overburden() 
     // micro mechanisms is the same at every overburden.
     let slope = |method, ratio: u32| {
         let row = find(&rows, "paper-1", method, &ratio.to_string());
-        row.crack().expect("it has a crack").tan_beta
+        row.crack.expect("it has a crack").tan_beta
     };
     assert!(slope("macro-block", 0) - slope("macro-block", 3) > 0.12);
     assert!((slope("macro-block", 3) - slope("macro-block", 10)).abs() < 0.013);
@@ -181,7 +181,7 @@ fn the_lowest_state_of_rough_joints_lies_below_the_range() {
     let is_of_contact = row.head_joints == HeadJoints::Contact && row.method == "interval";
     assert!(is_of_contact && (0.97..0.98).contains(&ratio), "{ratio}");
     // The closed form's slope makes its upper value smallest, and is too steep for the lower.
-    let slope = |row: &Row| row.crack().expect("it has a crack").tan_beta;
+    let slope = |row: &Row| row.crack.expect("it has a crack").tan_beta;
     assert!((slope(row) - 16.0 / 21.0).abs() < 1e-8);
     assert!(slope(&rows[0]) > 0.93, "{}", slope(&rows[0]));
 }

@@ -65,12 +65,10 @@ fn every_accuracy_sees_the_same_crack() {
         for accuracy in [Accuracy::Coarse, Accuracy::Normal, Accuracy::Fine] {
             let mut settings = Settings::default();
             settings.pushover.accuracy = accuracy;
-            let outcome = Pushover.solve(&case[0].scene(HeadJoints::Open), &settings);
-            let crack = outcome
-                .evidence
-                .crack()
-                .copied()
-                .expect("a wall of units and halves");
+            let scene = case[0].scene(HeadJoints::Open);
+            let outcome = Pushover.solve(&scene, &settings);
+            let crack = outcome.evidence.crack(&scene);
+            let crack = crack.expect("a wall of units and halves");
             assert!(crack.sharp, "{name}: {crack:?}");
             assert_eq!((crack.c, crack.e), (Some(c), Some(e)), "{name}");
         }

@@ -77,18 +77,15 @@ fn assert_cracks(seeds: std::ops::Range<u64>) {
         let (Some(Bracket { .. }), true) = (seen.bracket(), narrow) else {
             continue;
         };
-        let agrees = agree(
-            seen.evidence.crack().copied(),
-            state.evidence.crack().copied(),
-        );
+        let agrees = agree(seen.evidence.crack(&scene), state.evidence.crack(&scene));
         if !agrees {
             println!(
                 "{seed}: {:?} for {:?}",
-                seen.evidence.crack().copied(),
-                state.evidence.crack().copied()
+                seen.evidence.crack(&scene),
+                state.evidence.crack(&scene)
             );
         }
-        let rocks = state.evidence.crack().copied().is_some();
+        let rocks = state.evidence.crack(&scene).is_some();
         walls += 1;
         same += usize::from(agrees);
         rocking += usize::from(rocks);

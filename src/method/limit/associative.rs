@@ -10,8 +10,8 @@ use crate::answer::{
     Bracket, Evidence, LimitFact, Outcome, Status, VERIFIED_WIDTH, Work, magnitude,
 };
 use crate::mechanics::{
-    BlockResidual, Ceiling, ForceState, JointForce, Mechanism, StaticResidual, VELOCITY_THRESHOLDS,
-    VERIFIED_RESIDUAL, associative_violation, crack_slope, kinematic_multiplier,
+    BlockResidual, Ceiling, ForceState, JointForce, Mechanism, StaticResidual, VERIFIED_RESIDUAL,
+    associative_violation, kinematic_multiplier,
 };
 use crate::method::settings::{Engine, LP_TOLERANCE};
 use crate::method::{Method, Settings};
@@ -235,7 +235,6 @@ fn outcome(scene: &Scene, optimum: Optimum, user: &Settings) -> Outcome {
     };
     Outcome {
         evidence: Evidence::Bounds {
-            crack: crack_slope(scene, &optimum.mechanism, VELOCITY_THRESHOLDS),
             below: ForceState {
                 lambda: bracket.lower,
                 forces: optimum.forces,

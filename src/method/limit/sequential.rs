@@ -5,9 +5,7 @@ use super::ending::{Ending, Solution, totals};
 use super::own_weight::{own_weight, stands_without_dilatancy, without_optimum};
 use super::program::{FrictionLaw, Program};
 use crate::answer::{Evidence, Outcome, SequentialEnding, SequentialFacts, Status, Work};
-use crate::mechanics::{
-    CollapseState, Mechanism, VELOCITY_THRESHOLDS, crack_slope, friction_excess, live_unit,
-};
+use crate::mechanics::{CollapseState, Mechanism, friction_excess, live_unit};
 use crate::method::{Method, SequentialSettings, Settings};
 use crate::scene::Scene;
 
@@ -99,7 +97,6 @@ fn sequential(scene: &Scene, settings: &Settings, work: &mut Work) -> Outcome {
     let state = state(&program, &last);
     let evidence = Evidence::State {
         stated_error: ceiling.and_then(|ceiling| stated_error(scene, &state, &ceiling)),
-        crack: crack_slope(scene, &state.mechanism, VELOCITY_THRESHOLDS),
         state,
     };
     Outcome::with(Status::Estimate, evidence).because(facts)

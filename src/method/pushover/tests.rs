@@ -82,7 +82,7 @@ fn the_first_wall_of_the_paper() {
     assert_eq!(outcome.status, Status::Bracketed, "{}", outcome.reason());
     let bracket = bracket(&outcome);
     assert!(bracket.error(0.639969, 1.0) < 1e-3 && bracket.relative_width(1.0) < 1e-3);
-    let crack = outcome.evidence.crack().unwrap();
+    let crack = outcome.evidence.observed().unwrap().crack.unwrap();
     assert_eq!((crack.c, crack.e), (Some(8.0), Some(12.0)));
     assert_eq!(outcome.evidence.checks().len(), 6);
 }

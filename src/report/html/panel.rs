@@ -72,7 +72,7 @@ fn drawn(result: &CaseResult) -> (Vec<&Row>, Vec<&Row>) {
         |row: &Row| entry(&row.method).is_some_and(|entry| entry.drawn_first) && main(row);
     let can_be_drawn = |row: &&Row| {
         if row.kind() == Kind::ClosedForm {
-            row.crack().is_some() && main(row)
+            row.crack.is_some() && main(row)
         } else {
             row.outcome.evidence.mechanism().is_some()
         }
@@ -105,9 +105,7 @@ fn view<'a>(result: &'a CaseResult, row: &'a Row) -> View<'a> {
     View {
         scene,
         row,
-        macro_slope: closed
-            .and_then(|row| row.crack())
-            .map(|crack| crack.tan_beta),
+        macro_slope: closed.and_then(|row| row.crack).map(|crack| crack.tan_beta),
     }
 }
 

@@ -65,7 +65,7 @@ use super::interval::{Interval, lowest};
 use super::program::Program;
 use crate::answer::{BoundFact, Evidence, Fact, LimitFact, Outcome, Status, Work, magnitude};
 use crate::certificate::{Certificate, Conditions, Proved, Prover, Unknown};
-use crate::mechanics::{CollapseState, VELOCITY_THRESHOLDS, crack_slope};
+use crate::mechanics::CollapseState;
 use crate::method::settings::LP_TOLERANCE;
 use crate::method::{Method, Settings};
 use crate::scene::{Point, Scene};
@@ -97,18 +97,18 @@ fn solve_with(scene: &Scene, settings: &Settings, parameters: Parameters) -> Out
     let mut work = found.work;
     if state.lambda == 0.0 {
         let bounded = Some((0.0, None));
-        return answer(scene, state, bounded, work, vec![LimitFact::AtRest.into()]);
+        return answer(state, bounded, work, vec![LimitFact::AtRest.into()]);
     }
     let conditions = Conditions::of(scene);
     let most = settings.bound.lift_unknowns;
     let unknowns = conditions.free_forces() * conditions.velocities();
     if unknowns > most {
         let fact = BoundFact::TooLarge { unknowns, most };
-        return answer(scene, state, None, work, vec![fact.into()]);
+        return answer(state, None, work, vec![fact.into()]);
     }
     let conditions = conditions.with_slip_bounds(scene);
     let Some(lift) = Lift::new(conditions.clone(), &orders(scene), parameters) else {
-        return answer(scene, state, None, work, vec![BoundFact::NoState.into()]);
+        return answer(state, None, work, vec![BoundFact::NoState.into()]);
     };
     let opening = opening(scene, &mut work);
     let prover = opening
@@ -164,7 +164,7 @@ fn solve_with(scene: &Scene, settings: &Settings, parameters: Parameters) -> Out
     let certificate = certificate.filter(|own| own.lower > 0.0);
     facts.extend(slices.ended().map(Fact::from));
     let bounded = Some((lower, certificate.map(Arc::new)));
-    answer(scene, state, bounded, work, facts)
+    answer(state, bounded, work, facts)
 }
 
 /// That nothing falls on which the push does no work, where forces without friction at some λ prove it:
@@ -223,7 +223,6 @@ fn without_state(found: Outcome) -> Outcome {
 
 /// The answer with a lowest state: without a lower end nothing is claimed.
 fn answer(
-    scene: &Scene,
     state: CollapseState,
     bounded: Option<(f64, Option<Arc<Certificate>>)>,
     work: Work,
@@ -241,7 +240,6 @@ fn answer(
             // What rounding of the state leaves is not the bound's.
             lower: lower.map(|lower| lower.min(state.lambda)),
             certificate: certificate.flatten(),
-            crack: crack_slope(scene, &state.mechanism, VELOCITY_THRESHOLDS),
             state,
         },
         work,

@@ -20,7 +20,7 @@ use super::ending::Ending;
 use super::own_weight::{own_weight, ray, stands_without_dilatancy, without_optimum};
 use super::reduction;
 use crate::answer::{Evidence, LimitFact, Outcome, SearchFailure, SolverEnding, Status, Work};
-use crate::mechanics::{JointForce, VELOCITY_THRESHOLDS, crack_slope};
+use crate::mechanics::JointForce;
 use crate::method::{Method, Settings};
 use crate::scene::Scene;
 use explore::{Explored, Request, explore, follow};
@@ -176,20 +176,17 @@ fn report(
     work: &mut Work,
 ) -> Option<Outcome> {
     let states = explored.states.clone();
-    let lowest = &states.first()?.mechanism;
+    let lowest = states.first()?.lambda;
     let found = LimitFact::FoundNoBounds {
         frictionless: outer::frictionless(scene, at_rest, work),
     };
-    let at_rest = (states[0].lambda == 0.0).then_some(LimitFact::AtRest.into());
+    let at_rest = (lowest == 0.0).then_some(LimitFact::AtRest.into());
     let facts = at_rest
         .into_iter()
         .chain([found.into(), explored.facts.clone().into()]);
     Some(Outcome {
         facts: facts.collect(),
-        evidence: Evidence::States {
-            crack: crack_slope(scene, lowest, VELOCITY_THRESHOLDS),
-            states,
-        },
+        evidence: Evidence::States { states },
         ..Outcome::of(Status::Verified)
     })
 }

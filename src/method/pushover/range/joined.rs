@@ -92,7 +92,7 @@ fn same_crack(runs: &Runs) -> bool {
 }
 
 fn crack((_, run): &(Variation, Outcome)) -> Option<Crack> {
-    run.evidence.crack().copied()
+    run.evidence.observed()?.crack
 }
 
 fn why_none(runs: &Runs) -> Vec<Fact> {
