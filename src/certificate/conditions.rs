@@ -308,14 +308,13 @@ pub(super) fn relative(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::certificate::walls::wall;
-    use crate::scene::Piece;
+    use crate::scene::{HeadJoints, Wall};
 
     /// Kinematics: rates of any velocities give these velocities back, to rounding.
     #[test]
     fn rates_along_a_chain_give_the_velocities_back() {
-        use Piece::{Half, Unit};
-        let scene = wall(&[&[Half, Unit, Half], &[Unit, Unit], &[Half, Unit, Half]]);
+        let wall = Wall::laid([4.0, 1.75], 0.65, &["h1h", "11", "h1h"]);
+        let scene = wall.scene(HeadJoints::Contact).unwrap();
         let conditions = Conditions::of(&scene);
         let velocity: Vec<f64> = (0..conditions.velocities())
             .map(|k| ((k * k + 3) as f64 * 0.7).sin())

@@ -52,8 +52,6 @@ mod slips;
 mod sum;
 mod tree;
 mod types;
-#[cfg(test)]
-mod walls;
 
 pub(crate) use conditions::{Conditions, Entry, Unknown};
 pub use proof::prove;

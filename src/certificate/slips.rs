@@ -130,15 +130,18 @@ fn bound(scene: &Scene, conditions: &Conditions, joint: usize, way: &[Leg]) -> S
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::certificate::walls::wall;
-    use crate::scene::Piece;
+    use crate::scene::{HeadJoints, Wall};
+
+    fn wall(courses: &[&str]) -> Scene {
+        let wall = Wall::laid([4.0, 1.75], 0.65, courses);
+        wall.scene(HeadJoints::Contact).unwrap()
+    }
 
     /// A unit on two halves: it slips on the one no farther than on the other and what their head joint
     /// opens at its upper end.
     #[test]
     fn a_unit_slips_on_one_half_as_on_the_other() {
-        use Piece::{Half, Unit};
-        let scene = wall(&[&[Half, Half], &[Unit]]);
+        let scene = wall(&["hh", "1"]);
         let conditions = Conditions::of(&scene).with_slip_bounds(&scene);
         let is_bed = |joint: &&usize| scene.joints()[**joint].to == 2;
         let all: Vec<usize> = (0..scene.joints().len()).collect();
@@ -169,13 +172,7 @@ mod tests {
     /// What bounds are made of is the slip, to rounding, on walls with openings too.
     #[test]
     fn slips_are_made_of_the_rates_of_other_joints() {
-        use Piece::{Gap, Half, Unit};
-        let scene = wall(&[
-            &[Half, Unit, Half],
-            &[Unit, Unit],
-            &[Half, Gap, Half],
-            &[Unit, Unit],
-        ]);
+        let scene = wall(&["h1h", "11", "hgh", "11"]);
         let bounds = Conditions::of(&scene).with_slip_bounds(&scene).slip_bounds;
         assert_eq!(bounds.len(), 15);
         for bound in bounds {

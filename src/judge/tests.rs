@@ -18,13 +18,6 @@ fn state_at(lambda: f64) -> CollapseState {
     }
 }
 
-fn with(status: Status, evidence: Evidence) -> Outcome {
-    Outcome {
-        evidence,
-        ..Outcome::of(status)
-    }
-}
-
 fn bound(lambda: f64) -> Outcome {
     let evidence = Evidence::Bounds {
         below: ForceState {
@@ -36,14 +29,14 @@ fn bound(lambda: f64) -> Outcome {
             mechanism: Mechanism::default(),
         },
     };
-    with(Status::Verified, evidence)
+    Outcome::with(Status::Verified, evidence)
 }
 
 fn states(lower: f64, upper: f64) -> Outcome {
     let evidence = Evidence::States {
         states: [lower, upper].map(state_at).into(),
     };
-    with(Status::Verified, evidence)
+    Outcome::with(Status::Verified, evidence)
 }
 
 fn number(lambda: f64) -> Outcome {
@@ -55,7 +48,7 @@ fn stating(lambda: f64, stated_error: Option<f64>) -> Outcome {
         state: state_at(lambda),
         stated_error,
     };
-    with(Status::Estimate, evidence)
+    Outcome::with(Status::Estimate, evidence)
 }
 
 fn seen(lower: f64, upper: f64, stated_error: Option<f64>) -> Outcome {
@@ -64,7 +57,7 @@ fn seen(lower: f64, upper: f64, stated_error: Option<f64>) -> Outcome {
         stated_error,
         ..Observed::default()
     };
-    with(Status::Bracketed, Evidence::Observed(observed))
+    Outcome::with(Status::Bracketed, Evidence::Observed(observed))
 }
 
 /// The verdicts about a method.
@@ -91,7 +84,7 @@ fn stands_beside_a_verified_state() {
             at_rest: Vec::new(),
             ray: Vec::new(),
         };
-        let stands = with(Status::Stands, evidence);
+        let stands = Outcome::with(Status::Stands, evidence);
         let answers = [("one", &stands), ("other", &state)];
         assert_eq!(verdicts(&scene, &answers, "one"), [expected]);
         let doubts = conclude(&scene, &answers).doubts;

@@ -169,10 +169,7 @@ mod tests {
             forces: None,
             mechanism: None,
         };
-        Outcome {
-            evidence,
-            ..Outcome::without_number(Status::Estimate, "told")
-        }
+        Outcome::with(Status::Estimate, evidence).because("told")
     }
 
     fn bounded(lower: f64, upper: f64, status: Status) -> Outcome {

@@ -112,20 +112,33 @@ struct Laid {
 }
 
 impl Wall {
+    /// A wall of unit thickness and weight from its courses, a letter a piece, for tests.
+    #[cfg(test)]
+    pub(crate) fn laid(unit: [f64; 2], friction: f64, courses: &[&str]) -> Self {
+        let piece = |letter| match letter {
+            'h' => Piece::Half,
+            'g' => Piece::Gap,
+            _ => Piece::Unit,
+        };
+        let course = |text: &&str| text.chars().map(piece).collect();
+        Self {
+            unit_length: unit[0],
+            unit_height: unit[1],
+            thickness: 1.0,
+            unit_weight: 1.0,
+            courses: courses.iter().map(course).collect(),
+            friction: friction.into(),
+            overburden: 0.0,
+            push: Push::Right,
+            own: Own::default(),
+        }
+    }
+
     /// Cubes of size and weight 1 beside each other, for tests: λ = 1 pushes with their weight.
     #[cfg(test)]
     pub(crate) fn of_cubes(count: usize, push: Push) -> Self {
-        Self {
-            unit_length: 1.0,
-            unit_height: 1.0,
-            thickness: 1.0,
-            unit_weight: 1.0,
-            courses: vec![vec![Piece::Unit; count]],
-            friction: 0.5.into(),
-            overburden: 0.0,
-            push,
-            own: Own::default(),
-        }
+        let wall = Self::laid([1.0, 1.0], 0.5, &[&"1".repeat(count)]);
+        Self { push, ..wall }
     }
 
     /// Height H.

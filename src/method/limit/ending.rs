@@ -25,6 +25,17 @@ pub enum Ending {
 }
 
 impl Ending {
+    /// Velocities: of the mechanism at an optimum, or those by which the solver shows that there are no
+    /// forces.
+    pub(super) fn velocity(self) -> Option<Vec<f64>> {
+        match self {
+            Ending::Solved(Solution { velocity, .. }) | Ending::Infeasible(velocity) => {
+                Some(velocity)
+            }
+            Ending::Unbounded | Ending::GaveUp(_) => None,
+        }
+    }
+
     /// The ending without its numbers.
     pub fn kind(&self) -> SolverEnding {
         match self {

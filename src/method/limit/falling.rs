@@ -1,7 +1,6 @@
 //! Mechanisms of scenes that fall under their own weight, also where weights differ so much that a
 //! program over the whole scene does not see the light blocks.
 
-use super::ending::Ending;
 use super::equilibration::{UnitPower, needs_own_units};
 use super::program::Program;
 use super::reduction::ScenePart;
@@ -82,11 +81,12 @@ pub(super) fn of_a_part(scene: &Scene, moved: &[Mechanism], work: &mut Work) -> 
             continue;
         }
         let part = ScenePart::new(scene, &kept);
-        for program in programs(&part.scene) {
-            let Some(mechanism) = fastest_fall(program, work) else {
+        for mut program in programs(&part.scene) {
+            // On which the dead load does the most work for its openings and slips.
+            let Some(velocity) = program.solve_counted(work).velocity() else {
                 continue;
             };
-            let mechanism = part.extend(scene, &mechanism);
+            let mechanism = part.extend(scene, &program.scale().mechanism(&velocity));
             if proves(scene, &mechanism) {
                 return Some(mechanism);
             }
@@ -110,16 +110,6 @@ fn lighter(scene: &Scene) -> Vec<Vec<bool>> {
     let mut sets: Vec<_> = sets.take_while(|set| set.contains(&true)).collect();
     sets.dedup();
     sets
-}
-
-/// The mechanism on which the dead load does the most work for its openings and slips.
-fn fastest_fall(mut program: Program, work: &mut Work) -> Option<Mechanism> {
-    let velocity = match program.solve_counted(work) {
-        Ending::Solved(solution) => solution.velocity,
-        Ending::Infeasible(certificate) => certificate,
-        Ending::Unbounded | Ending::GaveUp(_) => return None,
-    };
-    Some(program.scale().mechanism(&velocity))
 }
 
 /// Names of the blocks that come down, in the scene's order. Blocks that only make way for them are

@@ -1,6 +1,6 @@
 //! Units of the dimensionless program, and the way back to the case's own.
 
-use crate::mechanics::{JointForce, Mechanism, Motion};
+use crate::mechanics::{CollapseState, JointForce, Mechanism, Motion};
 use crate::scene::{Scene, Vector};
 
 /// Units of the dimensionless program. Without them Clarabel reports "solved" far from the
@@ -34,6 +34,20 @@ impl Scale {
             shear: force.shear * self.force,
         };
         forces.iter().map(back).collect()
+    }
+
+    /// A state in the case's units.
+    pub(super) fn state(
+        &self,
+        lambda: f64,
+        forces: &[JointForce],
+        velocity: &[f64],
+    ) -> CollapseState {
+        CollapseState {
+            lambda: lambda * self.multiplier,
+            forces: self.forces(forces),
+            mechanism: self.mechanism(velocity),
+        }
     }
 
     /// Velocities as a mechanism in the case's length unit.

@@ -1,7 +1,7 @@
 //! Sequential linear programming for non-associative friction, the paper's micro-block method
 //! (Gilbert, Casapulla & Ahmed, Computers & Structures 84 (2006) 873-887).
 
-use super::ending::{Ending, Solution, totals};
+use super::ending::{Ending, totals};
 use super::own_weight::{own_weight, stands_without_dilatancy, without_optimum};
 use super::program::{FrictionLaw, Program};
 use crate::answer::{Evidence, Outcome, SequentialEnding, SequentialFacts, Status, Work};
@@ -94,21 +94,12 @@ fn sequential(scene: &Scene, settings: &Settings, work: &mut Work) -> Outcome {
     let Some(last) = last.filter(|_| ending == SequentialEnding::Converged) else {
         return Outcome::without_number(Status::Undecided, facts);
     };
-    let state = state(&program, &last);
+    let state = (program.scale()).state(last.lambda, &last.forces, &last.velocity);
     let evidence = Evidence::State {
         stated_error: ceiling.and_then(|ceiling| stated_error(scene, &state, &ceiling)),
         state,
     };
     Outcome::with(Status::Estimate, evidence).because(facts)
-}
-
-fn state(program: &Program, last: &Solution) -> CollapseState {
-    let scale = program.scale();
-    CollapseState {
-        lambda: last.lambda * scale.multiplier,
-        forces: scale.forces(&last.forces),
-        mechanism: scale.mechanism(&last.velocity),
-    }
 }
 
 /// What λ may be off by, relative to it: as much as it moves in the steps that settle it, and what

@@ -3,29 +3,10 @@
 use super::verify::verify;
 use super::*;
 use crate::answer::Bracket;
-use crate::scene::{Course, HeadJoints, Own, Piece, Polygon, Push, SceneParts, Vector, Wall};
+use crate::scene::{HeadJoints, Polygon, Push, SceneParts, Vector, Wall};
 
-/// A wall of unit thickness and weight from its courses, a letter a piece.
 pub(super) fn wall(unit: [f64; 2], friction: f64, courses: &[&str]) -> Wall {
-    let course = |text: &&str| -> Course {
-        let piece = |kind| match kind {
-            'h' => Piece::Half,
-            'g' => Piece::Gap,
-            _ => Piece::Unit,
-        };
-        text.chars().map(piece).collect()
-    };
-    Wall {
-        unit_length: unit[0],
-        unit_height: unit[1],
-        thickness: 1.0,
-        unit_weight: 1.0,
-        courses: courses.iter().map(course).collect(),
-        friction: friction.into(),
-        overburden: 0.0,
-        push: Push::Right,
-        own: Own::default(),
-    }
+    Wall::laid(unit, friction, courses)
 }
 
 fn paper_1() -> Wall {

@@ -64,7 +64,7 @@ impl<'a> Place<'a> {
         state: &State,
         work: &mut Work,
     ) -> Option<CollapseState> {
-        let mut state = in_units(scale, state);
+        let mut state = scale.state(state.lambda, &state.forces, &state.velocity);
         if let Some(part) = self.part {
             state.forces = part.complete(self.whole, state.lambda, &state.forces, work)?;
             state.mechanism = part.extend(self.whole, &state.mechanism);
@@ -74,7 +74,10 @@ impl<'a> Place<'a> {
 
     /// The block that keeps a state of the scene that is searched from being proved.
     pub(super) fn unresolved(&self, scale: Scale, state: &State) -> Option<BlockResidual> {
-        let blocks = BlockResidual::of_state(self.searched(), &in_units(scale, state));
+        let blocks = BlockResidual::of_state(
+            self.searched(),
+            &scale.state(state.lambda, &state.forces, &state.velocity),
+        );
         (!blocks.is_small()).then_some(blocks)
     }
 
@@ -103,15 +106,6 @@ impl<'a> Place<'a> {
             branch.first = branch.lowest.clone();
         }
         Ok(())
-    }
-}
-
-/// A state in the case's units.
-fn in_units(scale: Scale, state: &State) -> CollapseState {
-    CollapseState {
-        lambda: state.lambda * scale.multiplier,
-        forces: scale.forces(&state.forces),
-        mechanism: scale.mechanism(&state.velocity),
     }
 }
 
