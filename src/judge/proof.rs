@@ -236,26 +236,24 @@ fn bounded(
     state: &CollapseState,
 ) -> Found {
     let put = Put::of_state(scene, state);
-    let ruling = match put.holds {
-        true if status == Status::Estimate => Some(Ruling::Stays),
-        true => {
-            let refusal = certified(scene, lower, certificate).err();
-            refusal.map(|refusal| refuted(JudgedFact::Uncertified(refusal)))
-        }
-        false => None,
+    let ruling = if put.holds && status == Status::Estimate {
+        Some(Ruling::Stays)
+    } else if put.holds {
+        let refusal = certified(scene, lower, certificate).err();
+        refusal.map(|refusal| refuted(JudgedFact::Uncertified(refusal)))
+    } else {
+        None
     };
-    let upper = state.lambda;
-    match (
-        ruling,
-        Bracket { lower, upper }.is_one_number(scene.multiplier_unit()),
-    ) {
-        (Some(ruling), _) => Found {
-            residuals: put.residuals,
-            ruling,
-        },
-        (None, true) => put.found(status, true, Ruling::Is(Status::Verified)),
-        (None, false) => put.found(status, true, Ruling::Is(Status::Bracketed)),
+    if let Some(ruling) = ruling {
+        let residuals = put.residuals;
+        return Found { residuals, ruling };
     }
+    let upper = state.lambda;
+    let proved = match (Bracket { lower, upper }).is_one_number(scene.multiplier_unit()) {
+        true => Status::Verified,
+        false => Status::Bracketed,
+    };
+    put.found(status, true, Ruling::Is(proved))
 }
 
 /// Whether the certificate proves the lower end. One at 0 needs none: a push begins there.
