@@ -46,7 +46,9 @@ pub(super) fn report(arguments: &ReportArguments) -> Result<u8, Stop> {
     let (cases, mut plan) = arguments.plan.read(&arguments.cases, none_named)?;
     plan.settings.pushover.recording = true;
     // Before the long work: a file that cannot be read is known now.
-    let sweeps = read(&arguments.sweep)?;
+    let read = |path| SweepTable::read(path).map_err(|e| Stop::bad_input(format!("error: {e}")));
+    let sweeps = arguments.sweep.iter().map(|path| read(path));
+    let sweeps = sweeps.collect::<Result<Vec<_>, Stop>>()?;
     let settings = plan.settings;
     let kept = Some((arguments.out.as_path(), "report.journal"));
     let results = solve(
@@ -61,13 +63,6 @@ pub(super) fn report(arguments: &ReportArguments) -> Result<u8, Stop> {
         },
     )?;
     Ok(status(refuted(&results)))
-}
-
-/// The sweeps that the report plots.
-fn read(paths: &[PathBuf]) -> Result<Vec<SweepTable>, Stop> {
-    let read =
-        |path: &PathBuf| SweepTable::read(path).map_err(|e| Stop::bad_input(format!("error: {e}")));
-    paths.iter().map(read).collect()
 }
 
 /// Writes the page and, beside it, what `run` writes.
@@ -90,7 +85,7 @@ fn hand_out(
         };
         ("report.html", page(&report))
     };
-    let mut files = files(results, false, partial)?;
+    let mut files = files(results, false, partial);
     files.push((name.to_owned(), text));
     output::write(folder, files)?;
     Ok(folder.join(name).display().to_string())

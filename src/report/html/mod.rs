@@ -13,7 +13,6 @@ mod page;
 mod panel;
 mod prose;
 mod ranges;
-mod replay;
 mod residuals;
 mod sortable;
 mod summary;

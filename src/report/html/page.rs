@@ -49,47 +49,26 @@ pub fn page(report: &Report) -> String {
 /// Sections as (id, heading, body), those without contents left out.
 fn sections(report: &Report) -> Vec<(String, String, Markup)> {
     let results = report.results;
-    let mut sections = vec![
-        (
-            "summary".into(),
-            "Summary".into(),
-            summary::summary(results),
-        ),
-        (
-            "multipliers".into(),
-            "Multipliers".into(),
-            sortable::multipliers(results),
-        ),
-    ];
-    let mut add = |id: &str, title: &str, body: Option<Markup>| {
-        if let Some(body) = body {
-            sections.push((id.to_owned(), title.to_owned(), body));
-        }
+    let mut sections = Vec::new();
+    let mut add = |id: &str, title: &str, body: Markup| {
+        sections.push((id.to_owned(), title.to_owned(), body));
     };
-    add("ranges", "Ranges", ranges::ranges(results));
+    add("summary", "Summary", summary::summary(results));
+    add("multipliers", "Multipliers", sortable::multipliers(results));
+    if let Some(body) = ranges::ranges(results) {
+        add("ranges", "Ranges", body);
+    }
     for (index, table) in report.sweeps.iter().enumerate() {
-        let body = sweep::section(table);
-        add(
-            &format!("sweep-{}", index + 1),
-            &sweep::title(table),
-            Some(body),
-        );
+        let id = format!("sweep-{}", index + 1);
+        add(&id, &sweep::title(table), sweep::section(table));
     }
     for result in results {
         let name = &result.case.name;
-        add(&format!("case-{name}"), name, Some(panel::panel(result)));
+        add(&format!("case-{name}"), name, panel::panel(result));
     }
-    add("reading", "How to read it", Some(prose::reading()));
-    add(
-        "limitations",
-        "Known limitations",
-        Some(prose::limitations()),
-    );
-    add(
-        "made-with",
-        "Made with",
-        Some(prose::made_with(report.settings)),
-    );
+    add("reading", "How to read it", prose::reading());
+    add("limitations", "Known limitations", prose::limitations());
+    add("made-with", "Made with", prose::made_with(report.settings));
     sections
 }
 

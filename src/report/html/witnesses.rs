@@ -31,13 +31,7 @@ pub fn witnesses(case: &str) -> Markup {
         .filter_map(|row: Witness| cells(case, row))
         .collect();
     let columns = [
-        "Engine",
-        "Joints",
-        "Status",
-        "λ",
-        "Stated %",
-        "CPU s",
-        "Remark",
+        "Engine", "Joints", "Status", "λ", "Stated %", "CPU s", "Remark",
     ];
     html! { @if !rows.is_empty() { (plain("Engines that others wrote", &columns, &rows)) } }
 }
