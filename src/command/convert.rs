@@ -105,8 +105,8 @@ pub(super) struct ImportArguments {
     /// What head joints carry.
     #[arg(long)]
     head_joints: Option<HeadJointsArgument>,
-    /// Edges that face each other are made to touch where they are within this part of the smaller block's
-    /// extent, up to 0.01; 0 moves nothing [default: 0.005].
+    /// Edges that face each other are made to touch where they are within this part of the smaller
+    /// block's extent, up to 0.01; 0 moves nothing [default: 0.005].
     #[arg(long, value_name = "PART")]
     tolerance: Option<f64>,
     #[command(flatten)]

@@ -88,12 +88,14 @@ pub(super) fn is_drawing(argument: &str) -> bool {
     is_of(argument, "dxf") || is_of(argument, "json")
 }
 
+/// Whether a file's name has this ending.
 fn is_of(argument: &str, ending: &str) -> bool {
     let end = Path::new(argument).extension();
     end.is_some_and(|end| end.eq_ignore_ascii_case(ending))
 }
 
 impl DrawingArguments {
+    /// Whether any of them is given.
     pub(super) fn is_given(&self) -> bool {
         self.support.is_some()
             || !self.without.is_empty()
@@ -104,6 +106,7 @@ impl DrawingArguments {
             || self.gap.is_some()
     }
 
+    /// The coefficient of friction, where it is given.
     pub(super) fn friction(&self) -> Option<f64> {
         self.friction
     }

@@ -6,7 +6,7 @@ use clap::Args;
 
 use crate::case;
 use crate::method::Settings;
-use crate::report::html::{Report, manual, page};
+use crate::report::html::{manual, page};
 use crate::run::{CaseResult, Partial};
 use crate::study::sweep::SweepTable;
 
@@ -77,13 +77,7 @@ fn hand_out(
     let (name, text) = if arguments.manual {
         ("manual.html", manual(results, settings, partial))
     } else {
-        let report = Report {
-            results,
-            settings,
-            sweeps,
-            partial,
-        };
-        ("report.html", page(&report))
+        ("report.html", page(results, settings, sweeps, partial))
     };
     let mut files = files(results, false, partial);
     files.push((name.to_owned(), text));

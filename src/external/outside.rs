@@ -18,8 +18,8 @@ impl Method for External {
         &self.name
     }
 
-    /// The command, and the text of every file that it names. What those files use in turn is the user's to
-    /// know.
+    /// The command, and the text of every file that it names. What those files use in turn is the
+    /// user's to know.
     fn determined_by(&self) -> Vec<String> {
         let mut texts = vec![format!("{:?}", self.command)];
         for word in &self.command {

@@ -31,7 +31,8 @@ const FASTEST: f64 = 0.11;
 pub struct Displacement<'a> {
     scene: &'a Scene,
     mechanism: Option<&'a Mechanism>,
-    factor: f64,
+    /// What displacements are multiplied by.
+    pub factor: f64,
 }
 
 impl<'a> Displacement<'a> {
@@ -52,10 +53,6 @@ impl<'a> Displacement<'a> {
                 0.0
             },
         }
-    }
-
-    pub fn factor(&self) -> f64 {
-        self.factor
     }
 
     /// Displacement of a point that moves with a block.

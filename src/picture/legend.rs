@@ -138,8 +138,8 @@ pub fn arrow_paths(from: Pixel, to: Pixel, width: f64, shafts: &mut Path, heads:
     heads.add(&corners, true);
 }
 
-/// Draws the entries, what is seen and what it means, from left to right, in as many lines as `width` asks
-/// for; the pixels used.
+/// Draws the entries, what is seen and what it means, from left to right, in as many lines as `width`
+/// asks for; the pixels used.
 pub fn draw(
     svg: &mut Svg,
     entries: &[(Sample, impl AsRef<str>)],

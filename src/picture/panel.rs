@@ -192,7 +192,7 @@ impl<'a> Panel<'a> {
     fn amplification(&self) -> Option<String> {
         let (scene, drawn) = (self.view.scene, &self.drawn);
         let fastest = drawn.mechanism?.fastest(scene);
-        let factor = drawn.displacement.factor();
+        let factor = drawn.displacement.factor;
         let largest = short(factor * fastest, 3);
         Some(match self.view.row.outcome.evidence {
             Evidence::Observed(_) => format!(

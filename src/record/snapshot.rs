@@ -8,8 +8,8 @@ use insta::Snapshot;
 use crate::files::{Input, read_input, write_whole};
 
 /// Compares `record` with `NAME.snap` in a folder. Where they differ, or there is none yet, writes
-/// `NAME.snap.new` for `cargo insta review` and returns it behind "new" or "changed"; where they agree, removes
-/// a stale one.
+/// `NAME.snap.new` for `cargo insta review` and returns it behind "new" or "changed"; where they agree,
+/// removes a stale one.
 ///
 /// # Errors
 /// Errors of the file system, and a snapshot file that cannot be read as one.

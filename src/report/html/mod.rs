@@ -20,4 +20,4 @@ mod sweep;
 mod witnesses;
 
 pub use manual::manual;
-pub use page::{Report, page};
+pub use page::page;

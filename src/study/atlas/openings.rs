@@ -107,8 +107,9 @@ const OPEN: [[[f64; 2]; 4]; 2] = [
     ],
 ];
 
-/// A wall with so many openings one unit wide, each between piers of one unit, with straight jambs and a perpend
-/// over the middle of each; so many courses high, an odd number, with three courses below and three above.
+/// A wall with so many openings one unit wide, each between piers of one unit, with straight jambs and
+/// a perpend over the middle of each; so many courses high, an odd number, with three courses below and
+/// three above.
 fn courses(openings: usize, height: usize) -> Vec<Course> {
     use Piece::{Gap, Half, Unit};
     let row = |pier: &[Piece]| {

@@ -153,14 +153,14 @@ impl Columns {
     }
 }
 
-/// Two equal towers of four stones that carry a slab, `cap` times as heavy as both, from the left side of the
-/// one to the right side of the other: the clear distance of the towers is twice their width. The exact
-/// multiplier, and the scene.
+/// Two equal towers of four stones that carry a slab, `cap` times as heavy as both, from the left side
+/// of the one to the right side of the other: the clear distance of the towers is twice their width.
+/// The exact multiplier, and the scene.
 ///
-/// The multiplier is the smaller of μ and width over height of a tower, whatever the slab weighs: turning about
-/// their toes, the towers lift and push it at their left corners, where it does not slip. Its forces there
-/// share out so that each tower is at the point of turning, and every joint above carries the same shear over
-/// less height.
+/// The multiplier is the smaller of μ and width over height of a tower, whatever the slab weighs:
+/// turning about their toes, the towers lift and push it at their left corners, where it does not slip.
+/// Its forces there share out so that each tower is at the point of turning, and every joint above
+/// carries the same shear over less height.
 pub fn capped(cap: f64, friction: f64) -> (f64, Scene) {
     let towers = [0.5, 3.5].map(|axis| Tower::of_equal(axis, 1.0, 0.5, 4));
     let bottom = towers[0].top();

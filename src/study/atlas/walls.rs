@@ -128,8 +128,8 @@ pub fn moved(scene: &Scene, by: f64) -> Scene {
     moved.with_head_joints(scene.head_joints())
 }
 
-/// The scene of the library's case of this name with what is known of it; `None` where there is no such case, or
-/// its references leave λ_A or the lowest state open.
+/// The scene of the library's case of this name with what is known of it; `None` where there is no such
+/// case, or its references leave λ_A or the lowest state open.
 pub fn of_library(name: &str, head_joints: HeadJoints) -> Option<(Scene, Known)> {
     let case = library().into_iter().find(|case| case.name == name)?;
     let about = |r: &&Reference| {

@@ -37,16 +37,16 @@ impl Measurement {
         self.row.bracket().filter(|_| answered)
     }
 
-    /// Distances of an answer's ends from their own of the reference range, the nearer one first; `None` where
-    /// there is no answer.
+    /// Distances of an answer's ends from their own of the reference range, the nearer one first;
+    /// `None` where there is no answer.
     pub fn distances(&self) -> Option<[f64; 2]> {
         let unit = self.row.multiplier_unit;
         let [lower, upper] = self.reference.as_ref()?.distances(self.answer()?, unit);
         Some([lower.min(upper), lower.max(upper)])
     }
 
-    /// Error of an answer: the larger distance, so that neither a wide bracket nor a single number for a wide
-    /// truth looks exact; `None` where there is no answer.
+    /// Error of an answer: the larger distance, so that neither a wide bracket nor a single number for
+    /// a wide truth looks exact; `None` where there is no answer.
     pub fn error(&self) -> Option<f64> {
         self.distances().map(|[_, farther]| farther)
     }

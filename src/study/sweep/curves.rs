@@ -157,9 +157,9 @@ fn known(
     Some(points)
 }
 
-/// Multipliers that somebody else gives of this case under any overburden, for a setting of head joints: the
-/// values of all built-in cases that are the same wall. What is known of the closed form holds for both
-/// settings.
+/// Multipliers that somebody else gives of this case under any overburden, for a setting of head
+/// joints: the values of all built-in cases that are the same wall. What is known of the closed form
+/// holds for both settings.
 fn of_overburden(case: &str, head_joints: HeadJoints) -> Vec<PlotPoint> {
     let cases = find(case).unwrap_or_default();
     let Some(base) = cases.first().and_then(|case| bare(&case.geometry)) else {
