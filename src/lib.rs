@@ -91,7 +91,7 @@ pub mod inside {
     pub use crate::method::pushover::single::solve_with;
     pub use crate::picture::{Options, View, dxf, figure};
     pub use crate::record::record;
-    pub use crate::report::html::{Report, manual, page};
+    pub use crate::report::html::{manual, page};
     pub use crate::report::{case_table, csv, json_with_states, library_case, library_closing};
     pub use crate::run::execute::run_rows;
     pub use crate::run::task::{Subject, Task};

@@ -10,8 +10,8 @@ use clap::Args;
 use super::output;
 use super::plan::externals;
 use super::screen::{layout, print};
+use super::solve::run_study;
 use super::stop::{Stop, status};
-use super::study::run_study;
 
 #[derive(Args)]
 pub(super) struct AtlasArguments {
@@ -54,8 +54,8 @@ fn hand_out(
     let cells = atlas.cells(rows);
     let partial = output::partial(why, cells.len(), atlas.tasks().len());
     let partial = partial.as_ref();
-    let csv = atlas::csv(&cells).map_err(|e| Stop::not_written("CSV", e))?;
-    let mut files = vec![("atlas.csv".to_owned(), marked(csv, partial))];
+    let csv = marked(atlas::csv(&cells), partial);
+    let mut files = vec![("atlas.csv".to_owned(), csv)];
     for grid in grids {
         let picture = atlas::picture(grid, &cells, partial);
         files.push((format!("{}.svg", grid.name), picture));

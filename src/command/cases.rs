@@ -22,16 +22,6 @@ pub(super) enum KindArgument {
     Arch,
 }
 
-impl From<KindArgument> for Template {
-    fn from(argument: KindArgument) -> Self {
-        match argument {
-            KindArgument::Wall => Template::Wall,
-            KindArgument::Blocks => Template::Blocks,
-            KindArgument::Arch => Template::Arch,
-        }
-    }
-}
-
 /// Columns of the lists of cases and of sweeps: where there is no room, the files go.
 const NAMED: [GridColumn; 3] = [words("name"), words("file").spare(1), words("title")];
 
@@ -72,7 +62,12 @@ pub(super) fn quoted(file: &str) -> String {
     shlex::try_quote(&file).map_or(file.clone(), |quoted| quoted.into_owned())
 }
 
-pub(super) fn new(name: &str, template: Template) -> Result<u8, Stop> {
+pub(super) fn new(name: &str, kind: KindArgument) -> Result<u8, Stop> {
+    let template = match kind {
+        KindArgument::Wall => Template::Wall,
+        KindArgument::Blocks => Template::Blocks,
+        KindArgument::Arch => Template::Arch,
+    };
     let named = Path::new(name.strip_suffix(".toml").unwrap_or(name)).file_name();
     if named.is_none() || name.ends_with(['/', '\\']) {
         return Err(Stop::bad_input(format!(
@@ -88,9 +83,8 @@ pub(super) fn new(name: &str, template: Template) -> Result<u8, Stop> {
     let path = Path::new(&file);
     let stem = path.file_stem().map(|s| s.to_string_lossy().into_owned());
     let Some(stem) = stem.filter(|s| !s.is_empty()) else {
-        return Err(Stop::bad_input(format!(
-            "error: `{name}` is no name for a case"
-        )));
+        let text = format!("error: `{name}` is no name for a case");
+        return Err(Stop::bad_input(text));
     };
     if path.exists() {
         let text =
@@ -101,9 +95,7 @@ pub(super) fn new(name: &str, template: Template) -> Result<u8, Stop> {
     // A name that `run` would refuse is refused here.
     Case::read(&file, text.as_bytes())?;
     write_whole(path, &text).map_err(|e| Stop::not_written(&file, e))?;
-    print_lines(&format!(
-        "wrote {file}; next: trilith run {}\n",
-        quoted(&file)
-    ))?;
+    let quoted = quoted(&file);
+    print_lines(&format!("wrote {file}; next: trilith run {quoted}\n"))?;
     Ok(0)
 }

@@ -6,12 +6,11 @@ use crate::run::{Keeps, Row, marked};
 use crate::study::chart::{self, Chart};
 use clap::Args;
 
-use super::head_joints::HeadJointsArgument;
 use super::output;
-use super::plan::{collect, externals};
+use super::plan::{HeadJointsArgument, collect, externals};
 use super::screen::{layout, print, tell};
+use super::solve::run_study;
 use super::stop::Stop;
-use super::study::run_study;
 
 #[derive(Args)]
 pub(super) struct ChartArguments {
@@ -46,15 +45,13 @@ pub(super) fn chart(arguments: &ChartArguments) -> Result<u8, Stop> {
     for case in &cases {
         let measured = |&head| chart::reference(case, head).is_some();
         if !case.head_joints.iter().any(measured) {
-            tell!(
-                "{} has no reference to measure errors against: left out",
-                case.name
-            );
+            let name = &case.name;
+            tell!("{name} has no reference to measure errors against: left out");
         }
     }
     let externals = externals(&arguments.external)?;
     let chart = Chart::new(&cases, head_joints, &externals);
-    if chart.is_empty() {
+    if chart.count() == 0 {
         let text = "error: nothing to draw\nhelp: name a case with a reference; `trilith show CASE` \
                     prints them";
         return Err(Stop::bad_input(text));
@@ -72,16 +69,12 @@ pub(super) fn chart(arguments: &ChartArguments) -> Result<u8, Stop> {
 /// Prints the summary and writes the table, the summary and the picture.
 fn hand_out(chart: &Chart, rows: &[Row], why: Option<&str>, folder: &Path) -> Result<(), Stop> {
     let entries = chart.measurements(rows);
-    let partial = output::partial(why, entries.len(), chart.len());
+    let partial = output::partial(why, entries.len(), chart.count());
     let partial = partial.as_ref();
     let summaries = chart::summaries(&entries);
-    let broken = |e: csv::Error| Stop::not_written("CSV", e);
     let files = [
-        ("chart.csv", chart::csv(&entries).map_err(broken)?),
-        (
-            "summary.csv",
-            chart::summary_csv(&summaries).map_err(broken)?,
-        ),
+        ("chart.csv", chart::csv(&entries)),
+        ("summary.csv", chart::summary_csv(&summaries)),
     ];
     let files = files.map(|(name, text)| (name.to_owned(), marked(text, partial)));
     let mut files = Vec::from(files);
@@ -89,11 +82,8 @@ fn hand_out(chart: &Chart, rows: &[Row], why: Option<&str>, folder: &Path) -> Re
         let picture = chart::picture(&entries, partial);
         files.push(("chart.svg".to_owned(), picture));
     }
-    let said = output::said(partial);
-    let printed = print(&format!(
-        "{said}{}",
-        chart::summary_table(&summaries, layout())
-    ));
+    let table = chart::summary_table(&summaries, layout());
+    let printed = print(&(output::said(partial) + &table));
     output::write(folder, files)?;
     printed
 }

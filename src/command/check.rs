@@ -96,7 +96,6 @@ fn strays_in(folder: Option<&Path>, cases: &[Case]) -> Result<Vec<Stored>, Stop>
 /// Where certificates lie unless a user says otherwise.
 const CERTIFICATES: &str = "cases/certificates";
 
-/// The folder of stored certificates.
 fn stored_in(arguments: &CheckArguments) -> Result<Option<PathBuf>, Stop> {
     match &arguments.certificates {
         Some(folder) if folder.is_dir() => Ok(Some(folder.clone())),

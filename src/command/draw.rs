@@ -35,16 +35,13 @@ pub(super) struct DrawArguments {
 }
 
 pub(super) fn draw(arguments: &DrawArguments) -> Result<u8, Stop> {
-    let to_standard_output = arguments.output.as_os_str() == "-";
-    let format = if to_standard_output {
-        Format::Svg
-    } else {
-        Format::of(&arguments.output)?
-    };
-    let (mut cases, mut plan) = arguments
-        .plan
-        .read(std::slice::from_ref(&arguments.case), case::paper)?;
-    if cases.len() != 1 {
+    let path = &arguments.output;
+    let to_file = (path.as_os_str() != "-")
+        .then(|| format_of(path))
+        .transpose()?;
+    let named = std::slice::from_ref(&arguments.case);
+    let (cases, mut plan) = arguments.plan.read(named, case::paper)?;
+    let [case] = cases.as_slice() else {
         let text = format!(
             "error: `{}` stands for {} cases, and a drawing is of one\nhelp: name one case, and \
              methods after `--method`, separated by commas",
@@ -52,7 +49,7 @@ pub(super) fn draw(arguments: &DrawArguments) -> Result<u8, Stop> {
             cases.len()
         );
         return Err(Stop::bad_input(text));
-    }
+    };
     let drawn = drawn(arguments, &plan);
     // The closed form always runs: its crack is drawn over every mechanism.
     let wanted = |method: &&dyn Method| {
@@ -60,26 +57,20 @@ pub(super) fn draw(arguments: &DrawArguments) -> Result<u8, Stop> {
     };
     let outside = plan.methods.into_iter();
     let outside = outside.filter(|method| kind(method.name()) == Kind::Outside);
-    plan.methods = methods()
-        .into_iter()
-        .chain(outside)
-        .filter(wanted)
-        .collect();
-    let case = &mut cases[0];
+    let methods = methods().into_iter().chain(outside);
+    plan.methods = methods.filter(wanted).collect();
     // One setting a drawing: open head joints where the case has them, which the published
     // mechanisms are of.
-    let open = case.head_joints.contains(&HeadJoints::Open);
-    let one = if open {
-        HeadJoints::Open
-    } else {
-        case.head_joints[0]
-    };
-    plan.head_joints = plan.head_joints.or(Some(one));
-    let path = &arguments.output;
-    let folder = path
-        .parent()
-        .filter(|parent| !parent.as_os_str().is_empty());
-    if !to_standard_output {
+    let open = case
+        .head_joints
+        .iter()
+        .find(|of_case| **of_case == HeadJoints::Open);
+    let one = open.unwrap_or(&case.head_joints[0]);
+    plan.head_joints = plan.head_joints.or(Some(*one));
+    if to_file.is_some() {
+        let folder = path
+            .parent()
+            .filter(|parent| !parent.as_os_str().is_empty());
         output::test(folder.unwrap_or(Path::new(".")))?;
     }
     if path.is_dir() {
@@ -97,62 +88,40 @@ pub(super) fn draw(arguments: &DrawArguments) -> Result<u8, Stop> {
     };
     let title = format!("{}: {}", result.case.name, result.case.title);
     let svg = figure(&title, &views, &options);
-    if to_standard_output {
+    let Some(printed) = to_file else {
         print(&svg)?;
         return Ok(0);
-    }
-    let contents = format.print(svg);
-    let contents = contents.map_err(|why| Stop::not_written(path.display(), why))?;
+    };
+    let contents = printed(&svg).map_err(|why| Stop::not_written(path.display(), why))?;
     write_whole(path, contents).map_err(|e| Stop::not_written(path.display(), e))?;
     print_lines(&format!("wrote {}\n", path.display()))?;
     Ok(0)
 }
 
-/// What a file of a drawing holds.
-#[derive(Clone, Copy)]
-enum Format {
-    Svg,
-    #[cfg(feature = "print")]
-    Png,
-    #[cfg(feature = "print")]
-    Pdf,
-}
+/// The drawing in the format of a file; why it cannot be had.
+type Print = fn(&str) -> Result<Vec<u8>, String>;
 
-impl Format {
-    /// By the end of a file's name.
-    fn of(path: &Path) -> Result<Self, Stop> {
-        let end = path
-            .extension()
-            .map(|end| end.to_string_lossy().to_lowercase());
-        let help = match end.as_deref() {
-            Some("svg") => return Ok(Format::Svg),
-            #[cfg(feature = "print")]
-            Some("png") => return Ok(Format::Png),
-            #[cfg(feature = "print")]
-            Some("pdf") => return Ok(Format::Pdf),
-            #[cfg(not(feature = "print"))]
-            Some("png" | "pdf") => {
-                "PNG and PDF are made by a trilith that is built with `cargo build --release \
-                 --features print`"
-            }
-            _ => "write `-o FILE.svg`, or `-o -` for standard output",
-        };
-        Err(Stop::bad_input(format!(
-            "error: a drawing is SVG, and {} does not end in `.svg`\nhelp: {help}",
-            path.display()
-        )))
-    }
-
-    /// The drawing in this format; why it cannot be had.
-    fn print(self, svg: String) -> Result<Vec<u8>, String> {
-        match self {
-            Format::Svg => Ok(svg.into_bytes()),
-            #[cfg(feature = "print")]
-            Format::Png => crate::picture::png(&svg).map_err(|error| error.to_string()),
-            #[cfg(feature = "print")]
-            Format::Pdf => crate::picture::pdf(&svg).map_err(|error| error.to_string()),
+fn format_of(path: &Path) -> Result<Print, Stop> {
+    let end = path
+        .extension()
+        .map(|end| end.to_string_lossy().to_lowercase());
+    let help = match end.as_deref() {
+        Some("svg") => return Ok(|svg| Ok(svg.into())),
+        #[cfg(feature = "print")]
+        Some("png") => return Ok(crate::picture::png),
+        #[cfg(feature = "print")]
+        Some("pdf") => return Ok(crate::picture::pdf),
+        #[cfg(not(feature = "print"))]
+        Some("png" | "pdf") => {
+            "PNG and PDF are made by a trilith that is built with `cargo build --release \
+             --features print`"
         }
-    }
+        _ => "write `-o FILE.svg`, or `-o -` for standard output",
+    };
+    Err(Stop::bad_input(format!(
+        "error: a drawing is SVG, and {} does not end in `.svg`\nhelp: {help}",
+        path.display()
+    )))
 }
 
 /// Names of the methods that are drawn: those that were named, or the collapse states found; side by
@@ -162,37 +131,29 @@ fn drawn(arguments: &DrawArguments, plan: &Plan) -> Vec<String> {
     if arguments.plan.names_methods() {
         return named.collect();
     }
-    let first = |entry: &&MethodEntry| {
-        if arguments.side_by_side {
-            entry.drawn_first
-        } else {
-            entry.kind == Kind::CollapseStates
-        }
+    let first = |entry: &&MethodEntry| match arguments.side_by_side {
+        true => entry.drawn_first,
+        false => entry.kind == Kind::CollapseStates,
     };
-    let own = METHODS
-        .iter()
-        .filter(first)
-        .map(|entry| entry.name().to_owned());
-    let outside = named.filter(|name| kind(name) == Kind::Outside);
-    own.chain(outside).collect()
+    let own = METHODS.iter().filter(first);
+    let own = own.map(|entry| entry.name().to_owned());
+    own.chain(named.filter(|name| kind(name) == Kind::Outside))
+        .collect()
 }
 
 /// The answers of these methods, in this order, with the macro-block's crack.
 fn views<'a>(result: &'a CaseResult, methods: &[String]) -> Vec<View<'a>> {
-    let closed = result
-        .rows
-        .iter()
-        .find(|row| row.kind() == Kind::ClosedForm);
-    let slope = closed.and_then(|row| row.crack);
-    let row = |name: &String| result.rows.iter().find(|row| row.method == *name);
-    let rows = methods.iter().filter_map(row);
-    rows.map(|row| {
+    let mut rows = result.rows.iter();
+    let closed = rows.find(|row| row.kind() == Kind::ClosedForm);
+    let macro_slope = closed.and_then(|row| Some(row.crack?.tan_beta));
+    let view = |name: &String| {
+        let row = result.rows.iter().find(|row| row.method == *name)?;
         let (scene, row) = result.governing(row);
-        View {
+        Some(View {
             scene,
             row,
-            macro_slope: slope.map(|crack| crack.tan_beta),
-        }
-    })
-    .collect()
+            macro_slope,
+        })
+    };
+    methods.iter().filter_map(view).collect()
 }

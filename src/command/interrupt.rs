@@ -81,7 +81,6 @@ fn is_ignored(signal: i32) -> bool {
     }
 }
 
-/// Exit status after a signal.
 fn status(signal: usize) -> u8 {
     128 + signal as u8
 }

@@ -8,15 +8,11 @@ mod convert;
 mod draw;
 mod drawing;
 mod export;
-mod external;
-mod head_joints;
-mod import;
 mod interrupt;
 mod output;
 mod pages;
 mod plan;
 mod progress;
-mod records;
 mod reference;
 mod report;
 mod run;
@@ -26,7 +22,6 @@ mod show;
 mod slurm;
 mod solve;
 mod stop;
-mod study;
 mod sweep;
 
 use std::process::ExitCode;
@@ -83,39 +78,16 @@ enum Command {
     },
     /// Print the scene of a case as JSON, as external methods read it.
     #[command(after_long_help = reference::EXPORT)]
-    Export {
-        /// A case file, or the name of a built-in case.
-        case: String,
-        /// What head joints carry, instead of the first setting that the case runs with.
-        #[arg(long)]
-        head_joints: Option<head_joints::HeadJointsArgument>,
-        /// Direction of the push, instead of the first one of the case.
-        #[arg(long)]
-        push: Option<external::PushArgument>,
-        /// Write a DXF drawing instead, with blocks, mechanism and thrust on layers.
-        #[arg(long, value_name = "FILE.dxf", group = "file")]
-        dxf: Option<std::path::PathBuf>,
-        /// Write a BlockModel of COMPAS instead, with the mechanism and contact forces.
-        #[arg(long, value_name = "FILE.json", group = "file")]
-        compas: Option<std::path::PathBuf>,
-        /// The method whose mechanism and forces are in the file.
-        #[arg(
-            long,
-            value_name = "NAME",
-            requires = "file",
-            default_value = "associative"
-        )]
-        method: String,
-    },
+    Export(export::ExportArguments),
     /// Make a case from a DXF drawing or a model of COMPAS: every closed outline becomes a block.
     #[command(after_long_help = reference::IMPORT)]
-    Import(import::ImportArguments),
+    Import(convert::ImportArguments),
     /// Write a case of any form as explicit blocks, a case file with a CSV beside it.
     Convert(convert::ConvertArguments),
     /// Print the JSON schema of what external methods read or write.
     Schema {
         /// Which of the two.
-        of: external::SchemaOf,
+        of: export::SchemaOf,
     },
     /// Write a commented template NAME.toml for a case of your own.
     New {
@@ -155,29 +127,11 @@ pub fn main() -> ExitCode {
         Command::Report(arguments) => report::report(&arguments),
         Command::List => cases::list(),
         Command::Show { case, pushover } => show::show(&case, pushover),
-        Command::Export {
-            case,
-            head_joints,
-            push,
-            dxf: None,
-            compas: None,
-            ..
-        } => external::export(&case, head_joints, push.map(Into::into)),
-        Command::Export {
-            case,
-            head_joints,
-            push,
-            dxf,
-            compas,
-            method,
-        } => {
-            let file = export::Target { dxf, compas };
-            export::export(&case, head_joints, push.map(Into::into), &file, &method)
-        }
-        Command::Import(arguments) => import::import(&arguments),
+        Command::Export(arguments) => export::export(&arguments),
+        Command::Import(arguments) => convert::import(&arguments),
         Command::Convert(arguments) => convert::convert(&arguments),
-        Command::Schema { of } => external::schema(of),
-        Command::New { name, kind } => cases::new(&name, kind.into()),
+        Command::Schema { of } => export::schema(of),
+        Command::New { name, kind } => cases::new(&name, kind),
         Command::Completions(arguments) => pages::completions(&arguments, Arguments::command()),
         Command::Man(arguments) => pages::man(&arguments, Arguments::command()),
     };

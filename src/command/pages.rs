@@ -63,7 +63,6 @@ pub(super) fn man(arguments: &ManArguments, trilith: clap::Command) -> Result<u8
     Ok(0)
 }
 
-/// The page as troff reads it.
 fn text(page: &Man) -> Result<String, Stop> {
     let mut text = Vec::new();
     page.render(&mut text)

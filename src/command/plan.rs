@@ -1,13 +1,13 @@
 //! Which methods run, and with which settings: the arguments that several commands share.
 
-use crate::case::{self, Case};
-use crate::external::{self, External};
+use crate::case::{self, Case, Geometry};
+use crate::external;
 use crate::method::{self, Collapse, Kind, Method, kind};
 use crate::run::Plan;
-use clap::Args;
+use crate::scene::HeadJoints;
+use clap::{Args, ValueEnum};
 
 use super::drawing::{DrawingArguments, is_drawing};
-use super::head_joints::HeadJointsArgument;
 use super::screen::tell;
 use super::settings::SettingArguments;
 use super::stop::Stop;
@@ -76,25 +76,54 @@ impl PlanArguments {
         Ok((cases, plan))
     }
 
-    /// Whether the user chose methods.
     pub fn names_methods(&self) -> bool {
         !self.method.is_empty()
     }
 }
 
-/// The external methods that the arguments name.
-pub(super) fn externals(arguments: &[String]) -> Result<Vec<&'static dyn Method>, Stop> {
-    let programs = programs(arguments)?.into_iter();
-    Ok(programs.map(|program| program as &dyn Method).collect())
+#[derive(Clone, Copy, ValueEnum)]
+pub(super) enum HeadJointsArgument {
+    /// They carry pressure and friction.
+    Contact,
+    /// They carry nothing.
+    Open,
+    /// Both, one after the other.
+    Both,
 }
 
-/// The programs that the arguments name.
-pub(super) fn programs(arguments: &[String]) -> Result<Vec<&'static External>, Stop> {
-    let mut all: Vec<&'static External> = Vec::new();
+impl HeadJointsArgument {
+    pub(super) fn all(self) -> Vec<HeadJoints> {
+        match self {
+            HeadJointsArgument::Contact => vec![HeadJoints::Contact],
+            HeadJointsArgument::Open => vec![HeadJoints::Open],
+            HeadJointsArgument::Both => vec![HeadJoints::Contact, HeadJoints::Open],
+        }
+    }
+
+    /// The one setting; `None` for both.
+    pub(super) fn one(self) -> Option<HeadJoints> {
+        <[HeadJoints; 1]>::try_from(self.all())
+            .ok()
+            .map(|[one]| one)
+    }
+
+    /// Lets cases run with both, where that is said. An arch has no head joints, and runs once.
+    pub(super) fn set(self, cases: &mut [Case]) {
+        for case in cases {
+            if self.one().is_none() && !matches!(case.geometry, Geometry::Arch(_)) {
+                case.head_joints = self.all();
+            }
+        }
+    }
+}
+
+/// The external methods that the arguments name.
+pub(super) fn externals(arguments: &[String]) -> Result<Vec<&'static dyn Method>, Stop> {
+    let mut all: Vec<&'static dyn Method> = Vec::new();
     for argument in arguments {
         for method in external::read(argument)? {
-            if all.iter().any(|other| other.name == method.name) {
-                let name = &method.name;
+            let name = &method.name;
+            if all.iter().any(|other| other.name() == name) {
                 let text = format!(
                     "error: two external methods are named `{name}`\nhelp: give each a name of its own"
                 );

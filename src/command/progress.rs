@@ -16,7 +16,6 @@ pub(super) struct Bar {
     known: Arc<Mutex<Known>>,
 }
 
-/// What the bar is drawn from.
 struct Known {
     began: Instant,
     remaining: Remaining,
@@ -28,11 +27,9 @@ impl Known {
     }
 }
 
-/// Cells of the bar.
 const CELLS: usize = 24;
 
 impl Bar {
-    /// An empty bar.
     pub(super) fn new() -> Self {
         let known = Arc::new(Mutex::new(Known {
             began: Instant::now(),
@@ -101,7 +98,6 @@ impl Progress for Bar {
     }
 }
 
-/// Seconds as people say them.
 fn in_words(seconds: f64) -> String {
     let whole = seconds.ceil() as u64;
     match whole {

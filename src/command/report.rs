@@ -6,7 +6,7 @@ use clap::Args;
 
 use crate::case;
 use crate::method::Settings;
-use crate::report::html::{Report, manual, page};
+use crate::report::html::{manual, page};
 use crate::run::{CaseResult, Partial};
 use crate::study::sweep::SweepTable;
 
@@ -46,7 +46,9 @@ pub(super) fn report(arguments: &ReportArguments) -> Result<u8, Stop> {
     let (cases, mut plan) = arguments.plan.read(&arguments.cases, none_named)?;
     plan.settings.pushover.recording = true;
     // Before the long work: a file that cannot be read is known now.
-    let sweeps = read(&arguments.sweep)?;
+    let read = |path| SweepTable::read(path).map_err(|e| Stop::bad_input(format!("error: {e}")));
+    let sweeps = arguments.sweep.iter().map(|path| read(path));
+    let sweeps = sweeps.collect::<Result<Vec<_>, Stop>>()?;
     let settings = plan.settings;
     let kept = Some((arguments.out.as_path(), "report.journal"));
     let results = solve(
@@ -63,13 +65,6 @@ pub(super) fn report(arguments: &ReportArguments) -> Result<u8, Stop> {
     Ok(status(refuted(&results)))
 }
 
-/// The sweeps that the report plots.
-fn read(paths: &[PathBuf]) -> Result<Vec<SweepTable>, Stop> {
-    let read =
-        |path: &PathBuf| SweepTable::read(path).map_err(|e| Stop::bad_input(format!("error: {e}")));
-    paths.iter().map(read).collect()
-}
-
 /// Writes the page and, beside it, what `run` writes.
 fn hand_out(
     arguments: &ReportArguments,
@@ -82,15 +77,9 @@ fn hand_out(
     let (name, text) = if arguments.manual {
         ("manual.html", manual(results, settings, partial))
     } else {
-        let report = Report {
-            results,
-            settings,
-            sweeps,
-            partial,
-        };
-        ("report.html", page(&report))
+        ("report.html", page(results, settings, sweeps, partial))
     };
-    let mut files = files(results, false, partial)?;
+    let mut files = files(results, false, partial);
     files.push((name.to_owned(), text));
     output::write(folder, files)?;
     Ok(folder.join(name).display().to_string())

@@ -5,15 +5,14 @@ use std::path::{Path, PathBuf};
 use crate::answer::Status;
 use crate::case;
 use crate::judge::Verdict;
-use crate::record::record;
+use crate::record;
 use crate::report;
 use crate::run::{CaseResult, Partial, marked};
 use clap::{Args, ValueEnum};
 
 use super::output;
 use super::plan::PlanArguments;
-use super::records::compare;
-use super::screen::{layout, print};
+use super::screen::{layout, print, tell};
 use super::solve::solve;
 use super::stop::{Stop, status};
 
@@ -73,13 +72,11 @@ impl KeptArguments {
         folders.try_for_each(|folder| output::test(folder))
     }
 
-    /// The journal of this name.
     pub(super) fn journal(&self, name: &'static str) -> Option<(&Path, &'static str)> {
         let folder = self.resume.as_deref().or(self.out.as_deref());
         folder.map(|folder| (folder, name))
     }
 
-    /// Writes the files that were asked for.
     pub(super) fn write(
         &self,
         results: &[CaseResult],
@@ -87,7 +84,7 @@ impl KeptArguments {
         partial: Option<&Partial>,
     ) -> Result<(), Stop> {
         if let Some(folder) = &self.out {
-            output::write(folder, files(results, states, partial)?)?;
+            output::write(folder, files(results, states, partial))?;
         }
         if let Some(folder) = &self.certificate {
             output::write_certificates(folder, results)?;
@@ -109,8 +106,10 @@ pub(super) fn run(arguments: &RunArguments) -> Result<u8, Stop> {
         output::test(folder)?;
     }
     let format = arguments.format;
-    print(&format.heading()?)?;
-    let show = |result: &CaseResult| print(&format.case(result)?);
+    if let Format::Csv = format {
+        print(&report::csv(&[]))?;
+    }
+    let show = |result: &CaseResult| print(&format.case(result));
     let kept = arguments.kept.journal("run.journal");
     let results = solve(&cases, &plan, kept, show, |results, partial| {
         hand_out(arguments, results, partial)
@@ -124,41 +123,27 @@ pub(super) fn run(arguments: &RunArguments) -> Result<u8, Stop> {
 
 /// Each case is printed as soon as those before it are; a JSON document only as a whole.
 impl Format {
-    /// What comes before the first case.
-    fn heading(self) -> Result<String, Stop> {
+    fn case(self, result: &CaseResult) -> String {
         match self {
-            Format::Table | Format::Json => Ok(String::new()),
-            Format::Csv => csv(&[]),
-        }
-    }
-
-    fn case(self, result: &CaseResult) -> Result<String, Stop> {
-        match self {
-            Format::Table => Ok(report::case_table(result, layout())),
+            Format::Table => report::case_table(result, layout()),
             Format::Csv => {
-                let text = csv(std::slice::from_ref(result))?;
+                let text = report::csv(std::slice::from_ref(result));
                 let rows = text.split_once('\n').map(|(_, rows)| rows);
-                Ok(rows.unwrap_or_default().to_owned())
+                rows.unwrap_or_default().to_owned()
             }
-            Format::Json => Ok(String::new()),
+            Format::Json => String::new(),
         }
     }
 
-    /// What comes behind the last case.
-    fn closing(
-        self,
-        results: &[CaseResult],
-        states: bool,
-        partial: Option<&Partial>,
-    ) -> Result<String, Stop> {
+    fn closing(self, results: &[CaseResult], states: bool, partial: Option<&Partial>) -> String {
         match self {
             Format::Table => {
                 let said = partial.map_or(String::new(), |partial| format!("{partial}\n\n"));
-                Ok(said + &report::legend(layout(), "`--wide` shows every column."))
+                said + &report::legend(layout(), "`--wide` shows every column.")
             }
             Format::Csv => {
-                let commas = csv(&[])?.matches(',').count();
-                Ok(partial.map_or(String::new(), |partial| partial.csv_line(commas)))
+                let commas = report::csv(&[]).matches(',').count();
+                partial.map_or(String::new(), |partial| partial.csv_line(commas))
             }
             Format::Json => json(results, states, partial),
         }
@@ -172,22 +157,16 @@ fn hand_out(
     partial: Option<&Partial>,
 ) -> Result<(), Stop> {
     let states = arguments.states;
-    let printed = print(&arguments.format.closing(results, states, partial)?);
+    let printed = print(&arguments.format.closing(results, states, partial));
     arguments.kept.write(results, states, partial)?;
     printed
 }
 
-fn csv(results: &[CaseResult]) -> Result<String, Stop> {
-    report::csv(results).map_err(|e| Stop::not_written("CSV", e))
-}
-
-fn json(results: &[CaseResult], states: bool, partial: Option<&Partial>) -> Result<String, Stop> {
-    let text = if states {
-        report::json_with_states(results, partial)
-    } else {
-        report::json(results, partial)
-    };
-    text.map_err(|e| Stop::not_written("JSON", e))
+fn json(results: &[CaseResult], states: bool, partial: Option<&Partial>) -> String {
+    match states {
+        true => report::json_with_states(results, partial),
+        false => report::json(results, partial),
+    }
 }
 
 /// The files results.csv, results.json, with the states where those are wanted, and the records.
@@ -195,16 +174,15 @@ pub(super) fn files(
     results: &[CaseResult],
     states: bool,
     partial: Option<&Partial>,
-) -> Result<Vec<(String, String)>, Stop> {
+) -> Vec<(String, String)> {
+    let csv = marked(report::csv(results), partial);
     let mut files = vec![
-        ("results.csv".to_owned(), marked(csv(results)?, partial)),
-        ("results.json".to_owned(), json(results, states, partial)?),
+        ("results.csv".to_owned(), csv),
+        ("results.json".to_owned(), json(results, states, partial)),
     ];
-    let records = results
-        .iter()
-        .map(|r| (format!("{}.txt", r.case.name), record(r)));
-    files.extend(records);
-    Ok(files)
+    let records = results.iter();
+    files.extend(records.map(|r| (format!("{}.txt", r.case.name), record::record(r))));
+    files
 }
 
 /// Whether a result failed or a reference or relation is violated.
@@ -214,4 +192,50 @@ pub(super) fn refuted(results: &[CaseResult]) -> bool {
     results
         .iter()
         .any(|result| failed(result) || violated(result))
+}
+
+/// Whether any record differs from the accepted one, or the case of one is gone; `prune` removes
+/// these. `arguments` name the cases.
+fn compare(
+    folder: &Path,
+    results: &[CaseResult],
+    arguments: &[String],
+    prune: bool,
+) -> Result<bool, Stop> {
+    let failed = |error: std::io::Error| Stop::bad_input(format!("error: {error}"));
+    let mut changed = false;
+    for result in results {
+        let compared = record::compare(folder, &result.case.name, &record::record(result));
+        if let Some((word, path)) = compared.map_err(failed)? {
+            let path = path.display();
+            tell!("the record {path} is {word}; `cargo insta review` shows it");
+            changed = true;
+        }
+    }
+    let names: Vec<&str> = results.iter().map(|r| r.case.name.as_str()).collect();
+    for (name, path) in record::records_beside(folder, &names).map_err(failed)? {
+        if !is_gone(&name, arguments) {
+            continue;
+        }
+        let shown = path.display();
+        if prune {
+            std::fs::remove_file(&path).map_err(failed)?;
+            tell!("{shown} was removed, because its case is gone");
+        } else {
+            tell!("the case of {shown} is gone; `--prune` removes the record");
+            changed = true;
+        }
+    }
+    Ok(changed)
+}
+
+/// Whether a case that did not run is not there any more, as far as the arguments tell: it is neither
+/// built in nor beside a file that they name. A folder that they name has been run as a whole.
+fn is_gone(name: &str, arguments: &[String]) -> bool {
+    let paths = || arguments.iter().map(Path::new).filter(|path| path.exists());
+    let beside = |path: &Path| path.with_file_name(format!("{name}.toml")).exists();
+    let built_in = case::embedded()
+        .any(|(path, _)| Path::new(path).file_stem().is_some_and(|stem| stem == name));
+    // Names of built-in cases alone say nothing about the user's own.
+    paths().next().is_some() && !built_in && !paths().filter(|path| path.is_file()).any(beside)
 }

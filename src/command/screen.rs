@@ -40,7 +40,6 @@ enum ProgressArgument {
     Lines,
 }
 
-/// The layouts of standard output and of standard error.
 #[derive(Clone, Copy, Default)]
 struct Screen {
     out: Layout,
@@ -85,12 +84,10 @@ fn columns(stream: &impl IsTerminal) -> Option<usize> {
     })
 }
 
-/// How standard output is laid out.
 pub(super) fn layout() -> Layout {
     SCREEN.get().copied().unwrap_or_default().out
 }
 
-/// Whether progress is told in lines.
 pub(super) fn tells_progress() -> bool {
     SCREEN.get().copied().unwrap_or_default().tells_progress
 }

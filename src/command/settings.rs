@@ -25,7 +25,6 @@ struct Given {
 }
 
 impl SettingArguments {
-    /// The settings: the defaults with what is given.
     pub(super) fn read(&self) -> Result<Settings, Stop> {
         let mut settings = Settings::default();
         let mut known: Vec<(&str, &str)> = Vec::new();
@@ -93,7 +92,6 @@ impl FromArgMatches for SettingArguments {
     }
 }
 
-/// The flag of a setting. A switch needs no value.
 fn flag(setting: &'static Setting) -> Arg {
     let default = setting.of(&Settings::default());
     let about = setting.meaning;

@@ -46,18 +46,14 @@ fn description(case: &Case) -> String {
     if let Some(motion) = &case.motion {
         for support in &motion.supports {
             let [x, y] = [support.away.x, support.away.y].map(|part| short(part, 4));
+            let (way, along) = match motion.sense {
+                Sense::Away => ("away from", "along"),
+                Sense::Against => ("against", "against"),
+            };
+            let name = &support.name;
             let _ = writeln!(
                 text,
-                "{} moves {} the wall, which is {} [{x}, {y}]",
-                support.name,
-                match motion.sense {
-                    Sense::Away => "away from",
-                    Sense::Against => "against",
-                },
-                match motion.sense {
-                    Sense::Away => "along",
-                    Sense::Against => "against",
-                },
+                "{name} moves {way} the wall, which is {along} [{x}, {y}]"
             );
         }
     }

@@ -23,9 +23,8 @@ pub(super) fn script(
     let folder = absolute(folder).map_err(failed)?.display().to_string();
     let program = program.display().to_string();
     let [program, file, folder] = [program, file, folder].map(|text| quoted(&text));
-    let external = external
-        .iter()
-        .map(|argument| format!(" --external {}", quoted(argument)));
+    let external = external.iter();
+    let external = external.map(|argument| format!(" --external {}", quoted(argument)));
     let external: String = external.collect();
     Ok(SCRIPT
         .replace("@NAME", name)
@@ -36,7 +35,6 @@ pub(super) fn script(
         .replace("@EXTERNAL", &external))
 }
 
-/// As one word of the shell.
 fn quoted(text: &str) -> String {
     format!("'{}'", text.replace('\'', r"'\''"))
 }
@@ -63,26 +61,3 @@ JOB
 )
 echo "shards: job ${shards%%;*}, merge: job ${merge%%;*}, results: $folder/sweep.csv"
 "#;
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn words_of_the_shell_stay_one_word() {
-        assert_eq!(quoted("a b"), "'a b'");
-        assert_eq!(quoted("it's"), r"'it'\''s'");
-        let script = script("fig-7", "fig-7", Path::new("a b"), &["a=b c".to_owned()], 4);
-        let script = script.unwrap_or_else(|stop| panic!("{}", stop.text));
-        assert!(
-            script.contains("--array=1-4") && script.contains("/a b'\n"),
-            "{script}"
-        );
-        assert_eq!(
-            script.matches(" --external 'a=b c'\n").count(),
-            1,
-            "{script}"
-        );
-        assert!(!script.contains('@'), "{script}");
-    }
-}

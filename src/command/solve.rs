@@ -1,10 +1,12 @@
-//! Running a plan with progress and a journal, results shown as they come.
+//! Long work with progress and a journal, and what is finished handed out also where it is ended early: a
+//! plan, whose results are shown as they come; a study of many rows, as sweeps, charts and atlases are.
 
+use std::io;
 use std::path::Path;
 use std::sync::Mutex;
 
 use crate::case::Case;
-use crate::run::{CaseResult, CaseRuns, Journal, Keeps, Partial, Plan};
+use crate::run::{CaseResult, CaseRuns, Journal, Keeps, Partial, Plan, Progress, Row, Task};
 
 use super::progress::Bar;
 use super::screen::tell;
@@ -48,28 +50,15 @@ pub(super) fn solve(
         bar.clear();
         let (results, shown) = runs.finished();
         let [finished, of] = runs.counts();
-        let partial = Partial {
-            why: why.to_owned(),
-            finished,
-            of,
-        };
-        let partial = (finished < of).then_some(&partial);
+        let partial = output::partial(Some(why).filter(|_| finished < of), finished, of);
         results[shown..].iter().for_each(&show);
         let handed_out = match finished {
             0 => Ok(()),
-            _ => hand_out(&results, partial),
+            _ => hand_out(&results, partial.as_ref()),
         };
         tell(why, &runs, journal.as_ref(), handed_out);
     };
-    let work = || runs.run(journal.as_ref(), &bar, &show);
-    let done = interrupt::or_leave(work, leave);
-    if let Err(error) = done {
-        leave(&format!(
-            "stopped because the journal cannot be written: {error}"
-        ));
-        return Err(Stop::bad_input("error: not all results were computed"));
-    }
-    bar.clear();
+    or_leave(&bar, || runs.run(journal.as_ref(), &bar, &show), leave)?;
     let (results, _) = runs.finished();
     let failed = failed.lock().expect("showing does not panic").take();
     let handed_out = hand_out(&results, None);
@@ -82,18 +71,14 @@ pub(super) fn solve(
 
 /// Says on standard error what became of results that are not all there.
 fn tell(why: &str, runs: &CaseRuns, journal: Option<&Journal>, handed_out: Result<(), Stop>) {
-    if let Err(stop) = handed_out {
-        tell!("{}", stop.text.trim_end());
-    }
+    tell_of(handed_out);
     let [finished, of] = runs.counts();
     tell!("{why}: {finished} of {of} results are finished");
     let missing = runs.missing();
     if !missing.is_empty() {
-        let more = missing.len().saturating_sub(NAMED);
-        let more = if more > 0 {
-            format!(" and {more} more")
-        } else {
-            String::new()
+        let more = match missing.len().saturating_sub(NAMED) {
+            0 => String::new(),
+            more => format!(" and {more} more"),
         };
         let named: Vec<&str> = missing.iter().take(NAMED).map(String::as_str).collect();
         tell!("missing: {}{more}", named.join(", "));
@@ -102,4 +87,87 @@ fn tell(why: &str, runs: &CaseRuns, journal: Option<&Journal>, handed_out: Resul
         let path = journal.path().display();
         tell!("run the same command again to go on from {path}");
     }
+}
+
+/// Says on standard error why something was not handed out.
+fn tell_of(handed_out: Result<(), Stop>) {
+    if let Err(stop) = handed_out {
+        tell!("{}", stop.text.trim_end());
+    }
+}
+
+/// A bar that also keeps the finished rows.
+struct Kept {
+    bar: Bar,
+    rows: Mutex<Vec<Row>>,
+}
+
+impl Kept {
+    fn add(&self, row: &Row) {
+        let mut rows = self.rows.lock().expect("no other thread panicked");
+        rows.push(row.clone());
+    }
+}
+
+impl Progress for Kept {
+    fn expected(&self, seconds: f64) {
+        self.bar.expected(seconds);
+    }
+
+    fn known(&self, _: &Task, row: &Row) {
+        self.add(row);
+    }
+
+    fn done(&self, task: &Task, row: &Row) {
+        self.bar.done(task, row);
+        self.add(row);
+    }
+}
+
+/// Runs `work` with progress and hands its rows out. On a signal, or where the journal cannot be
+/// written, the finished rows are handed out with the reason, and standard error says so.
+///
+/// # Errors
+/// Where results cannot be handed out, or the journal cannot be written.
+pub(super) fn run_study<T>(
+    journal: &Journal,
+    work: impl FnOnce(&dyn Progress) -> io::Result<Vec<Row>> + Send,
+    hand_out: impl Fn(Vec<Row>, Option<&str>) -> Result<T, Stop>,
+) -> Result<T, Stop> {
+    let kept = Kept {
+        bar: Bar::new(),
+        rows: Mutex::default(),
+    };
+    let leave = |why: &str| {
+        kept.bar.clear();
+        let rows = kept.rows.lock().expect("no other thread panicked").clone();
+        let finished = rows.len();
+        let handed_out = match finished {
+            0 => Ok(()),
+            _ => hand_out(rows, Some(why)).map(drop),
+        };
+        tell_of(handed_out);
+        let path = journal.path().display();
+        tell!(
+            "{why}: {finished} results are finished; run the same command again to go on from {path}"
+        );
+    };
+    let rows = or_leave(&kept.bar, || work(&kept), leave)?;
+    hand_out(rows, None)
+}
+
+/// Runs `work`; on a signal, or where the journal cannot be written, `leave`, which is told why.
+fn or_leave<T: Send>(
+    bar: &Bar,
+    work: impl FnOnce() -> io::Result<T> + Send,
+    leave: impl Fn(&str),
+) -> Result<T, Stop> {
+    let done = interrupt::or_leave(work, &leave);
+    bar.clear();
+    done.map_err(|error| {
+        leave(&format!(
+            "stopped because the journal cannot be written: {error}"
+        ));
+        Stop::bad_input("error: not all results were computed")
+    })
 }

@@ -10,7 +10,6 @@ const REFUTED: u8 = 1;
 /// Exit status of bad input and usage, which is also clap's.
 const BAD_INPUT: u8 = 2;
 
-/// Why a command stops, printed to standard error.
 pub(super) struct Stop {
     pub(super) text: String,
     pub(super) status: u8,
@@ -36,7 +35,6 @@ impl From<Complaint> for Stop {
     }
 }
 
-/// The exit status of a command that ran to its end.
 pub(super) fn status(refuted: bool) -> u8 {
     if refuted { REFUTED } else { 0 }
 }

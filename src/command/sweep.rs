@@ -5,20 +5,20 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 use crate::answer::Status;
-use crate::judge::Verdict;
+use crate::judge::{Check, Verdict};
 use crate::number::number;
 use crate::run::{Keeps, Row, Task, marked, run_rows};
-use crate::study::sweep::{self, MOST_SHARDS, Shard, Sweep, SweepCheck, SweepTable, sweep_picture};
+use crate::study::sweep::{self, MOST_SHARDS, Shard, Sweep, SweepTable, sweep_picture};
 use crate::text::{ended, grid, numbers, words};
 use clap::Args;
-use indexmap::IndexSet;
+use indexmap::IndexMap;
 
 use super::output;
 use super::plan::externals;
 use super::screen::{layout, print, print_lines};
 use super::slurm;
+use super::solve::run_study;
 use super::stop::{self, Stop};
-use super::study::run_study;
 
 /// What a sweep file looks like, below the help.
 pub(super) const FORMAT: &str = r#"A sweep file names a case and says what varies in it:
@@ -93,22 +93,20 @@ fn find(file: &str, out: Option<&Path>, external: &[String]) -> Result<(Sweep, P
     Ok((sweep, folder))
 }
 
-fn not_written(error: impl std::fmt::Display) -> Stop {
-    Stop::not_written("the sweep", error)
-}
-
 pub(super) fn sweep(arguments: &SweepArguments) -> Result<u8, Stop> {
-    let (sweep, folder) = find(
-        &arguments.file,
-        arguments.out.as_deref(),
-        &arguments.external,
-    )?;
+    let SweepArguments {
+        file,
+        out,
+        external,
+        ..
+    } = arguments;
+    let (sweep, folder) = find(file, out.as_deref(), external)?;
     if let Some(shards) = arguments.slurm {
         print(&slurm::script(
-            &arguments.file,
+            file,
             &sweep.name,
             &folder,
-            &arguments.external,
+            external,
             shards,
         )?)?;
         return Ok(0);
@@ -127,7 +125,8 @@ pub(super) fn sweep(arguments: &SweepArguments) -> Result<u8, Stop> {
             // The journal has them.
             (Some(_), Some(_)) => Ok(0),
             (Some(shard), None) => {
-                let path = shard.write(&folder, &rows).map_err(not_written)?;
+                let written = shard.write(&folder, &rows);
+                let path = written.map_err(|error| Stop::not_written("the sweep", error))?;
                 print_lines(&format!(
                     "shard {shard} of {}: {} points in {}\n",
                     sweep.name,
@@ -142,20 +141,19 @@ pub(super) fn sweep(arguments: &SweepArguments) -> Result<u8, Stop> {
 
 /// Rows that came in any order, in that of their tasks.
 fn in_order(tasks: &[Task], rows: Vec<Row>) -> Vec<Row> {
-    let mut known: BTreeMap<String, Row> =
-        rows.into_iter().map(|row| (row.id.clone(), row)).collect();
-    tasks
-        .iter()
-        .filter_map(|task| known.remove(task.id()))
-        .collect()
+    let known = rows.into_iter().map(|row| (row.id.clone(), row));
+    let mut known: BTreeMap<String, Row> = known.collect();
+    let rows = tasks.iter().filter_map(|task| known.remove(task.id()));
+    rows.collect()
 }
 
 pub(super) fn merge(arguments: &MergeArguments) -> Result<u8, Stop> {
-    let (sweep, folder) = find(
-        &arguments.file,
-        arguments.out.as_deref(),
-        &arguments.external,
-    )?;
+    let MergeArguments {
+        file,
+        out,
+        external,
+    } = arguments;
+    let (sweep, folder) = find(file, out.as_deref(), external)?;
     let tasks = sweep.tasks();
     let rows = sweep::merge(&tasks, &folder)?;
     output::test(&folder)?;
@@ -175,15 +173,11 @@ fn hand_out(
     let checks = sweep::compare(tasks, &mut rows);
     let rows = &rows;
     let path = folder.join("sweep.csv");
-    let times = sweep::times_csv(rows).map_err(not_written)?;
     let table = SweepTable::of(&sweep.name, rows, partial);
-    let csv = table.csv().map_err(not_written)?;
     let said = output::said(partial);
     let picture = sweep_picture(&table);
-    let drawn = match &picture {
-        Ok(_) => String::new(),
-        Err(why) => format!("{why}\n"),
-    };
+    let drawn = picture.as_ref().err();
+    let drawn = drawn.map_or(String::new(), |why| format!("{why}\n"));
     let printed = print(&format!(
         "{said}{}: {}\n{}{}{drawn}{} points in {}\n",
         sweep.name,
@@ -193,28 +187,29 @@ fn hand_out(
         rows.len(),
         path.display()
     ));
-    let files = [("times.csv", times), ("sweep.csv", csv)];
+    let files = [
+        ("times.csv", sweep::times_csv(rows)),
+        ("sweep.csv", table.csv()),
+    ];
     let files = files.map(|(name, text)| (name.to_owned(), marked(text, partial)));
     let picture = picture.map(|svg| ("sweep.svg".to_owned(), svg));
     let files = files.into_iter().chain(picture.ok()).collect();
     output::write(folder, files)?;
     printed?;
-    let violated = checks
-        .iter()
-        .any(|one| one.check.verdict == Verdict::Violated);
+    let mut checks = checks.iter();
+    let violated = checks.any(|(_, check)| check.verdict == Verdict::Violated);
     Ok(stop::status(violated || failed(rows)))
 }
 
-/// Checks that are shown one by one, at most.
 const SHOWN: usize = 10;
 
 /// What the methods say about each other: the worst first, the rest as counts.
-fn compared(checks: &[SweepCheck]) -> String {
+fn compared(checks: &[(String, Check)]) -> String {
     let mut text = String::new();
     for verdict in [Verdict::Violated, Verdict::Marked] {
-        let of_verdict = checks.iter().filter(|one| one.check.verdict == verdict);
-        let of_verdict: Vec<&SweepCheck> = of_verdict.collect();
-        for SweepCheck { wall, check } in of_verdict.iter().take(SHOWN) {
+        let of_verdict = checks.iter().filter(|(_, check)| check.verdict == verdict);
+        let of_verdict: Vec<_> = of_verdict.collect();
+        for (wall, check) in of_verdict.iter().take(SHOWN) {
             let words = format!("{wall}: {}", ended(&check.text));
             let lead = format!("{:<9} ", verdict.name());
             text.push_str(&layout().paragraph(&lead, crate::report::of_verdict(verdict), &words));
@@ -232,29 +227,32 @@ fn failed(rows: &[Row]) -> bool {
 
 /// A line a case and method: how far λ goes over all points, and how many points ended how.
 fn summary(rows: &[Row]) -> String {
-    let group = |row: &Row| (row.scene_name(), row.method.clone());
-    let groups: IndexSet<(String, String)> = rows.iter().map(group).collect();
-    let mut lines = Vec::new();
-    for (case, method) in groups {
-        let of_group = || {
-            rows.iter()
-                .filter(|r| r.scene_name() == case && r.method == method)
-        };
-        let lowest = of_group()
-            .filter_map(|r| Some(r.bracket()?.lower))
-            .reduce(f64::min);
-        let highest = of_group()
-            .filter_map(|r| Some(r.bracket()?.upper))
-            .reduce(f64::max);
-        let shown = |value: Option<f64>| value.map_or("-".to_owned(), |v| number(v, 5));
+    let mut groups: IndexMap<(String, &str), Vec<&Row>> = IndexMap::new();
+    for row in rows {
+        groups
+            .entry((row.scene_name(), &row.method))
+            .or_default()
+            .push(row);
+    }
+    let shown = |value: Option<f64>| value.map_or("-".to_owned(), |v| number(v, 5));
+    let line = |((case, method), own): ((String, &str), Vec<&Row>)| {
+        let brackets = || own.iter().filter_map(|row| row.bracket());
+        let lowest = brackets().map(|ends| ends.lower).reduce(f64::min);
+        let highest = brackets().map(|ends| ends.upper).reduce(f64::max);
         let ended = Status::ALL.iter().filter_map(|status| {
-            let count = of_group().filter(|row| row.status() == *status).count();
+            let count = own.iter().filter(|row| row.status() == *status).count();
             (count > 0).then(|| format!("{count} {}", status.name()))
         });
-        let ended: Vec<String> = ended.collect();
-        let ends = [shown(lowest), shown(highest)];
-        lines.push([vec![case, method], ends.to_vec(), vec![ended.join(", ")]].concat());
-    }
+        let ended = ended.collect::<Vec<_>>().join(", ");
+        vec![
+            case,
+            method.to_owned(),
+            shown(lowest),
+            shown(highest),
+            ended,
+        ]
+    };
+    let lines: Vec<Vec<String>> = groups.into_iter().map(line).collect();
     let columns = [
         words("case"),
         words("method"),

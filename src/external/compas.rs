@@ -63,7 +63,6 @@ pub(crate) fn compas(
     object("compas_dem.models/BlockModel", data, guid(MODEL, 0)).to_string()
 }
 
-/// Kinds of objects, as the first digits of their GUIDs.
 const MODEL: u32 = 0;
 const ELEMENT: u32 = 1;
 const MESH: u32 = 2;
@@ -74,7 +73,6 @@ fn guid(kind: u32, number: usize) -> String {
     format!("{kind:08x}-0000-4000-8000-{number:012x}")
 }
 
-/// An object as COMPAS writes it.
 fn object(dtype: &str, data: Value, guid: String) -> Value {
     json!({"dtype": dtype, "data": data, "guid": guid})
 }

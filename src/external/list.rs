@@ -14,7 +14,7 @@ use std::time::Duration;
 use serde::Deserialize;
 use toml::Spanned;
 
-use super::outside::{DEFAULT_LIMIT, External};
+use super::process::External;
 use crate::case::{Complaint, Document, explain, outside_name};
 use crate::files::{Input, read_input};
 use crate::method::METHODS;
@@ -33,14 +33,14 @@ struct ProgramEntry {
     time_limit: Option<Spanned<f64>>,
 }
 
+/// Time limit of a program that states none.
+const DEFAULT_LIMIT: Duration = Duration::from_secs(60);
+
 /// Longest time limit, seconds.
 const MAX_TIME_LIMIT: f64 = 86_400.0;
 
 /// Reads the methods that a text stands for: a `.toml` file, or
 /// `NAME=COMMAND` with the command's words divided as a shell would.
-///
-/// # Errors
-/// What is wrong, where, and what to write instead.
 pub fn read(argument: &str) -> Result<Vec<External>, Complaint> {
     if let Some((name, command)) = argument.split_once('=') {
         let method = of_argument(name, command).map_err(|(title, help)| {
@@ -77,9 +77,6 @@ fn of_argument(name: &str, command: &str) -> Result<External, (String, String)> 
 }
 
 /// Reads the text of a file of methods, whose folder is where they run.
-///
-/// # Errors
-/// The first mistake of the file.
 pub fn parse(path: &str, text: &str) -> Result<Vec<External>, Complaint> {
     let document = Document {
         path: path.to_owned(),

@@ -8,19 +8,17 @@
 mod answer;
 mod compas;
 mod list;
-mod method;
 mod outside;
 mod process;
 mod reading;
 mod scene;
 mod states;
-mod text;
 
 pub use answer::{AnswerFile, answer_schema};
 pub(crate) use compas::compas;
 pub use list::parse;
 pub(crate) use list::read;
-pub use outside::External;
+pub use process::External;
 pub(crate) use process::stop_all;
 pub use scene::{SceneFile, export, scene_schema};
 pub(crate) use states::answers;

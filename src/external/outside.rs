@@ -1,33 +1,26 @@
-//! An outside program, as it is named to trilith.
+//! An outside program as a method.
 
 use std::path::PathBuf;
 use std::time::Duration;
 
+use super::process::{self, External};
+use super::{reading, scene};
+use crate::answer::{Outcome, Status};
 use crate::fingerprint::Fingerprint;
-
-/// A program that answers scenes.
-#[derive(Clone, Debug, PartialEq)]
-pub struct External {
-    /// Its name in tables.
-    pub name: String,
-    /// Program and arguments.
-    pub command: Vec<String>,
-    /// Where it runs; the current folder where there is none.
-    pub folder: Option<PathBuf>,
-    /// Time by the clock on the wall after which it is stopped.
-    pub limit: Duration,
-}
-
-/// Time limit of a program that states none.
-pub(super) const DEFAULT_LIMIT: Duration = Duration::from_secs(60);
+use crate::method::{Method, Settings};
+use crate::scene::Scene;
 
 /// Largest file whose text counts, in bytes.
 const LARGEST_FILE: u64 = 64 << 20;
 
-impl External {
-    /// What determines its answer beyond the scene: the command, and the text of every file that it
-    /// names. What those files use in turn is the user's to know.
-    pub(super) fn texts(&self) -> Vec<String> {
+impl Method for External {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The command, and the text of every file that it names. What those files use in turn is the
+    /// user's to know.
+    fn determined_by(&self) -> Vec<String> {
         let mut texts = vec![format!("{:?}", self.command)];
         for word in &self.command {
             let path = match &self.folder {
@@ -43,5 +36,23 @@ impl External {
             }
         }
         texts
+    }
+
+    fn solve(&self, scene: &Scene, settings: &Settings) -> Outcome {
+        self.solve_timed(scene, settings).0
+    }
+
+    /// CPU time of the program and of those children that it waited for.
+    fn solve_timed(&self, scene: &Scene, _settings: &Settings) -> (Outcome, Option<Duration>) {
+        let failed = |failure| Outcome::without_number(Status::Failed, failure);
+        match process::run(self, scene::export(scene)) {
+            Ok(finished) => {
+                let outcome = finished
+                    .output
+                    .and_then(|output| reading::outcome(scene, &output));
+                (outcome.unwrap_or_else(failed), Some(finished.cpu))
+            }
+            Err(failure) => (failed(failure), None),
+        }
     }
 }

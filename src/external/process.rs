@@ -1,6 +1,7 @@
 //! A program run to its end or to its time limit, whichever comes first.
 
 use std::io::{self, Read, Write};
+use std::path::PathBuf;
 use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::Mutex;
 use std::sync::mpsc::{Receiver, channel};
@@ -9,11 +10,21 @@ use std::time::Duration;
 
 use wait4::Wait4;
 
-use super::outside::External;
-use super::text::shortened;
 use crate::answer::{ProgramEnding, ProgramFailure};
 
-/// A program that has run.
+/// A program that answers scenes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct External {
+    /// Its name in tables.
+    pub name: String,
+    /// Program and arguments.
+    pub command: Vec<String>,
+    /// Where it runs; the current folder where there is none.
+    pub folder: Option<PathBuf>,
+    /// Time by the clock on the wall after which it is stopped.
+    pub limit: Duration,
+}
+
 pub(super) struct Finished {
     /// Its standard output, or why there is none to be used.
     pub output: Result<Vec<u8>, ProgramFailure>,
@@ -207,7 +218,6 @@ fn stop_group(child: &mut Child) {
     let _ = child.kill();
 }
 
-/// How a program ended.
 fn ending(status: ExitStatus) -> ProgramEnding {
     #[cfg(unix)]
     if let Some(signal) = std::os::unix::process::ExitStatusExt::signal(&status) {
@@ -235,4 +245,14 @@ fn first_and_last(messages: &[u8]) -> String {
             format!("{first} … {last}")
         }
     }
+}
+
+/// The first characters of a text, on one line and without control characters.
+pub(super) fn shortened(text: &str, longest: usize) -> String {
+    let plain = |c: char| if c.is_control() { ' ' } else { c };
+    let mut short: String = text.chars().take(longest).map(plain).collect();
+    if text.chars().nth(longest).is_some() {
+        short.push('…');
+    }
+    short
 }

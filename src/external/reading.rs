@@ -1,7 +1,7 @@
 //! The outcome that an answer becomes.
 
 use super::answer::{AnswerFile, AnswerKind};
-use super::text::shortened;
+use super::process::shortened;
 use crate::answer::{Bracket, Evidence, Fact, Outcome, ProgramFailure, Status};
 use crate::mechanics::{
     Ceiling, CollapseState, ForceState, JointForce, Mechanism, Motion, kinematic_multiplier,
@@ -15,9 +15,6 @@ const REASON_LENGTH: usize = 300;
 const BEGINNING: usize = 60;
 
 /// The outcome of an answer.
-///
-/// # Errors
-/// What is wrong with it.
 pub(super) fn outcome(scene: &Scene, output: &[u8]) -> Result<Outcome, ProgramFailure> {
     let answer: AnswerFile =
         serde_json::from_slice(output).map_err(|error| no_answer(&error, output))?;
@@ -42,13 +39,10 @@ pub(super) fn outcome(scene: &Scene, output: &[u8]) -> Result<Outcome, ProgramFa
 /// What an answer of its kind has to have, each list as long as the scene asks for; `Nothing` where
 /// what would prove `falls` or `stands` is missing, which is the judge's to say.
 fn evidence(scene: &Scene, answer: &AnswerFile) -> Result<Evidence, ProgramFailure> {
-    let of_joints = |list: &Option<Vec<[f64; 3]>>, key| {
-        let list = list.as_deref();
-        list.map(|list| forces(scene, list, key)).transpose()
-    };
-    let of_blocks = |list: &Option<Vec<[f64; 3]>>, key| {
-        let list = list.as_deref();
-        list.map(|list| mechanism(scene, list, key)).transpose()
+    let of_joints = |list, key| list_of(list, scene.joints().len(), [key, "joints"], force);
+    let of_blocks = |list, key| {
+        let motions = list_of(list, scene.blocks().len(), [key, "blocks"], motion)?;
+        Ok(motions.map(|motions| Mechanism { motions }))
     };
     let velocities = of_blocks(&answer.velocities, "velocities")?;
     let ceiling = of_blocks(&answer.ceiling, "ceiling")?;
@@ -138,7 +132,6 @@ fn status(kind: AnswerKind) -> Status {
     }
 }
 
-/// An estimate, or the range of one.
 fn range(lower: f64, upper: Option<f64>) -> Result<Bracket, ProgramFailure> {
     let upper = upper.unwrap_or(lower);
     if lower <= upper {
@@ -158,48 +151,30 @@ fn below(scene: &Scene, lower: f64, mechanism: Mechanism) -> (f64, Ceiling) {
     (lower, Ceiling { lambda, mechanism })
 }
 
-fn check_length<T>(
-    list: &[T],
+fn force(&[n1, n2, shear]: &[f64; 3]) -> JointForce {
+    let normal = [n1, n2];
+    JointForce { normal, shear }
+}
+
+fn motion(&[x, y, rotation]: &[f64; 3]) -> Motion {
+    let velocity = Vector::new(x, y);
+    Motion { velocity, rotation }
+}
+
+/// The list of this key, an entry for each of the scene's joints or blocks.
+fn list_of<T>(
+    list: &Option<Vec<[f64; 3]>>,
     expected: usize,
-    key: &'static str,
-    of: &'static str,
-) -> Result<(), ProgramFailure> {
-    if list.len() == expected {
-        Ok(())
-    } else {
-        Err(ProgramFailure::WrongLength {
+    [key, of]: [&'static str; 2],
+    entry: fn(&[f64; 3]) -> T,
+) -> Result<Option<Vec<T>>, ProgramFailure> {
+    match list {
+        Some(list) if list.len() != expected => Err(ProgramFailure::WrongLength {
             key: key.into(),
             entries: list.len(),
             expected,
             of: of.into(),
-        })
+        }),
+        list => Ok(list.as_ref().map(|list| list.iter().map(entry).collect())),
     }
-}
-
-fn forces(
-    scene: &Scene,
-    list: &[[f64; 3]],
-    key: &'static str,
-) -> Result<Vec<JointForce>, ProgramFailure> {
-    check_length(list, scene.joints().len(), key, "joints")?;
-    let force = |&[n1, n2, shear]: &[f64; 3]| JointForce {
-        normal: [n1, n2],
-        shear,
-    };
-    Ok(list.iter().map(force).collect())
-}
-
-fn mechanism(
-    scene: &Scene,
-    list: &[[f64; 3]],
-    key: &'static str,
-) -> Result<Mechanism, ProgramFailure> {
-    check_length(list, scene.blocks().len(), key, "blocks")?;
-    let motion = |&[x, y, rotation]: &[f64; 3]| Motion {
-        velocity: Vector::new(x, y),
-        rotation,
-    };
-    Ok(Mechanism {
-        motions: list.iter().map(motion).collect(),
-    })
 }

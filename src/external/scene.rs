@@ -99,11 +99,8 @@ pub fn scene_schema() -> schemars::Schema {
 }
 
 /// The scene as one line of JSON.
-///
-/// # Errors
-/// Those of the JSON writer; none is expected of a valid scene.
-pub fn export(scene: &Scene) -> Result<String, serde_json::Error> {
-    serde_json::to_string(&SceneFile::from(scene))
+pub fn export(scene: &Scene) -> String {
+    serde_json::to_string(&SceneFile::from(scene)).expect("the keys of a scene are words")
 }
 
 impl From<&Scene> for SceneFile {

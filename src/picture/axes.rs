@@ -1,13 +1,11 @@
 //! Axes: from values to pixels, round ticks, and the lines and words of both.
 
-use super::metrics::text_width;
 use super::palette::{GRID, INK};
-use super::path::{Path, Pixel};
 use super::plot::Ticks;
-use super::svg::{Anchor, Svg, style};
+use super::svg::{Anchor, Path, Pixel, Svg, style};
+use super::words::text_width;
 use crate::number::{nine_digits, number};
 
-/// Font size of labels of ticks.
 const FONT: f64 = 12.0;
 
 /// Where a plot has its points.
@@ -15,7 +13,6 @@ const FONT: f64 = 12.0;
 pub struct Area {
     /// Upper left corner, pixels.
     pub corner: Pixel,
-    /// Width and height, pixels.
     pub size: [f64; 2],
     /// Values at the left and right edge.
     pub x: [f64; 2],
@@ -24,7 +21,6 @@ pub struct Area {
 }
 
 impl Area {
-    /// Where a point lies.
     pub fn at(&self, [x, y]: [f64; 2]) -> Pixel {
         let part = |value: f64, [low, high]: [f64; 2]| (value - low) / (high - low);
         let [left, top] = self.corner;
@@ -35,7 +31,6 @@ impl Area {
         ]
     }
 
-    /// Pixels of the lower edge.
     pub fn bottom(&self) -> f64 {
         self.corner[1] + self.size[1]
     }
@@ -83,10 +78,8 @@ impl Area {
     }
 
     fn lines(&self, svg: &mut Svg, grid: Path, axis: Path) {
-        let thin = style().hollow().stroke(GRID).stroke_width(1.0);
-        svg.path(&grid, thin, "");
-        let strong = style().hollow().stroke(INK).stroke_width(1.2);
-        svg.path(&axis, strong, "");
+        svg.path(&grid, style().line(GRID, 1.0), "");
+        svg.path(&axis, style().line(INK, 1.2), "");
     }
 }
 
@@ -100,15 +93,18 @@ pub fn scale(ticks: &Ticks, values: impl Iterator<Item = f64>) -> ([f64; 2], Vec
             (*ends, decades.map(tick).collect())
         }
         Ticks::Fitting => {
-            let none = [f64::INFINITY, f64::NEG_INFINITY];
-            let ends = values.fold(none, |[low, high], value| [low.min(value), high.max(value)]);
-            let ticks = round_ticks(ends);
+            let ticks = round_ticks(ends_of(values));
             ([ticks[0].0, ticks[ticks.len() - 1].0], ticks)
         }
     }
 }
 
-/// A power of ten as people write it.
+/// The least and the largest of these values; of none, ends that cross.
+pub fn ends_of(values: impl Iterator<Item = f64>) -> [f64; 2] {
+    let none = [f64::INFINITY, f64::NEG_INFINITY];
+    values.fold(none, |[low, high], value| [low.min(value), high.max(value)])
+}
+
 fn power_of_ten(power: i32) -> String {
     match power {
         ..-3 | 5.. => format!("1e{power}"),

@@ -1,11 +1,10 @@
 //! Fields of coloured cells over two values, with what the colours mean and words below.
 
-use super::legend::{self, LegendEntry};
-use super::metrics::text_width;
+use super::legend::{self, Sample};
 use super::palette::{INK, Tone};
-use super::path::Pixel;
-use super::svg::{Anchor, Svg, style};
-use super::words::fitting;
+use super::svg::{Anchor, Pixel, Svg, style};
+use super::words::text_width;
+use super::words::{fitting, written};
 
 /// Pixels of a cell, of the space above and below a field.
 const CELL: [f64; 2] = [58.0, 30.0];
@@ -15,7 +14,6 @@ const BELOW: f64 = 48.0;
 /// Pixels above all fields, for title and legend.
 const HEAD: f64 = 74.0;
 
-/// Fields in a row.
 const FIELDS: usize = 3;
 
 /// Pixels of a line of text, its font size, and those of headings and of small print.
@@ -26,37 +24,29 @@ const SMALL: f64 = 10.5;
 
 /// A picture of fields that share their axes.
 pub struct Cells<'a> {
-    /// Heading.
     pub title: String,
-    /// What the colours mean.
-    pub legend: Vec<LegendEntry>,
+    pub legend: Vec<(Sample, &'static str)>,
     /// Name of the values from left to right.
     pub x_label: &'a str,
-    /// Values from left to right, and from bottom to top.
+    /// Values from left to right.
     pub xs: Vec<&'a str>,
     /// Values from bottom to top.
     pub ys: Vec<&'a str>,
     /// The fields, three in a row.
-    pub fields: Vec<Field<'a>>,
-    /// What stands below them.
+    pub fields: Vec<Field>,
     pub words: &'a str,
 }
 
-/// One field.
-pub struct Field<'a> {
-    /// Its heading.
-    pub name: &'a str,
-    /// Its cells, in any order; where there is none, the field stays white.
+pub struct Field {
+    pub name: String,
+    /// In any order; where there is none, the field stays white.
     pub cells: Vec<PictureCell>,
 }
 
-/// One cell.
 pub struct PictureCell {
     /// Its column, from the left, and row, from the bottom.
     pub place: [usize; 2],
-    /// Its colours.
     pub tone: Tone,
-    /// What is written in it.
     pub word: String,
     /// What a pointer over it shows.
     pub tooltip: String,
@@ -72,9 +62,9 @@ pub fn cells(picture: &Cells) -> String {
     let columns = picture.fields.len().clamp(1, FIELDS);
     let rows = picture.fields.len().div_ceil(columns);
     let width = (field[0] * columns as f64).max(860.0) + 20.0;
-    let words = fitting(picture.words, FONT, width - 40.0);
     let below = HEAD + field[1] * rows as f64;
-    let height = below + LINE * words.len() as f64 + 24.0;
+    let lines = fitting(picture.words, FONT, width - 40.0).len();
+    let height = below + LINE * lines as f64 + 24.0;
     let mut svg = Svg::default();
     let heading = style().font_size(15.0);
     svg.text([20.0, 26.0], Anchor::Start, heading, &picture.title);
@@ -86,10 +76,15 @@ pub fn cells(picture: &Cells) -> String {
         ];
         one_field(&mut svg, corner, left, picture, one);
     }
-    for (index, line) in words.iter().enumerate() {
-        let y = below + LINE * (index as f64 + 1.0);
-        svg.text([20.0, y], Anchor::Start, style().font_size(FONT), line);
-    }
+    let at = [20.0, below + LINE];
+    written(
+        &mut svg,
+        at,
+        picture.words,
+        (FONT, false),
+        width - 40.0,
+        LINE,
+    );
     svg.document([width, height], &picture.title)
 }
 
@@ -103,7 +98,7 @@ fn left(picture: &Cells) -> f64 {
 fn wide(picture: &Cells) -> f64 {
     let cells = CELL[0] * picture.xs.len() as f64;
     let headings = picture.fields.iter();
-    let headings = headings.map(|field| 1.06 * text_width(field.name, HEADING));
+    let headings = headings.map(|field| 1.06 * text_width(&field.name, HEADING));
     let label = text_width(picture.x_label, SMALL);
     headings.fold(cells.max(label), f64::max)
 }
@@ -112,7 +107,7 @@ fn one_field(svg: &mut Svg, corner: Pixel, left: f64, picture: &Cells, field: &F
     let [left, top] = [corner[0] + left, corner[1] + ABOVE];
     let bottom = top + CELL[1] * picture.ys.len() as f64;
     let heading = style().font_size(HEADING).bold();
-    svg.text([left, top - 10.0], Anchor::Start, heading, field.name);
+    svg.text([left, top - 10.0], Anchor::Start, heading, &field.name);
     for cell in &field.cells {
         let [column, row] = cell.place.map(|index| index as f64);
         let (x, y) = (left + CELL[0] * column, bottom - CELL[1] * (row + 1.0));

@@ -3,8 +3,7 @@
 
 use super::frame::Frame;
 use super::palette::{CRACK, FAINT, INK, LARGEST, MACRO_CRACK};
-use super::path::{Path, Pixel};
-use super::svg::{Anchor, Svg, style};
+use super::svg::{Anchor, Path, Pixel, Svg, style};
 use crate::mechanics::Crack;
 use crate::number::short;
 use crate::scene::{Point, Push, Scene, Vector};
@@ -69,29 +68,22 @@ pub fn macro_crack(svg: &mut Svg, frame: &Frame, scene: &Scene, tan_beta: f64) {
         return;
     };
     let path = Path::through(&[toe, foot, head].map(|p| frame.at(p)), false);
-    let line = style().class("macro-crack").hollow().stroke(MACRO_CRACK);
+    let line = style().class("macro-crack").line(MACRO_CRACK, 1.5);
     let tan_beta = crate::number::number(tan_beta, 4);
-    svg.path(
-        &path,
-        line.stroke_width(1.5).dashes("7 4"),
-        &format!("crack of the macro-block model, tan β = {tan_beta}"),
-    );
+    let words = format!("crack of the macro-block model, tan β = {tan_beta}");
+    svg.path(&path, line.dashes("7 4"), &words);
 }
 
 /// From the toe to the ends of c and e along the top, and their dimension lines at `above` pixels.
 pub fn crack(svg: &mut Svg, frame: &Frame, scene: &Scene, crack: &Crack, above: f64) {
-    let (Some(c), Some(e)) = (crack.c, crack.e) else {
-        return;
-    };
-    let Some(wall) = scene.coursing() else {
+    let (Some(c), Some(e), Some(wall)) = (crack.c, crack.e, scene.coursing()) else {
         return;
     };
     let (toe, into) = (toe(scene), inwards(scene));
     let on_top = |x: f64| toe + Vector::new(into * x, wall.height);
     let lines = Path::through(&[on_top(c), toe, on_top(e)].map(|p| frame.at(p)), false);
-    let line = |class| style().class(class).hollow().stroke(CRACK);
     let words = "crack: all relative motion lies between these lines from the toe";
-    svg.path(&lines, line("crack").stroke_width(1.4), words);
+    svg.path(&lines, style().class("crack").line(CRACK, 1.4), words);
     for (row, (name, width)) in [("c", c), ("e", e)].into_iter().enumerate() {
         let y = above - DIMENSION * row as f64;
         let [edge, end] = [on_top(0.0), on_top(width)].map(|p| frame.at(p)[0]);
@@ -99,12 +91,11 @@ pub fn crack(svg: &mut Svg, frame: &Frame, scene: &Scene, crack: &Crack, above: 
         for x in [edge, end] {
             path.add(&[[x, y - 3.5], [x, y + 3.5]], false);
         }
-        svg.path(&path, line("dimension").stroke_width(0.9), "");
+        svg.path(&path, style().class("dimension").line(CRACK, 0.9), "");
         // Beyond the end within the wall, where no line is.
-        let anchor = if into < 0.0 {
-            Anchor::End
-        } else {
-            Anchor::Start
+        let anchor = match scene.push() {
+            Push::Right => Anchor::End,
+            Push::Left => Anchor::Start,
         };
         let words = format!("{name} = {}", short(width, 3));
         let style = style().font_size(11.5).fill(CRACK);
@@ -145,8 +136,7 @@ pub fn push(svg: &mut Svg, frame: &Frame, scene: &Scene) {
         ]
     };
     let shaft = Path::through(&[behind(PUSH - 15.0, 0.0), behind(6.0, 0.0)], false);
-    let line = style().hollow().stroke(INK).stroke_width(1.8);
-    svg.path(&shaft, line, "");
+    svg.path(&shaft, style().line(INK, 1.8), "");
     let head = Path::through(&[tip, behind(9.0, 4.5), behind(9.0, -4.5)], true);
     let fill = style().class("push").fill(INK);
     svg.path(&head, fill, "direction of the live load");

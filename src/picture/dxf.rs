@@ -70,7 +70,6 @@ pub fn dxf(scene: &Scene, mechanism: Option<&Mechanism>, thrust: Option<&Thrust>
     drawing.end()
 }
 
-/// The text of a drawing as it grows.
 struct Drawing {
     text: String,
     handle: u64,

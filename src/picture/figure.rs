@@ -1,12 +1,11 @@
 //! Pictures side by side, as one drawing.
 
-use super::key::{self, Holds};
+use super::key;
 use super::legend;
 use super::panel::{HEADING, LINE, Panel};
-use super::path::Pixel;
-use super::svg::{Anchor, Svg, style};
+use super::svg::{Svg, style};
 use super::view::{Contents, Options, View};
-use super::words::fitting;
+use super::words::written;
 
 /// Pixels around a figure.
 const BORDER: f64 = 16.0;
@@ -37,55 +36,31 @@ pub fn figure(title: &str, views: &[View], options: &Options) -> String {
     let mut svg = Svg::default();
     let mut y = BORDER;
     if options.framed {
-        for line in fitting(title, 16.0 * 1.06, across) {
-            let style = style().font_size(16.0).bold();
-            svg.text([BORDER, y + 14.0], Anchor::Start, style, &line);
-            y += 22.0;
-        }
-        y += 6.0;
+        let at = [BORDER, y + 14.0];
+        y += written(&mut svg, at, title, (16.0, true), across, 22.0) + 6.0;
     }
     let size = [options.width, height];
     for (index, (panel, caption)) in panels.iter().zip(&captions).enumerate() {
         let x = BORDER + index as f64 * (options.width + GAP);
-        picture(&mut svg, panel, caption, [x, y], size, scale);
+        let top = y + HEADING;
+        svg.open(style().class("picture"), "");
+        panel.draw(&mut svg, [x, top], size, scale);
+        panel.words(&mut svg, [x, y + 14.0], caption, top + height);
+        svg.close();
     }
     y += HEADING + height + LINE * lines as f64 + 8.0;
     for words in &left_out {
-        for line in fitting(words, 12.5, across) {
-            y += LINE;
-            svg.text(
-                [BORDER, y - 4.0],
-                Anchor::Start,
-                style().font_size(12.5),
-                &line,
-            );
-        }
+        let at = [BORDER, y + LINE - 4.0];
+        y += written(&mut svg, at, words, (12.5, false), across, LINE);
     }
     y += 6.0;
-    let holds = panels.iter().map(|panel| panel.holds(scale));
-    let holds = holds.fold(Holds::default(), Holds::and);
-    let entries = key::entries(&holds, scale);
+    let held: Vec<_> = panels.iter().flat_map(|panel| panel.held(scale)).collect();
+    let entries = key::entries(&held, scale);
     y += legend::draw(&mut svg, &entries, [BORDER, y], across);
     let words = captions.iter().map(|lines| lines.join(", "));
     let words: Vec<String> = words.chain(left_out).collect();
     let title = format!("{title}. {}", words.join(". "));
     svg.document([across + 2.0 * BORDER, y + BORDER], &title)
-}
-
-/// One picture between its heading and its caption.
-fn picture(
-    svg: &mut Svg,
-    panel: &Panel,
-    caption: &[String],
-    [x, y]: Pixel,
-    size: [f64; 2],
-    scale: f64,
-) {
-    let top = y + HEADING;
-    svg.open(style().class("picture"), "");
-    panel.draw(svg, [x, top], size, scale);
-    panel.words(svg, [x, y + 14.0], caption, top + size[1]);
-    svg.close();
 }
 
 /// What is drawn of the views, and a line for each that has nothing. Where none has, the first shows the
@@ -113,10 +88,10 @@ fn panels<'a>(views: &'a [View], options: &Options) -> (Vec<Panel<'a>>, Vec<Stri
 /// The largest scale at which the mechanism of each of these views fits into a picture so many pixels
 /// wide, and the pixels that the highest of them then takes.
 pub fn common_size(views: &[View], width: f64) -> (f64, f64) {
-    let panels: Vec<Panel> = views
+    let panels = views
         .iter()
-        .map(|view| Panel::new(view, Contents::Mechanism))
-        .collect();
+        .map(|view| Panel::new(view, Contents::Mechanism));
+    let panels: Vec<Panel> = panels.collect();
     let scale = scale(&panels, width);
     let heights = panels.iter().map(|panel| panel.height(scale));
     (scale, heights.fold(0.0, f64::max))

@@ -1,12 +1,13 @@
 //! Contact forces over a wall.
 
+use super::axes::round_below;
 use super::frame::Frame;
 use super::legend::arrow_paths;
 use super::palette::{FORCE, THRUST};
-use super::path::Path;
-use super::svg::{Svg, style};
+use super::svg::{Path, Svg, style};
 use super::wall::line_width;
 use crate::mechanics::{JointForce, thrust};
+use crate::number::short;
 use crate::scene::{Joint, JointClass, Point, Scene, Vector};
 
 /// Part of the scene's height that the line of the largest contact force is long.
@@ -40,7 +41,7 @@ fn pixels(scene: &Scene, frame_scale: f64, largest: f64) -> Option<f64> {
 pub fn round_force(scene: &Scene, forces: &[JointForce], scale: f64) -> Option<(f64, f64)> {
     let largest = largest(scene, Some(forces));
     let pixels = pixels(scene, scale, largest)?;
-    let round = super::axes::round_below(largest);
+    let round = round_below(largest);
     Some((round, round * pixels))
 }
 
@@ -62,13 +63,9 @@ pub fn forces(svg: &mut Svg, frame: &Frame, scene: &Scene, forces: &[JointForce]
             arrow_paths(from, to, width, &mut shafts, &mut heads);
         }
     }
-    let largest = crate::number::short(largest, 4);
-    let line = style().class("forces").hollow().stroke(FORCE);
-    svg.path(
-        &shafts,
-        line.stroke_width(width).round_ends(),
-        &format!("contact forces, the largest {largest}"),
-    );
+    let words = format!("contact forces, the largest {}", short(largest, 4));
+    let line = style().class("forces").line(FORCE, width).round_ends();
+    svg.path(&shafts, line, &words);
     svg.path(&heads, style().class("heads").fill(FORCE), "");
 }
 
@@ -85,14 +82,12 @@ pub fn lines_of_thrust(svg: &mut Svg, frame: &Frame, scene: &Scene, forces: &[Jo
     if thrust.lines.is_empty() && largest > 0.0 {
         for of in &thrust.courses {
             let Some(x) = of.x else { continue };
-            let (at, half) = (
-                Point::new(x, of.level),
-                of.force * (0.5 * LONGEST * scene.height() / largest),
-            );
+            let at = Point::new(x, of.level);
+            let half = of.force * (0.5 * LONGEST * scene.height() / largest);
             path.add(&[frame.at(at - half), frame.at(at + half)], false);
         }
     }
-    let line = style().class("thrust").hollow().stroke(THRUST);
+    let line = style().class("thrust").line(THRUST, 1.2).round_ends();
     let words = "line of thrust, or resultants on the courses";
-    svg.path(&path, line.stroke_width(1.2).round_ends(), words);
+    svg.path(&path, line, words);
 }

@@ -1,8 +1,8 @@
 //! From the scene's lengths to pixels.
 
-use super::path::Pixel;
+use super::svg::Pixel;
 use crate::mechanics::Mechanism;
-use crate::scene::{Point, Polygon, Scene, Side, Vector};
+use crate::scene::{Point, Scene, Side, Vector};
 
 /// Where a scene lies in a drawing.
 #[derive(Clone, Copy, Debug)]
@@ -14,7 +14,6 @@ pub struct Frame {
 }
 
 impl Frame {
-    /// A point of the scene.
     pub fn at(&self, point: Point) -> Pixel {
         let (low, [x, y]) = self.corner;
         [
@@ -32,7 +31,8 @@ const FASTEST: f64 = 0.11;
 pub struct Displacement<'a> {
     scene: &'a Scene,
     mechanism: Option<&'a Mechanism>,
-    factor: f64,
+    /// What displacements are multiplied by.
+    pub factor: f64,
 }
 
 impl<'a> Displacement<'a> {
@@ -55,11 +55,6 @@ impl<'a> Displacement<'a> {
         }
     }
 
-    /// What displacements are multiplied by.
-    pub fn factor(&self) -> f64 {
-        self.factor
-    }
-
     /// Displacement of a point that moves with a block.
     fn by(&self, block: usize, point: Point) -> Vector {
         let Some(mechanism) = self.mechanism else {
@@ -77,7 +72,6 @@ impl<'a> Displacement<'a> {
         }
     }
 
-    /// Displaced corners of a block.
     pub fn corners(&self, block: usize) -> impl Iterator<Item = Point> + '_ {
         let corners = self.scene.blocks()[block].shape.corners().iter();
         corners.map(move |&corner| corner + self.by(block, corner))
@@ -90,50 +84,5 @@ impl<'a> Displacement<'a> {
         corners.fold(self.scene.bounds(), |(low, high), corner| {
             (low.inf(&corner), high.sup(&corner))
         })
-    }
-}
-
-/// The part of a polygon that lies in a box; empty where none does. Parts of one that bends inwards are
-/// joined along the box.
-pub fn clipped(polygon: &Polygon, low: Point, high: Point) -> Vec<Point> {
-    let mut corners = polygon.corners().to_vec();
-    // Half-planes n·p ≤ d.
-    let sides = [
-        (Vector::new(1.0, 0.0), high.x),
-        (Vector::new(-1.0, 0.0), -low.x),
-        (Vector::new(0.0, 1.0), high.y),
-        (Vector::new(0.0, -1.0), -low.y),
-    ];
-    for (normal, distance) in sides {
-        let beyond = |p: &Point| normal.dot(&p.coords) - distance;
-        let mut kept = Vec::with_capacity(corners.len() + 1);
-        for (i, a) in corners.iter().enumerate() {
-            let b = &corners[(i + 1) % corners.len()];
-            let (out_a, out_b) = (beyond(a), beyond(b));
-            if out_a <= 0.0 {
-                kept.push(*a);
-            }
-            if (out_a < 0.0 && out_b > 0.0) || (out_a > 0.0 && out_b < 0.0) {
-                kept.push(a + (b - a) * (out_a / (out_a - out_b)));
-            }
-        }
-        corners = kept;
-    }
-    corners
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_support_is_cut_to_the_drawing() {
-        let ground = Polygon::rectangle(-50.0, 50.0, -3.0, 0.0).unwrap();
-        let seen = clipped(&ground, Point::new(-1.0, -1.0), Point::new(9.0, 4.0));
-        let area: f64 = (0..4)
-            .map(|i| seen[i].coords.perp(&seen[(i + 1) % 4].coords))
-            .sum();
-        assert_eq!((seen.len(), area / 2.0), (4, 10.0));
-        assert!(clipped(&ground, Point::new(0.0, 1.0), Point::new(1.0, 2.0)).is_empty());
     }
 }

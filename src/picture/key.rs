@@ -1,127 +1,90 @@
 //! The legend of drawings: what occurs in them, and nothing else.
 
+use indexmap::IndexSet;
+
 use super::axes::round_below;
-use super::legend::{LegendEntry, Sample};
-use super::mechanism::Occurring;
+use super::legend::Sample;
 use super::palette::{
     BEFORE, CRACK, FORCE, FRICTION, INK, MACRO_CRACK, SCALE, SLIDING, STILL, SUPPORT, THRUST,
 };
 use super::svg::style;
 use crate::number::short;
 
-/// What drawings hold, which their legend explains.
-#[derive(Clone, Debug, Default)]
-pub struct Holds {
-    /// Marks of a mechanism.
-    pub mechanism: Occurring,
-    /// Whether there is a mechanism at all.
-    pub moved: bool,
-    /// Supports.
-    pub supports: bool,
-    /// Coefficients of friction that joints have of their own.
-    pub frictions: Vec<f64>,
-    /// The lines of c and e.
-    pub crack: bool,
-    /// The crack of the macro-block model.
-    pub macro_crack: bool,
+/// What a drawing holds and its legend explains.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Held {
+    Support,
+    Still,
+    /// A body in this tint.
+    Tint(&'static str),
+    Scale,
+    Slides,
+    Opens,
+    /// Joints with a coefficient of friction of their own.
+    Friction(f64),
+    /// Outlines of the wall before it moved.
+    Before,
+    Crack,
+    MacroCrack,
     /// A round force, and the pixels of its arrow.
-    pub force: Option<(f64, f64)>,
-}
-
-impl Holds {
-    /// What either holds.
-    pub fn and(mut self, other: Holds) -> Self {
-        let Occurring {
-            still,
-            tints,
-            scale,
-            slides,
-            opens,
-        } = other.mechanism;
-        let own = &mut self.mechanism;
-        own.still |= still;
-        own.scale |= scale;
-        own.slides |= slides;
-        own.opens |= opens;
-        for friction in other.frictions {
-            if !self.frictions.contains(&friction) {
-                self.frictions.push(friction);
-            }
-        }
-        for tint in tints {
-            if !own.tints.contains(&tint) {
-                own.tints.push(tint);
-            }
-        }
-        Holds {
-            moved: self.moved || other.moved,
-            supports: self.supports || other.supports,
-            frictions: self.frictions,
-            crack: self.crack || other.crack,
-            macro_crack: self.macro_crack || other.macro_crack,
-            force: self.force.or(other.force),
-            mechanism: self.mechanism,
-        }
-    }
+    Force(f64, f64),
 }
 
 /// The entries that explain what is there, with the length that is drawn so many pixels long.
-pub fn entries(holds: &Holds, scale: f64) -> Vec<LegendEntry> {
-    let line = |colour: &str, width: f64| style().hollow().stroke(colour).stroke_width(width);
-    let mut entries = Vec::new();
-    let mut add = |sample, words: &str| entries.push(LegendEntry::new(sample, words));
-    let occurs = &holds.mechanism;
-    if holds.supports {
-        add(Sample::Shade(SUPPORT, 1.0), "support");
-    }
-    if occurs.still {
-        add(Sample::Tints(vec![STILL]), "stands still");
-    }
-    match occurs.tints.as_slice() {
-        [] => {}
-        [one] => add(Sample::Tints(vec![one]), "moves as one body"),
-        several => {
-            add(Sample::Tints(several.to_vec()), "a tint moves as one body");
-        }
-    }
-    if occurs.scale {
-        let ends = ["0".to_owned(), "100 %".to_owned()];
-        add(Sample::Scale(&SCALE, ends), "of the largest displacement");
-    }
-    if occurs.slides {
-        add(Sample::Haloed(line(SLIDING, 2.4)), "joint slides");
-    }
-    if occurs.opens {
-        add(Sample::Gap, "joint opens");
-    }
-    if !holds.frictions.is_empty() {
-        let all = holds.frictions.iter().map(f64::to_string);
-        let words = format!("joint with friction {}", all.collect::<Vec<_>>().join(", "));
-        add(Sample::Line(line(FRICTION, 2.0).dashes("5 3")), &words);
-    }
-    if holds.moved {
-        add(Sample::Line(line(BEFORE, 1.2)), "before");
-    }
-    if holds.crack {
-        add(Sample::Line(line(CRACK, 1.4)), "crack of c and e");
-    }
-    if holds.macro_crack {
-        let dashes = line(MACRO_CRACK, 1.5).dashes("7 4");
-        add(Sample::Line(dashes), "macro-block crack");
-    }
-    if let Some((force, pixels)) = holds.force {
-        let words = format!(
-            "contact force of {}, on the block that it points into",
-            short(force, 9)
-        );
-        add(Sample::Arrow(FORCE, pixels), &words);
-        let words = "line of thrust, or resultants on the courses";
-        add(Sample::Line(line(THRUST, 1.2)), words);
-    }
+pub fn entries(held: &[Held], scale: f64) -> Vec<(Sample, String)> {
+    let tints = held.iter().filter_map(|one| match one {
+        Held::Tint(tint) => Some(*tint),
+        _ => None,
+    });
+    let tints: Vec<&str> = tints.collect::<IndexSet<_>>().into_iter().collect();
+    let frictions = held.iter().filter_map(|one| match one {
+        Held::Friction(friction) => Some(friction.to_string()),
+        _ => None,
+    });
+    let frictions: IndexSet<String> = frictions.collect();
+    let force = held.iter().find_map(|one| match one {
+        Held::Force(force, pixels) => Some((short(*force, 9), *pixels)),
+        _ => None,
+    });
+    let has = |one: Held| held.contains(&one);
+    let line = |colour, width| Sample::Line(style().line(colour, width));
+    let sliding = Sample::Haloed(style().line(SLIDING, 2.4));
+    let dashes = Sample::Line(style().line(MACRO_CRACK, 1.5).dashes("7 4"));
+    let ends = ["0".to_owned(), "100 %".to_owned()];
+    let as_one = match tints.len() {
+        1 => "moves as one body",
+        _ => "a tint moves as one body",
+    };
+    let rough = Sample::Line(style().line(FRICTION, 2.0).dashes("5 3"));
+    let of_friction: Vec<&str> = frictions.iter().map(String::as_str).collect();
+    let of_friction = format!("joint with friction {}", of_friction.join(", "));
     let length = round_below(LENGTH / scale);
     let words = format!("{} units of length", short(length, 9));
-    add(Sample::Length(INK, length * scale), &words);
-    entries
+    let (of_force, pixels) = force.clone().unwrap_or_default();
+    let of_force = format!("contact force of {of_force}, on the block that it points into");
+    let of_thrust = "line of thrust, or resultants on the courses";
+    let all = [
+        (has(Held::Support), Sample::Shade(SUPPORT, 1.0), "support"),
+        (has(Held::Still), Sample::Tints(vec![STILL]), "stands still"),
+        (!tints.is_empty(), Sample::Tints(tints), as_one),
+        (
+            has(Held::Scale),
+            Sample::Scale(&SCALE, ends),
+            "of the largest displacement",
+        ),
+        (has(Held::Slides), sliding, "joint slides"),
+        (has(Held::Opens), Sample::Gap, "joint opens"),
+        (!frictions.is_empty(), rough, &of_friction),
+        (has(Held::Before), line(BEFORE, 1.2), "before"),
+        (has(Held::Crack), line(CRACK, 1.4), "crack of c and e"),
+        (has(Held::MacroCrack), dashes, "macro-block crack"),
+        (force.is_some(), Sample::Arrow(FORCE, pixels), &of_force),
+        (force.is_some(), line(THRUST, 1.2), of_thrust),
+        (true, Sample::Length(INK, length * scale), &words),
+    ];
+    let there = all.into_iter().filter(|(is_there, ..)| *is_there);
+    let entry = |(_, sample, words): (bool, Sample, &str)| (sample, words.to_owned());
+    there.map(entry).collect()
 }
 
 /// Pixels that the length of the legend is long, at most.

@@ -1,11 +1,10 @@
 //! What the marks of drawings and plots mean.
 
 use super::marks::{Filling, mark};
-use super::metrics::text_width;
-use super::palette::{OPENING, SQUARE_LINE, WHITE};
-use super::path::{Path, Pixel};
-use super::svg::{Anchor, Style, Svg, style};
-use crate::method::Look;
+use super::palette::{INK, OPENING, SQUARE_LINE, WHITE};
+use super::svg::{Anchor, Path, Pixel, Style, Svg, style};
+use super::words::text_width;
+use crate::method::{Look, Mark};
 
 /// Pixels of a line of the legend, between two entries, and the size of its words.
 const LINE: f64 = 20.0;
@@ -16,41 +15,31 @@ const FONT: f64 = 12.0;
 pub enum Sample {
     /// Squares of these colours, one a kind of part.
     Tints(Vec<&'static str>),
-    /// Squares of these colours without a gap, and words at both ends: a scale.
+    /// Squares of these colours without a gap, and words at both ends.
     Scale(&'static [&'static str], [String; 2]),
-    /// A line in this style.
     Line(Style),
-    /// A line in this style over a white one.
+    /// A line over a white one.
     Haloed(Style),
-    /// An arrow in this colour, so many pixels long.
     Arrow(&'static str, f64),
-    /// A length, so many pixels long.
     Length(&'static str, f64),
-    /// A filled gap.
     Gap,
-    /// A point of a plot.
     Point(Look, Filling),
-    /// A point with a bar below it.
     Bar(&'static str),
-    /// A shaded field.
+    /// A field of this colour and opacity.
     Shade(&'static str, f64),
 }
 
-/// One entry: what is seen and what it means.
-pub struct LegendEntry {
-    sample: Sample,
-    words: String,
+impl Sample {
+    /// A disc of ink, filled so.
+    pub fn disc(filling: Filling) -> Self {
+        let mark = Mark::Circle;
+        Self::Point(Look { colour: INK, mark }, filling)
+    }
 }
 
-impl LegendEntry {
-    /// An entry of these words.
-    pub fn new(sample: Sample, words: impl Into<String>) -> Self {
-        let words = words.into();
-        Self { sample, words }
-    }
-
-    fn sample_width(&self) -> f64 {
-        match &self.sample {
+impl Sample {
+    fn width(&self) -> f64 {
+        match self {
             Sample::Point(..) | Sample::Bar(_) => 12.0,
             Sample::Tints(colours) => 13.0 * colours.len() as f64,
             Sample::Scale(colours, [from, to]) => {
@@ -62,14 +51,10 @@ impl LegendEntry {
         }
     }
 
-    fn width(&self) -> f64 {
-        self.sample_width() + 6.0 + text_width(&self.words, FONT) + APART
-    }
-
     fn draw(&self, svg: &mut Svg, [x, y]: Pixel) {
         let middle = y - 4.0;
         let line = Path::through(&[[x, middle], [x + 24.0, middle]], false);
-        match &self.sample {
+        match self {
             Sample::Tints(colours) => squares(svg, colours, [x, middle], 11.0),
             Sample::Scale(colours, [from, to]) => {
                 let text = |svg: &mut Svg, x, words| {
@@ -82,28 +67,31 @@ impl LegendEntry {
             }
             Sample::Line(style) => svg.path(&line, style.clone(), ""),
             Sample::Haloed(over) => {
-                let white = style().hollow().stroke(WHITE).stroke_width(5.0);
-                svg.path(&line, white, "");
+                svg.path(&line, style().line(WHITE, 5.0), "");
                 svg.path(&line, over.clone(), "");
             }
             Sample::Arrow(colour, pixels) => {
-                arrow(svg, [x, middle], [x + pixels, middle], colour, 1.2)
+                let (mut shaft, mut head) = (Path::default(), Path::default());
+                let (from, to) = ([x, middle], [x + pixels, middle]);
+                arrow_paths(from, to, 1.2, &mut shaft, &mut head);
+                svg.path(&shaft, style().line(colour, 1.2), "");
+                svg.path(&head, style().fill(colour), "");
             }
             Sample::Length(colour, pixels) => {
                 let mut path = Path::through(&[[x, middle], [x + pixels, middle]], false);
                 for end in [x, x + pixels] {
                     path.add(&[[end, middle - 4.0], [end, middle + 4.0]], false);
                 }
-                svg.path(&path, style().hollow().stroke(colour).stroke_width(1.2), "");
+                svg.path(&path, style().line(colour, 1.2), "");
             }
             Sample::Point(look, filling) => mark(svg, [x + 6.0, middle], *look, *filling),
             Sample::Bar(colour) => {
-                let mut path =
-                    Path::through(&[[x + 6.0, middle - 6.0], [x + 6.0, middle + 6.0]], false);
-                for end in [middle - 6.0, middle + 6.0] {
+                let ends = [middle - 6.0, middle + 6.0];
+                let mut path = Path::through(&ends.map(|end| [x + 6.0, end]), false);
+                for end in ends {
                     path.add(&[[x + 2.0, end], [x + 10.0, end]], false);
                 }
-                svg.path(&path, style().hollow().stroke(colour).stroke_width(1.1), "");
+                svg.path(&path, style().line(colour, 1.1), "");
             }
             Sample::Shade(colour, part) => {
                 let fill = style().fill(colour).fill_opacity(*part);
@@ -116,8 +104,6 @@ impl LegendEntry {
                 svg.path(&Path::through(&corners, true), style.dashes("1 2"), "");
             }
         }
-        let at = [x + self.sample_width() + 6.0, y];
-        svg.text(at, Anchor::Start, style().font_size(FONT), &self.words);
     }
 }
 
@@ -130,15 +116,6 @@ fn squares(svg: &mut Svg, colours: &[&str], [x, middle]: Pixel, side: f64) {
         let style = style().fill(colour).stroke(SQUARE_LINE).stroke_width(0.6);
         svg.path(&Path::through(&corners, true), style, "");
     }
-}
-
-/// An arrow from one point to another.
-fn arrow(svg: &mut Svg, from: Pixel, to: Pixel, colour: &str, width: f64) {
-    let (mut shaft, mut head) = (Path::default(), Path::default());
-    arrow_paths(from, to, width, &mut shaft, &mut head);
-    let line = style().hollow().stroke(colour).stroke_width(width);
-    svg.path(&shaft, line, "");
-    svg.path(&head, style().fill(colour), "");
 }
 
 /// Adds shaft and head of an arrow to the paths of many; short arrows have small heads.
@@ -161,16 +138,31 @@ pub fn arrow_paths(from: Pixel, to: Pixel, width: f64, shafts: &mut Path, heads:
     heads.add(&corners, true);
 }
 
-/// Draws the entries from left to right, in as many lines as `width` asks for; the pixels used.
-pub fn draw(svg: &mut Svg, entries: &[LegendEntry], corner: Pixel, width: f64) -> f64 {
+/// Draws the entries, what is seen and what it means, from left to right, in as many lines as `width`
+/// asks for; the pixels used.
+pub fn draw(
+    svg: &mut Svg,
+    entries: &[(Sample, impl AsRef<str>)],
+    corner: Pixel,
+    width: f64,
+) -> f64 {
     let [left, top] = corner;
     let (mut x, mut y) = (left, top + LINE - 5.0);
-    for entry in entries {
-        if x > left && x + entry.width() - APART > left + width {
+    for (sample, words) in entries {
+        let words = words.as_ref();
+        let before = sample.width() + 6.0;
+        let wide = before + text_width(words, FONT) + APART;
+        if x > left && x + wide - APART > left + width {
             (x, y) = (left, y + LINE);
         }
-        entry.draw(svg, [x, y]);
-        x += entry.width();
+        sample.draw(svg, [x, y]);
+        svg.text(
+            [x + before, y],
+            Anchor::Start,
+            style().font_size(FONT),
+            words,
+        );
+        x += wide;
     }
     match entries {
         [] => 0.0,

@@ -3,8 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::palette::WHITE;
-use super::path::{Path, Pixel};
-use super::svg::{Style, Svg, style};
+use super::svg::{Path, Pixel, Style, Svg, style};
 use crate::method::{Look, Mark};
 
 /// Pixels from the middle of a disc to its edge; other shapes have about its area.
@@ -13,9 +12,7 @@ const RADIUS: f64 = 4.5;
 /// How a point is filled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Filling {
-    /// Full of its colour.
     Full,
-    /// White inside.
     Open,
     /// Small, thin, and seen through.
     Hollow,
@@ -37,7 +34,6 @@ impl Filling {
         }
     }
 
-    /// Pixels that lines of a shape without an inside are wide.
     fn line(self) -> f64 {
         match self {
             Filling::Full => 2.4,
@@ -47,7 +43,6 @@ impl Filling {
     }
 }
 
-/// Draws one point.
 pub fn mark(svg: &mut Svg, at: Pixel, look: Look, filling: Filling) {
     let radius = filling.radius();
     let corners = match look.mark {

@@ -2,9 +2,9 @@
 //! and slide.
 
 use super::frame::{Displacement, Frame};
+use super::key::Held;
 use super::palette::{BLOCK_LINE, LARGEST, OPENING, PARTS, SCALE, SLIDING, STILL, WHITE};
-use super::path::{Path, Pixel};
-use super::svg::{Svg, style};
+use super::svg::{Path, Pixel, Svg, style};
 use super::tints::tints;
 use super::wall::line_width;
 use crate::mechanics::{JointRate, Mechanism, Moved};
@@ -15,38 +15,21 @@ const MANY: usize = 20;
 
 /// A mechanism as it is drawn.
 pub struct DrawnMechanism<'a> {
-    /// The mechanism, where there is one.
     pub mechanism: Option<&'a Mechanism>,
     /// Where it takes every point.
     pub displacement: Displacement<'a>,
-    /// Blocks of one colour each, in the order in which they are drawn.
+    /// In the order in which they are drawn.
     groups: Vec<Group>,
     /// Whether colours tell how far blocks move.
-    pub by_displacement: bool,
+    by_displacement: bool,
     /// Rate below which a joint is at rest.
     at_rest: f64,
 }
 
-/// Blocks of one colour.
 struct Group {
     fill: &'static str,
     blocks: Vec<usize>,
     words: String,
-}
-
-/// Marks of a mechanism that a drawing holds.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Occurring {
-    /// Blocks that stand still.
-    pub still: bool,
-    /// Tints of bodies.
-    pub tints: Vec<&'static str>,
-    /// Colours by displacement.
-    pub scale: bool,
-    /// Joints that slide.
-    pub slides: bool,
-    /// Joints that open.
-    pub opens: bool,
 }
 
 impl<'a> DrawnMechanism<'a> {
@@ -76,7 +59,6 @@ impl<'a> DrawnMechanism<'a> {
         }
     }
 
-    /// The colour of every block.
     pub fn fills(&self) -> Vec<&'static str> {
         let count = self.groups.iter().map(|group| group.blocks.len()).sum();
         let mut fills = vec![STILL; count];
@@ -89,30 +71,29 @@ impl<'a> DrawnMechanism<'a> {
     }
 
     /// What of a mechanism occurs in the drawing.
-    pub fn occurring(&self, scene: &Scene) -> Occurring {
+    pub fn held(&self, scene: &Scene) -> Vec<Held> {
         let Some(mechanism) = self.mechanism else {
-            return Occurring::default();
+            return Vec::new();
         };
-        let fills = self.groups.iter().map(|group| group.fill);
-        let moving = || fills.clone().filter(|fill| *fill != STILL);
-        let mut tints: Vec<&'static str> = Vec::new();
-        if !self.by_displacement {
-            for fill in moving() {
-                if !tints.contains(&fill) {
-                    tints.push(fill);
-                }
-            }
+        let groups = self.groups.iter().map(|group| match group.fill {
+            STILL => Held::Still,
+            _ if self.by_displacement => Held::Scale,
+            tint => Held::Tint(tint),
+        });
+        let mut held: Vec<Held> = groups.collect();
+        for (_, rate) in rates(scene, mechanism) {
+            held.extend(self.slides(&rate).then_some(Held::Slides));
+            held.extend(self.opens(&rate).then_some(Held::Opens));
         }
-        let rates: Vec<JointRate> = rates(scene, mechanism).map(|(_, rate)| rate).collect();
-        Occurring {
-            still: fills.clone().any(|fill| fill == STILL),
-            tints,
-            scale: self.by_displacement,
-            slides: rates.iter().any(|rate| rate.slip.abs() > self.at_rest),
-            opens: rates
-                .iter()
-                .any(|rate| rate.opening[0].max(rate.opening[1]) > self.at_rest),
-        }
+        held
+    }
+
+    fn slides(&self, rate: &JointRate) -> bool {
+        rate.slip.abs() > self.at_rest
+    }
+
+    fn opens(&self, rate: &JointRate) -> bool {
+        rate.opening[0].max(rate.opening[1]) > self.at_rest
     }
 }
 
@@ -167,24 +148,17 @@ fn of_displacement(moved: &Moved) -> Vec<Group> {
 
 /// Blocks where the mechanism takes them, each group in its colour.
 pub fn blocks(svg: &mut Svg, frame: &Frame, scene: &Scene, drawn: &DrawnMechanism) {
-    let outline = |group: &Group| {
-        let mut path = Path::default();
-        for &block in &group.blocks {
-            let corners = drawn.displacement.corners(block);
-            let corners: Vec<Pixel> = corners.map(|p| frame.at(p)).collect();
-            path.add(&corners, true);
-        }
-        path
-    };
     let line = style().class("blocks").stroke(BLOCK_LINE);
     svg.open(line.stroke_width(line_width(scene, frame)), "");
     for group in &drawn.groups {
-        let words = match drawn.mechanism {
-            Some(_) => &group.words,
-            None => "",
-        };
+        let mut outline = Path::default();
+        for &block in &group.blocks {
+            let corners = drawn.displacement.corners(block);
+            outline.add(&corners.map(|p| frame.at(p)).collect::<Vec<_>>(), true);
+        }
+        let words = drawn.mechanism.map_or("", |_| &group.words);
         let style = style().class("part").fill(group.fill);
-        svg.path(&outline(group), style, words);
+        svg.path(&outline, style, words);
     }
     svg.close();
 }
@@ -207,12 +181,14 @@ pub fn marks(svg: &mut Svg, frame: &Frame, scene: &Scene, drawn: &DrawnMechanism
     let (mut open, mut slide) = (Path::default(), Path::default());
     let mut counts = [0; 2];
     for (joint, rate) in rates(scene, mechanism) {
-        let ([a, b], [c, d]) = sides(joint, frame, drawn);
-        if rate.opening[0].max(rate.opening[1]) > drawn.at_rest {
+        // The ends on both sides, where the mechanism takes them.
+        let on = |side| (joint.ends).map(|end| frame.at(drawn.displacement.on(side, end)));
+        let ([a, b], [c, d]) = (on(joint.from), on(Side::Block(joint.to)));
+        if drawn.opens(&rate) {
             open.add(&[a, b, d, c], true);
             counts[0] += 1;
         }
-        if rate.slip.abs() > drawn.at_rest {
+        if drawn.slides(&rate) {
             let middle = |p: Pixel, q: Pixel| [(p[0] + q[0]) / 2.0, (p[1] + q[1]) / 2.0];
             slide.add(&[middle(a, c), middle(b, d)], false);
             counts[1] += 1;
@@ -223,21 +199,10 @@ pub fn marks(svg: &mut Svg, frame: &Frame, scene: &Scene, drawn: &DrawnMechanism
     let gap = style().class("opening").fill(OPENING).fill_opacity(0.5);
     let gap = gap.stroke(OPENING).stroke_width(width).dashes("1 2");
     svg.path(&open, gap, &counted(counts[0], "open"));
-    let white = style().hollow().stroke(WHITE).stroke_width(2.2 * width);
+    let white = style().line(WHITE, 2.2 * width);
     svg.path(&slide, white.round_ends(), "");
-    let line = style().class("sliding").hollow().stroke(SLIDING);
-    let line = line.stroke_width(width).round_ends();
+    let line = style().class("sliding").line(SLIDING, width).round_ends();
     svg.path(&slide, line, &counted(counts[1], "slide"));
-}
-
-/// The ends of a joint on both of its sides, where the mechanism takes them.
-fn sides(joint: &Joint, frame: &Frame, drawn: &DrawnMechanism) -> ([Pixel; 2], [Pixel; 2]) {
-    let on = |side: Side| {
-        joint
-            .ends
-            .map(|end| frame.at(drawn.displacement.on(side, end)))
-    };
-    (on(joint.from), on(Side::Block(joint.to)))
 }
 
 fn counted(joints: usize, verb: &str) -> String {

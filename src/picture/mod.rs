@@ -22,11 +22,9 @@ mod key;
 mod legend;
 mod marks;
 mod mechanism;
-mod metrics;
 mod names;
 pub(crate) mod palette;
 mod panel;
-mod path;
 mod plot;
 mod plotted;
 #[cfg(feature = "print")]
@@ -39,17 +37,18 @@ mod view;
 mod wall;
 mod words;
 
+pub(crate) use axes::ends_of;
 pub(crate) use cells::{Cells, Field, PictureCell, cells};
 pub(crate) use figure::common_size;
-pub(crate) use legend::{LegendEntry, Sample};
+pub(crate) use legend::Sample;
 pub(crate) use marks::Filling;
-pub(crate) use plot::{Band, Between, Line, Marks, Plot, PlotAxis, PlotPoint, Ticks};
+pub(crate) use plot::{Line, Plot, PlotAxis, PlotPoint, Ticks};
 pub(crate) use plotted::{dashed_line, plots, solid_line};
 pub(crate) use ranges::{KNOWN, RangeMark, Ranges, ranges};
-pub(crate) use replay::{Replay, replay};
+pub(crate) use replay::replay;
 
 pub use dxf::dxf;
 pub use figure::figure;
 #[cfg(feature = "print")]
-pub(crate) use print::{PrintError, pdf, png};
+pub(crate) use print::{pdf, png};
 pub use view::{Options, View};

@@ -1,10 +1,14 @@
-//! Where the names of points go: beside their points, over no other point and no other name.
+//! Where names go: those of points beside them, over no other point and no other name; those of lines
+//! below one another.
 
-use super::metrics::{Rectangle, overlap, text_width};
+use super::words::text_width;
+
+/// A rectangle of the picture in pixels: left, top, right, bottom.
+pub type Rectangle = [f64; 4];
 
 /// Font size of names, and pixels from a line to the next.
 pub const SIZE: f64 = 12.0;
-const HEIGHT: f64 = 14.0;
+pub const HEIGHT: f64 = 14.0;
 
 /// Room that a name leaves to what is beside it.
 const APART: f64 = 3.0;
@@ -52,6 +56,56 @@ fn cost(middle: [f64; 2], point: [f64; 2], own: Rectangle, taken: &[Rectangle]) 
     100.0 * covered + (middle[0] - point[0]).hypot(middle[1] - point[1])
 }
 
+/// How far two rectangles reach into each other: the area that they share.
+pub fn overlap(a: &Rectangle, b: &Rectangle) -> f64 {
+    let wide = a[2].min(b[2]) - a[0].max(b[0]);
+    let high = a[3].min(b[3]) - a[1].max(b[1]);
+    wide.max(0.0) * high.max(0.0)
+}
+
+/// Heights for labels below one another that would like to stand at these: each as near as can be,
+/// `apart` from the next, in the order of what they wish for, between `top` and `bottom` where there
+/// is room.
+pub fn spread(wishes: &[f64], apart: f64, [top, bottom]: [f64; 2]) -> Vec<f64> {
+    let mut order: Vec<usize> = (0..wishes.len()).collect();
+    order.sort_by(|&a, &b| wishes[a].total_cmp(&wishes[b]));
+    // Groups that touch stand around the middle of what they wish for: count, middle.
+    let mut groups: Vec<(f64, f64)> = Vec::new();
+    for &index in &order {
+        groups.push((1.0, wishes[index]));
+        while let [.., (before, above), (count, below)] = groups[..] {
+            let (last, first) = (
+                above + (before - 1.0) * apart / 2.0,
+                below - (count - 1.0) * apart / 2.0,
+            );
+            if first - last >= apart {
+                break;
+            }
+            let all = before + count;
+            // The middle that each group would have alone, moved to that of both.
+            let middle = (before * (above + count * apart / 2.0)
+                + count * (below - before * apart / 2.0))
+                / all;
+            groups.truncate(groups.len() - 2);
+            groups.push((all, middle));
+        }
+    }
+    let mut heights = vec![0.0; wishes.len()];
+    let mut places = order.into_iter();
+    let mut least = top;
+    for (count, middle) in groups {
+        let half = (count - 1.0) * apart / 2.0;
+        let middle = middle.min(bottom - half).max(least + half);
+        for place in 0..count as usize {
+            if let Some(index) = places.next() {
+                heights[index] = middle - half + place as f64 * apart;
+            }
+        }
+        least = middle + half + apart;
+    }
+    heights
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -79,5 +133,21 @@ mod tests {
             let others = boxes[i + 1..].iter().chain(&covered);
             assert!(others.clone().all(|b| overlap(a, b) == 0.0), "{placed:?}");
         }
+    }
+    #[test]
+    fn labels_stand_apart_and_near_what_they_wish_for() {
+        assert_eq!(spread(&[50.0, 10.0], 12.0, [0.0, 100.0]), [50.0, 10.0]);
+        assert_eq!(spread(&[50.0, 50.0], 12.0, [0.0, 100.0]), [44.0, 56.0]);
+        assert_eq!(
+            spread(&[2.0, 1.0, 0.0], 12.0, [5.0, 100.0]),
+            [29.0, 17.0, 5.0]
+        );
+        let many = spread(&[40.0, 41.0, 60.0, 45.0, 99.0], 12.0, [0.0, 100.0]);
+        let mut sorted = many.clone();
+        sorted.sort_by(f64::total_cmp);
+        assert!(
+            sorted.windows(2).all(|pair| pair[1] - pair[0] > 11.999),
+            "{many:?}"
+        );
     }
 }

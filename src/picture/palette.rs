@@ -3,7 +3,6 @@
 
 /// Text and the strongest lines.
 pub const INK: &str = "#222";
-/// Small print.
 pub const FAINT: &str = "#5f5b53";
 /// Behind everything.
 pub const WHITE: &str = "#fff";
@@ -18,29 +17,20 @@ pub const PARTS: [&str; 5] = ["#f6cf86", "#93d1bb", "#e3b9d0", "#f4eea3", "#cfc4
 pub const SCALE: [&str; 8] = [
     "#f6f3d8", "#e9e6ae", "#d3dd9a", "#b3d194", "#8cc19a", "#66ada0", "#4a95a2", "#3b7c9c",
 ];
-/// Outlines of blocks.
 pub const BLOCK_LINE: &str = "#57534b";
 /// Blocks where they were.
 pub const BEFORE: &str = "#b9b4a8";
-/// Supports.
 pub const SUPPORT: &str = "#cdc7bb";
-/// Edge of supports.
 pub const SUPPORT_LINE: &str = "#8b8475";
-/// Joints that slide.
 pub const SLIDING: &str = VERMILION;
-/// Joints that open.
 pub const OPENING: &str = BLUE;
 /// Joints with a friction of their own.
 pub const FRICTION: &str = "#009e73";
 /// Crack lines of c and e.
 pub const CRACK: &str = "#7a3e9d";
-/// The macro-block's crack.
 pub const MACRO_CRACK: &str = "#000";
-/// Contact forces.
 pub const FORCE: &str = "#b3006b";
-/// Lines of thrust.
 pub const THRUST: &str = "#7a3e9d";
-/// Outline of a legend's squares.
 pub const SQUARE_LINE: &str = "#777";
 
 /// Lines behind a plot.
@@ -82,7 +72,5 @@ pub fn tone_of(share: Option<f64>) -> Tone {
 pub const RIGHT: Tone = tone("#9ed3b4", "#10331f");
 /// Outside, without a claim.
 pub const INACCURATE: Tone = tone("#f6d58a", "#4a3500");
-/// No answer.
 pub const REFUSED: Tone = tone("#dcdcdc", "#444444");
-/// A claim that is refuted.
 pub const WRONG: Tone = tone("#c1121f", "#ffffff");

@@ -3,11 +3,10 @@
 use super::crack::{self, DIMENSIONS, PUSH};
 use super::forces;
 use super::frame::Frame;
-use super::key::Holds;
+use super::key::Held;
 use super::mechanism::{self, DrawnMechanism};
 use super::palette::FAINT;
-use super::path::Pixel;
-use super::svg::{Anchor, Svg, style};
+use super::svg::{Anchor, Pixel, Svg, style};
 use super::view::{Contents, View};
 use super::wall;
 use super::words::fitting;
@@ -39,7 +38,6 @@ pub struct Panel<'a> {
 }
 
 impl<'a> Panel<'a> {
-    /// What there is to show.
     pub fn new(view: &'a View<'a>, contents: Contents) -> Self {
         let (scene, outcome) = (view.scene, &view.row.outcome);
         let mechanism = match contents {
@@ -154,25 +152,28 @@ impl<'a> Panel<'a> {
     }
 
     /// What the picture holds at so many pixels for a unit of length.
-    pub fn holds(&self, scale: f64) -> Holds {
-        let (scene, outcome) = (self.view.scene, &self.view.row.outcome);
-        let is_mechanism = self.contents == Contents::Mechanism;
-        let forces = outcome.evidence.forces().filter(|_| !is_mechanism);
-        Holds {
-            mechanism: self.drawn.occurring(scene),
-            moved: self.drawn.mechanism.is_some(),
-            supports: !scene.supports().is_empty(),
-            frictions: wall::own_frictions(scene).iter().map(|of| of.0).collect(),
-            crack: is_mechanism
-                && scene.coursing().is_some()
-                && self
-                    .view
-                    .row
-                    .crack
-                    .is_some_and(|crack| crack.c.is_some() && crack.e.is_some()),
-            macro_crack: is_mechanism && self.view.macro_slope.is_some(),
-            force: forces.and_then(|(_, forces)| forces::round_force(scene, forces, scale)),
+    pub fn held(&self, scale: f64) -> Vec<Held> {
+        let (scene, evidence) = (self.view.scene, &self.view.row.outcome.evidence);
+        let mut held = self.drawn.held(scene);
+        let supports = (!scene.supports().is_empty()).then_some(Held::Support);
+        let before = self.drawn.mechanism.map(|_| Held::Before);
+        held.extend(supports.into_iter().chain(before));
+        let frictions = wall::own_frictions(scene).into_iter();
+        held.extend(frictions.map(|(friction, _)| Held::Friction(friction)));
+        match self.contents {
+            Contents::Mechanism => {
+                let crack = self.view.row.crack.filter(|_| scene.coursing().is_some());
+                let lines = crack.filter(|crack| crack.c.is_some() && crack.e.is_some());
+                held.extend(lines.map(|_| Held::Crack));
+                held.extend(self.view.macro_slope.map(|_| Held::MacroCrack));
+            }
+            Contents::Forces => {
+                let forces = evidence.forces();
+                let round = forces.and_then(|(_, all)| forces::round_force(scene, all, scale));
+                held.extend(round.map(|(force, pixels)| Held::Force(force, pixels)));
+            }
         }
+        held
     }
 
     /// The method and what became of it, for what is not drawn.
@@ -191,7 +192,7 @@ impl<'a> Panel<'a> {
     fn amplification(&self) -> Option<String> {
         let (scene, drawn) = (self.view.scene, &self.drawn);
         let fastest = drawn.mechanism?.fastest(scene);
-        let factor = drawn.displacement.factor();
+        let factor = drawn.displacement.factor;
         let largest = short(factor * fastest, 3);
         Some(match self.view.row.outcome.evidence {
             Evidence::Observed(_) => format!(
@@ -267,7 +268,6 @@ impl<'a> Panel<'a> {
     }
 }
 
-/// A factor with two digits.
 fn significant(factor: f64) -> String {
     let decimals = (1.0 - factor.log10().floor()).clamp(0.0, 9.0);
     short(factor, decimals as usize)

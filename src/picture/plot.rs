@@ -3,33 +3,25 @@
 use super::marks::Filling;
 use crate::method::Look;
 
-/// Lines and points over two axes.
+/// Lines and points over two axes. Title and small print may be empty.
 #[derive(Default)]
 pub struct Plot {
-    /// Heading; may be empty.
     pub title: String,
-    /// What stands below it in small print; may be empty.
+    /// What stands below the title in small print.
     pub about: String,
-    /// From left to right.
     pub x: PlotAxis,
-    /// From bottom to top.
     pub y: PlotAxis,
     /// Shaded from one height to another over the whole width, behind everything.
-    pub bands: Vec<Band>,
-    /// Shaded between two lines.
-    pub ranges: Vec<Between>,
-    /// Lines, under the points.
+    pub band: Option<([f64; 2], &'static str)>,
+    /// Shaded between two lines: abscissa, lower and upper value, and the colour, which is thinned.
+    pub ranges: Vec<(Vec<[f64; 3]>, &'static str)>,
     pub lines: Vec<Line>,
-    /// Points of one look each.
-    pub marks: Vec<Marks>,
+    pub marks: Vec<(Look, Vec<PlotPoint>)>,
 }
 
-/// An axis.
 #[derive(Default)]
 pub struct PlotAxis {
-    /// What it shows, with its unit.
     pub label: String,
-    /// What part of it is shown and how it is labelled.
     pub ticks: Ticks,
 }
 
@@ -46,46 +38,19 @@ pub enum Ticks {
     Words([f64; 2], Vec<(f64, String)>),
 }
 
-/// A shaded part of a plot.
-pub struct Band {
-    /// Lower and upper end.
-    pub ends: [f64; 2],
-    /// Its colour, which is thinned.
-    pub colour: &'static str,
-}
-
-/// What lies between two lines of the same abscissas.
-pub struct Between {
-    /// Abscissa, lower and upper value.
-    pub points: Vec<[f64; 3]>,
-    /// Its colour, which is thinned.
-    pub colour: &'static str,
-}
-
-/// A line.
+#[derive(Default)]
 pub struct Line {
-    /// What it goes through.
     pub points: Vec<[f64; 2]>,
     pub colour: &'static str,
     /// A name at its right end, if it has one.
     pub name: Option<String>,
-    /// Whether it is broken.
     pub dashed: bool,
 }
 
-/// Points of one look.
-pub struct Marks {
-    pub look: Look,
-    pub points: Vec<PlotPoint>,
-}
-
-/// A point.
 pub struct PlotPoint {
-    /// Where it is.
     pub at: [f64; 2],
     /// How far a bar reaches down from it; 0 for none.
     pub below: f64,
-    /// How it is filled.
     pub filling: Filling,
     /// A name that is placed beside it, if it has one.
     pub name: Option<String>,
@@ -94,16 +59,16 @@ pub struct PlotPoint {
 }
 
 impl Plot {
+    pub(super) fn points(&self) -> impl Iterator<Item = &PlotPoint> {
+        self.marks.iter().flat_map(|(_, points)| points)
+    }
+
     /// All values along one axis, 0 for x and 1 for y.
     pub(super) fn values(&self, axis: usize) -> impl Iterator<Item = f64> + '_ {
-        let lines = self.lines.iter().flat_map(|line| &line.points);
-        let points = self.marks.iter().flat_map(|marks| &marks.points);
-        let ranges = self.ranges.iter().flat_map(|range| &range.points);
+        let lines = self.lines.iter().flat_map(|line| &line.points).copied();
+        let ranges = self.ranges.iter().flat_map(|(points, _)| points);
         let ends = ranges.flat_map(|&[x, low, high]| [[x, low], [x, high]]);
-        lines
-            .copied()
-            .chain(points.map(|point| point.at))
-            .chain(ends)
-            .map(move |at| at[axis])
+        let all = lines.chain(self.points().map(|point| point.at)).chain(ends);
+        all.map(move |at| at[axis])
     }
 }

@@ -12,69 +12,51 @@ const SHARPNESS: f32 = 3.0;
 /// Pixels of a drawing to an inch, as in a browser.
 const DPI: f32 = 96.0;
 
-/// Why a drawing cannot be printed.
-#[derive(Debug, thiserror::Error)]
-pub enum PrintError {
-    /// Text would be missing.
-    #[error("no font is installed that drawings can be printed with: {}", FONTS.join(", "))]
-    NoFont,
-    /// The drawing is not understood.
-    #[error("the drawing cannot be read: {0}")]
-    Unreadable(#[from] usvg::Error),
-    /// It has no size, or one beyond every memory.
-    #[error("the drawing cannot be printed in its size")]
-    Size,
-    /// The PNG cannot be made.
-    #[error("the PNG cannot be made: {0}")]
-    Png(String),
-    /// The PDF cannot be made.
-    #[error("the PDF cannot be made: {0}")]
-    Pdf(String),
-}
-
 /// Fonts that have the letters and widths of drawings, the first that there is.
 const FONTS: [&str; 4] = ["Helvetica", "Arial", "Liberation Sans", "DejaVu Sans"];
 
-fn read(svg: &str) -> Result<Tree, PrintError> {
+fn read(svg: &str) -> Result<Tree, String> {
     let mut fonts = Database::new();
     fonts.load_system_fonts();
     let has = |name: &&str| {
         let mut families = fonts.faces().flat_map(|face| &face.families);
         families.any(|(family, _)| family == name)
     };
-    let family = FONTS.into_iter().find(has).ok_or(PrintError::NoFont)?;
+    let family = FONTS.into_iter().find(has).ok_or_else(|| {
+        let fonts = FONTS.join(", ");
+        format!("no font is installed that drawings can be printed with: {fonts}")
+    })?;
     let options = Options {
         font_family: family.to_owned(),
         fontdb: Arc::new(fonts),
         ..Options::default()
     };
-    Ok(Tree::from_str(svg, &options)?)
+    Tree::from_str(svg, &options).map_err(|error| format!("the drawing cannot be read: {error}"))
 }
 
 /// A drawing as PNG, three pixels for each of its own.
 ///
 /// # Errors
 /// Where no font is installed, or the drawing has no size.
-pub fn png(svg: &str) -> Result<Vec<u8>, PrintError> {
+pub fn png(svg: &str) -> Result<Vec<u8>, String> {
     let tree = read(svg)?;
-    let size = tree.size().to_int_size();
-    let size = size.scale_by(SHARPNESS).ok_or(PrintError::Size)?;
-    let mut pixmap = Pixmap::new(size.width(), size.height()).ok_or(PrintError::Size)?;
+    let size = tree.size().to_int_size().scale_by(SHARPNESS);
+    let pixmap = size.and_then(|size| Pixmap::new(size.width(), size.height()));
+    let mut pixmap = pixmap.ok_or("the drawing cannot be printed in its size")?;
     let scale = Transform::from_scale(SHARPNESS, SHARPNESS);
     resvg::render(&tree, scale, &mut pixmap.as_mut());
-    pixmap
-        .encode_png()
-        .map_err(|error| PrintError::Png(error.to_string()))
+    let png = pixmap.encode_png();
+    png.map_err(|error| format!("the PNG cannot be made: {error}"))
 }
 
 /// A drawing as PDF, one page of its own size, text as text.
 ///
 /// # Errors
 /// Where no font is installed.
-pub fn pdf(svg: &str) -> Result<Vec<u8>, PrintError> {
+pub fn pdf(svg: &str) -> Result<Vec<u8>, String> {
     let page = PageOptions { dpi: DPI };
     let done = svg2pdf::to_pdf(&read(svg)?, ConversionOptions::default(), page);
-    done.map_err(|error| PrintError::Pdf(error.to_string()))
+    done.map_err(|error| format!("the PDF cannot be made: {error}"))
 }
 
 #[cfg(test)]
@@ -102,7 +84,7 @@ mod tests {
                 assert_eq!(png, super::png(&svg).unwrap(), "the same bytes");
             }
             (Err(png), Err(pdf)) => {
-                assert!(png.to_string().contains("Liberation Sans"), "{png} {pdf}");
+                assert!(png.contains("Liberation Sans"), "{png} {pdf}");
             }
             other => panic!("{other:?}"),
         }

@@ -1,14 +1,13 @@
 //! Ranges below one another over one axis, near enough to be told apart; above them, where one range
 //! is much wider than the others, all of them over its whole length (the paper's Fig. 6).
 
-use super::axes::{Area, round_ticks};
-use super::legend::{self, LegendEntry};
+use super::axes::{Area, ends_of, round_ticks};
+use super::legend::{self, Sample};
 use super::marks::{Filling, mark};
-use super::metrics::text_width;
 use super::palette::{FAINT, INK};
-use super::path::{Path, Pixel};
-use super::svg::{Anchor, Svg, style};
-use super::words::fitting;
+use super::svg::{Anchor, Path, Pixel, Svg, style};
+use super::words::text_width;
+use super::words::written;
 use crate::method::{Look, Mark};
 use crate::number::number;
 
@@ -20,7 +19,6 @@ const RIGHT: f64 = 30.0;
 const BELOW: f64 = 50.0;
 const BORDER: f64 = 12.0;
 
-/// Font size of names and values.
 const FONT: f64 = 12.0;
 
 /// Pixels of the strip that shows everything at once.
@@ -32,46 +30,33 @@ const FREE: f64 = 0.12;
 /// Narrowest part of the axis that is shown, as a part of the values.
 const NARROWEST: f64 = 1e-3;
 
-/// Ranges below one another.
 pub struct Ranges {
-    /// The ranges, from top to bottom.
     pub ranges: Vec<RangeMark>,
     /// The shaded range behind them: its name, its ends and its colour, which is thinned.
     pub shaded: Option<(String, [f64; 2], &'static str)>,
-    /// Upright lines over all ranges: their words and values.
-    pub bounds: Vec<(String, f64)>,
-    /// What the axis shows.
+    pub bounds: Vec<f64>,
     pub label: String,
 }
 
-/// One range.
 pub struct RangeMark {
     pub name: String,
     pub ends: [f64; 2],
-    /// Its colour and mark.
     pub look: Look,
-    /// How its mark is filled.
     pub filling: Filling,
     /// Values of others about it.
     pub known: Vec<f64>,
 }
 
-/// How a value of others looks.
 pub const KNOWN: Look = Look {
     colour: INK,
     mark: Mark::Cross,
 };
 
 /// The ranges as a whole SVG file. `title` is its name for those who cannot see it.
-pub fn ranges(picture: &Ranges, entries: &[LegendEntry], title: &str) -> String {
+pub fn ranges(picture: &Ranges, entries: &[(Sample, &str)], title: &str) -> String {
     let mut svg = Svg::default();
-    let mut y = BORDER;
-    for line in fitting(title, 14.0 * 1.06, WIDTH - 2.0 * BORDER) {
-        let heading = style().font_size(14.0).bold();
-        svg.text([BORDER, y + 12.0], Anchor::Start, heading, &line);
-        y += 18.0;
-    }
-    y += 2.0;
+    let (at, wide) = ([BORDER, BORDER + 12.0], WIDTH - 2.0 * BORDER);
+    let mut y = BORDER + 2.0 + written(&mut svg, at, title, (14.0, true), wide, 18.0);
     let near = near(picture);
     if let Some((name, ends, colour)) = &picture.shaded {
         strip(&mut svg, picture, (name, *ends, colour), near, y);
@@ -90,8 +75,10 @@ pub fn ranges(picture: &Ranges, entries: &[LegendEntry], title: &str) -> String 
         .into_iter()
         .filter(|(value, _)| (near[0]..=near[1]).contains(value));
     area.x_axis(&mut svg, &inside.collect::<Vec<_>>(), &picture.label);
-    for (_, value) in &picture.bounds {
-        upright(&mut svg, &area, *value);
+    for &value in &picture.bounds {
+        let [x, _] = area.at([value, 0.0]);
+        let line = Path::through(&[[x, area.corner[1]], [x, area.bottom()]], false);
+        svg.path(&line, style().line(INK, 1.1).dashes("5 3"), "");
     }
     for (line, range) in picture.ranges.iter().enumerate() {
         let middle = line as f64 + 0.5;
@@ -109,17 +96,10 @@ pub fn ranges(picture: &Ranges, entries: &[LegendEntry], title: &str) -> String 
 fn near(picture: &Ranges) -> [f64; 2] {
     let ranges = picture.ranges.iter();
     let values = ranges.flat_map(|range| range.ends.iter().chain(&range.known));
-    let values = values
-        .copied()
-        .chain(picture.bounds.iter().map(|(_, value)| *value));
-    let mut ends = values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
-        [low.min(value), high.max(value)]
-    });
+    let mut ends = ends_of(values.chain(&picture.bounds).copied());
     if ends[0] > ends[1] {
-        ends = picture
-            .shaded
-            .as_ref()
-            .map_or([0.0, 1.0], |(_, ends, _)| *ends);
+        let shaded = picture.shaded.as_ref();
+        ends = shaded.map_or([0.0, 1.0], |(_, ends, _)| *ends);
     }
     let [low, high] = ends;
     let width = (high - low).max(NARROWEST * high.abs()).max(1e-9);
@@ -154,7 +134,7 @@ fn strip(
             lines.add(&[area.at([end, 0.0]), area.at([end, 1.0])], false);
         }
     }
-    svg.path(&lines, style().hollow().stroke(INK).stroke_width(0.7), "");
+    svg.path(&lines, style().line(INK, 0.7), "");
     // What is shown below, as a window that opens downwards.
     let [left, right] = near.map(|end| area.at([end, 0.0])[0]);
     let bottom = top + STRIP;
@@ -164,8 +144,8 @@ fn strip(
         [right, top + 20.0],
         [LEFT + area.size[0], bottom],
     ];
-    let line = style().hollow().stroke(FAINT).stroke_width(0.8);
-    svg.path(&Path::through(&window, false), line.dashes("3 2"), "");
+    let line = style().line(FAINT, 0.8).dashes("3 2");
+    svg.path(&Path::through(&window, false), line, "");
     let text = style().font_size(FONT).halo();
     svg.text([LEFT - 9.0, top + 13.0], Anchor::End, text.clone(), name);
     let [least, most] = ends.map(|end| number(end, 4));
@@ -199,13 +179,6 @@ fn shade(svg: &mut Svg, picture: &Ranges, area: &Area) {
     svg.rect(from, [to[0] - from[0], area.size[1]], fill);
 }
 
-fn upright(svg: &mut Svg, area: &Area, value: f64) {
-    let [x, _] = area.at([value, 0.0]);
-    let line = Path::through(&[[x, area.corner[1]], [x, area.bottom()]], false);
-    let style = style().hollow().stroke(INK).stroke_width(1.1).dashes("5 3");
-    svg.path(&line, style, "");
-}
-
 fn one(svg: &mut Svg, range: &RangeMark, area: &Area, middle: f64) {
     let [[from, y], [to, _]]: [Pixel; 2] = range.ends.map(|end| area.at([end, middle]));
     if to - from > 3.0 {
@@ -213,8 +186,7 @@ fn one(svg: &mut Svg, range: &RangeMark, area: &Area, middle: f64) {
         for x in [from, to] {
             path.add(&[[x, y - 5.0], [x, y + 5.0]], false);
         }
-        let stroke = style().hollow().stroke(range.look.colour).stroke_width(2.2);
-        svg.path(&path, stroke, "");
+        svg.path(&path, style().line(range.look.colour, 2.2), "");
     } else {
         mark(svg, [(from + to) / 2.0, y], range.look, range.filling);
     }

@@ -5,14 +5,12 @@ use serde::Serialize;
 use super::frame::Frame;
 use super::mechanism::DrawnMechanism;
 use super::palette::{BEFORE, BLOCK_LINE};
-use super::path::Path;
-use super::svg::{Svg, style};
+use super::svg::{Path, Svg, style};
 use super::wall::{outline, supports};
-use crate::mechanics::{Mechanism, Motion};
+use crate::mechanics::Mechanism;
 use crate::run::Row;
-use crate::scene::{Point, Polygon, Scene, Vector};
+use crate::scene::{Point, Scene, Vector};
 
-/// Most frames that are kept.
 const FRAMES: usize = 48;
 
 /// Steps that the farthest displacement is divided into.
@@ -57,9 +55,11 @@ pub fn replay(scene: &Scene, row: &Row, title: &str) -> Option<Replay> {
     let recording = evidence.observed()?.recording.as_ref()?;
     let kept = thinned(recording.frames.len());
     let frames: Vec<&Mechanism> = kept.iter().map(|&at| &recording.frames[at]).collect();
-    let farthest = frames.iter().map(|frame| farthest(scene, frame));
-    let farthest = farthest.fold(0.0, f64::max);
-    let (low, high) = bounds(scene, &frames);
+    let (mut farthest, mut low, mut high) = (0.0_f64, scene.bounds().0, scene.bounds().1);
+    for (from, to) in frames.iter().flat_map(|frame| corners(scene, frame)) {
+        farthest = farthest.max((to - from).norm());
+        (low, high) = (low.inf(&to), high.sup(&to));
+    }
     let scale = (WIDTH - 2.0 * BORDER) / (high.x - low.x);
     let scale = scale.min(HIGHEST / (high.y - low.y));
     let height = 2.0 * BORDER + scale * (high.y - low.y);
@@ -85,40 +85,18 @@ fn thinned(frames: usize) -> Vec<usize> {
     (0..count).map(pick).collect()
 }
 
-/// The corners of a shape that was moved and turned.
-fn moved(shape: &Polygon, motion: Motion) -> impl Iterator<Item = Point> + '_ {
-    let centre = shape.centroid();
-    let (sin, cos) = motion.rotation.sin_cos();
-    shape.corners().iter().map(move |corner| {
-        let arm = corner - centre;
-        let turned = Vector::new(cos * arm.x - sin * arm.y, sin * arm.x + cos * arm.y);
-        centre + turned + motion.velocity
-    })
-}
-
-/// How far a corner has moved at most.
-fn farthest(scene: &Scene, frame: &Mechanism) -> f64 {
+/// The corners of all blocks, and where a frame moves and turns them.
+fn corners(scene: &Scene, frame: &Mechanism) -> impl Iterator<Item = (Point, Point)> {
     let blocks = scene.blocks().iter().zip(&frame.motions);
-    let of_block = blocks.flat_map(|(block, &motion)| {
-        let corners = block.shape.corners().iter();
-        corners
-            .zip(moved(&block.shape, motion))
-            .map(|(from, to)| (to - from).norm())
-    });
-    of_block.fold(0.0, f64::max)
-}
-
-/// Lower-left and upper-right corner of all blocks in all frames.
-fn bounds(scene: &Scene, frames: &[&Mechanism]) -> (Point, Point) {
-    let mut bounds = scene.bounds();
-    for frame in frames {
-        for (block, &motion) in scene.blocks().iter().zip(&frame.motions) {
-            for corner in moved(&block.shape, motion) {
-                bounds = (bounds.0.inf(&corner), bounds.1.sup(&corner));
-            }
-        }
-    }
-    bounds
+    blocks.flat_map(|(block, motion)| {
+        let centre = block.shape.centroid();
+        let (sin, cos) = motion.rotation.sin_cos();
+        block.shape.corners().iter().map(move |corner| {
+            let arm = corner - centre;
+            let turned = Vector::new(cos * arm.x - sin * arm.y, sin * arm.x + cos * arm.y);
+            (*corner, centre + turned + motion.velocity)
+        })
+    })
 }
 
 fn poses(
@@ -136,27 +114,21 @@ fn poses(
         let turned = motion.rotation / turn;
         [moved.x, -moved.y, -turned].map(|value| value.round() as i32)
     };
-    let moves = |&block: &usize| {
-        frames
-            .iter()
-            .any(|f| steps(f, block).iter().any(|&v| v != 0))
-    };
+    let moves = |&block: &usize| frames.iter().any(|frame| steps(frame, block) != [0; 3]);
     let blocks: Vec<usize> = (0..scene.blocks().len()).filter(moves).collect();
     let tenth = |v: f64| (v * 10.0).round() / 10.0;
     Poses {
-        centres: blocks
-            .iter()
+        centres: (blocks.iter())
             .map(|&block| frame.at(scene.blocks()[block].shape.centroid()).map(tenth))
             .collect(),
         step: (length * frame.scale * 1e6).round() / 1e6,
         turn: (turn * 1e9).round() / 1e9,
         times: times.map(|time| (time * 1e3).round() / 1e3).collect(),
-        frames: frames
-            .iter()
-            .map(|mechanism| {
+        frames: (frames.iter())
+            .map(|frame| {
                 blocks
                     .iter()
-                    .flat_map(|&block| steps(mechanism, block))
+                    .flat_map(|&block| steps(frame, block))
                     .collect()
             })
             .collect(),
@@ -174,11 +146,7 @@ fn as_laid(scene: &Scene, frame: &Frame, fills: &[&str], seen: (Point, Point)) -
     for outline in &outlines {
         before.add(outline, true);
     }
-    svg.path(
-        &before,
-        style().hollow().stroke(BEFORE).stroke_width(0.6),
-        "",
-    );
+    svg.path(&before, style().line(BEFORE, 0.6), "");
     let (low, high) = seen;
     let reach = Vector::new(BORDER, BORDER) / frame.scale;
     supports(&mut svg, scene, frame, [low - reach, high + reach]);

@@ -3,7 +3,76 @@
 use std::fmt::{Display, Write};
 
 use super::palette::{FAINT, INK, WHITE};
-use super::path::{Path, Pixel, px};
+use crate::number::short;
+
+/// A point of the drawing in pixels from its upper left corner, y down.
+pub type Pixel = [f64; 2];
+
+/// Pixels with two decimals, without trailing zeros and never a negative zero.
+fn px(value: f64) -> String {
+    short(value, 2)
+}
+
+/// Path of several outlines, each closed or not. Points are rounded to hundredths first, and then
+/// written relative to each other, so that no rounding adds up.
+#[derive(Clone, Debug, Default)]
+pub struct Path {
+    text: String,
+}
+
+impl Path {
+    pub fn through(points: &[Pixel], closed: bool) -> Self {
+        let mut path = Self::default();
+        path.add(points, closed);
+        path
+    }
+
+    pub fn add(&mut self, points: &[Pixel], closed: bool) {
+        let hundredths = |v: f64| (v * 100.0).round() as i64;
+        let mut points = points.iter().map(|[x, y]| [hundredths(*x), hundredths(*y)]);
+        let Some(mut at) = points.next() else {
+            return;
+        };
+        self.number('M', at[0]);
+        self.following(at[1]);
+        for to in points {
+            let [dx, dy] = [to[0] - at[0], to[1] - at[1]];
+            match (dx, dy) {
+                (0, 0) => {}
+                (_, 0) => self.number('h', dx),
+                (0, _) => self.number('v', dy),
+                _ => {
+                    self.number('l', dx);
+                    self.following(dy);
+                }
+            }
+            at = to;
+        }
+        if closed {
+            self.text.push('z');
+        }
+    }
+
+    fn number(&mut self, command: char, hundredths: i64) {
+        self.text.push(command);
+        self.text.push_str(&px(hundredths as f64 / 100.0));
+    }
+
+    fn following(&mut self, hundredths: i64) {
+        if hundredths >= 0 {
+            self.text.push(' ');
+        }
+        self.text.push_str(&px(hundredths as f64 / 100.0));
+    }
+
+    fn is_empty(&self) -> bool {
+        self.text.is_empty()
+    }
+
+    fn d(&self) -> &str {
+        &self.text
+    }
+}
 
 /// The inside of a drawing, written element by element.
 #[derive(Clone, Debug, Default)]
@@ -38,7 +107,6 @@ impl Svg {
         );
     }
 
-    /// A disc.
     pub fn circle(&mut self, centre: Pixel, radius: f64, style: Style) {
         let ([x, y], radius) = (centre.map(px), px(radius));
         let _ = writeln!(
@@ -76,7 +144,6 @@ impl Svg {
         }
     }
 
-    /// Closes the innermost group.
     pub fn close(&mut self) {
         self.text.push_str("</g>\n");
     }
@@ -99,7 +166,6 @@ impl Svg {
 /// Fonts that look alike everywhere.
 const FONT: &str = "'Helvetica Neue',Helvetica,Arial,'Liberation Sans','DejaVu Sans',sans-serif";
 
-/// Which part of a text stands at its point.
 #[derive(Clone, Copy, Debug)]
 pub enum Anchor {
     Start,
@@ -123,7 +189,6 @@ pub struct Style {
     text: String,
 }
 
-/// A style that says nothing yet.
 pub fn style() -> Style {
     Style::default()
 }
@@ -147,9 +212,13 @@ impl Style {
         self.with("fill-opacity", px(part))
     }
 
-    /// Only the outline.
     pub fn hollow(self) -> Self {
         self.with("fill", "none")
+    }
+
+    /// A line of this colour, so many pixels wide.
+    pub fn line(self, colour: &str, pixels: f64) -> Self {
+        self.hollow().stroke(colour).stroke_width(pixels)
     }
 
     pub fn stroke(self, colour: &str) -> Self {
@@ -217,5 +286,16 @@ mod tests {
         let expected = "<text x=\"1\" y=\"0\" text-anchor=\"middle\" fill=\"&quot;red&quot;\" \
                         stroke-width=\"1.01\">a&lt;b &amp; &quot;c&quot;&gt;</text>\n";
         assert_eq!(svg.text, expected);
+    }
+
+    #[test]
+    fn paths_are_relative_and_without_negative_zeros() {
+        let mut path = Path::through(
+            &[[0.0, -0.001], [10.0, 0.0], [10.0, 5.126], [8.5, 4.0]],
+            true,
+        );
+        assert_eq!(path.d(), "M0 0h10v5.13l-1.5-1.13z");
+        path.add(&[[1.0, 1.0], [1.0, 1.004]], false);
+        assert_eq!(path.d(), "M0 0h10v5.13l-1.5-1.13zM1 1");
     }
 }

@@ -57,7 +57,6 @@ impl Options {
     }
 }
 
-/// What one picture is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Contents {
     Mechanism,

@@ -1,19 +1,14 @@
 //! The wall in its place: supports, and outlines of the blocks.
 
-use super::frame::{Frame, clipped};
+use super::frame::Frame;
 use super::palette::{BEFORE, FRICTION, SUPPORT, SUPPORT_LINE};
-use super::path::{Path, Pixel};
-use super::svg::{Svg, style};
-use crate::scene::{Joint, JointClass, Point, Scene};
+use super::svg::{Path, Pixel, Svg, style};
+use crate::scene::{Joint, JointClass, Point, Polygon, Scene, Vector};
 
 /// Width of the thin outlines, which grows with the size that blocks are seen in.
 pub fn line_width(scene: &Scene, frame: &Frame) -> f64 {
-    let mean = scene
-        .blocks()
-        .iter()
-        .map(|block| block.shape.area())
-        .sum::<f64>()
-        / scene.blocks().len() as f64;
+    let areas = scene.blocks().iter().map(|block| block.shape.area());
+    let mean = areas.sum::<f64>() / scene.blocks().len() as f64;
     (frame.scale * mean.sqrt() / 40.0).clamp(0.25, 0.9)
 }
 
@@ -38,8 +33,7 @@ pub fn supports(svg: &mut Svg, scene: &Scene, frame: &Frame, [low, high]: [Point
     }
     let fill = style().class("support").fill(SUPPORT);
     svg.path(&shapes, fill, "support: never moves");
-    let line = style().hollow().stroke(SUPPORT_LINE).stroke_width(1.6);
-    svg.path(&edges, line, "");
+    svg.path(&edges, style().line(SUPPORT_LINE, 1.6), "");
 }
 
 /// The outline of one block in its place.
@@ -48,14 +42,44 @@ pub fn outline(scene: &Scene, frame: &Frame, block: usize) -> Vec<Pixel> {
     corners.map(|&corner| frame.at(corner)).collect()
 }
 
-/// Outlines of all blocks in their place.
 pub fn outlines(svg: &mut Svg, scene: &Scene, frame: &Frame) {
     let mut path = Path::default();
     for block in 0..scene.blocks().len() {
         path.add(&outline(scene, frame, block), true);
     }
-    let line = style().class("before").hollow().stroke(BEFORE);
-    svg.path(&path, line.stroke_width(line_width(scene, frame)), "");
+    let line = style()
+        .class("before")
+        .line(BEFORE, line_width(scene, frame));
+    svg.path(&path, line, "");
+}
+
+/// The part of a polygon that lies in a box; empty where none does. Parts of one that bends inwards are
+/// joined along the box.
+fn clipped(polygon: &Polygon, low: Point, high: Point) -> Vec<Point> {
+    let mut corners = polygon.corners().to_vec();
+    // Half-planes n·p ≤ d.
+    let sides = [
+        (Vector::new(1.0, 0.0), high.x),
+        (Vector::new(-1.0, 0.0), -low.x),
+        (Vector::new(0.0, 1.0), high.y),
+        (Vector::new(0.0, -1.0), -low.y),
+    ];
+    for (normal, distance) in sides {
+        let beyond = |p: &Point| normal.dot(&p.coords) - distance;
+        let mut kept = Vec::with_capacity(corners.len() + 1);
+        for (i, a) in corners.iter().enumerate() {
+            let b = &corners[(i + 1) % corners.len()];
+            let (out_a, out_b) = (beyond(a), beyond(b));
+            if out_a <= 0.0 {
+                kept.push(*a);
+            }
+            if (out_a < 0.0 && out_b > 0.0) || (out_a > 0.0 && out_b < 0.0) {
+                kept.push(a + (b - a) * (out_a / (out_a - out_b)));
+            }
+        }
+        corners = kept;
+    }
+    corners
 }
 
 /// Joints whose friction is not what most of their class have, the rough and the smooth ones apart.
@@ -99,8 +123,23 @@ pub fn frictions(svg: &mut Svg, scene: &Scene, frame: &Frame) {
         for joint in joints {
             path.add(&joint.ends.map(|end| frame.at(end)), false);
         }
-        let line = style().class("friction").hollow().stroke(FRICTION);
-        let line = line.stroke_width(2.0).dashes("5 3");
+        let line = style().class("friction").line(FRICTION, 2.0).dashes("5 3");
         svg.path(&path, line, &format!("friction {friction}"));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_support_is_cut_to_the_drawing() {
+        let ground = Polygon::rectangle(-50.0, 50.0, -3.0, 0.0).unwrap();
+        let seen = clipped(&ground, Point::new(-1.0, -1.0), Point::new(9.0, 4.0));
+        let area: f64 = (0..4)
+            .map(|i| seen[i].coords.perp(&seen[(i + 1) % 4].coords))
+            .sum();
+        assert_eq!((seen.len(), area / 2.0), (4, 10.0));
+        assert!(clipped(&ground, Point::new(0.0, 1.0), Point::new(1.0, 2.0)).is_empty());
     }
 }

@@ -33,24 +33,29 @@ pub fn heading() -> String {
     padded(headings.map(|heading| heading.replace('λ', "lambda").replace('β', "beta")))
 }
 
-/// One fixed-width line a row.
 pub fn lines(result: &CaseResult) -> Vec<String> {
+    let line = |row: &Row| {
+        let cells = values(row, &TABLE.map(|(name, _)| name));
+        padded(cells.iter().map(|cell| cell.shown()))
+    };
     result.rows.iter().map(line).collect()
 }
 
-fn line(row: &Row) -> String {
-    let cells = values(row, &TABLE.map(|(name, _)| name));
-    padded(cells.iter().map(|cell| cell.shown()))
-}
-
-/// What is to be known of answers, in words.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Note {
     pub method: String,
     /// The head-joint settings of which it is said.
     pub head_joints: Vec<HeadJoints>,
-    /// What is said.
     pub text: String,
+}
+
+impl Note {
+    pub fn joints(&self) -> Vec<&'static str> {
+        self.head_joints
+            .iter()
+            .map(|joints| joints.name())
+            .collect()
+    }
 }
 
 /// The notes of a case's rows, in their order: what is said of both head-joint settings is said once.

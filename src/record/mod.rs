@@ -7,9 +7,9 @@ mod lines;
 mod snapshot;
 
 pub(crate) use lines::{LEGEND, Note, fixed_width, heading, lines, notes};
-pub(crate) use snapshot::{RecordChange, compare, records_beside};
+pub(crate) use snapshot::{compare, records_beside};
 
-use crate::judge::{Check, Conclusion, Verdict};
+use crate::judge::{Check, Verdict};
 use crate::number::short;
 use crate::run::CaseResult;
 use crate::scene::{HeadJoints, JointClass, Scene};
@@ -27,11 +27,18 @@ pub fn record(result: &CaseResult) -> String {
     if !notes.is_empty() {
         all.push("\nnotes".to_owned());
     }
-    all.extend(notes.iter().map(note_line));
+    all.extend(notes.iter().map(|note| {
+        let joints = note.joints().join(", ");
+        format!("  {:<12} {joints:<14} {}", note.method, note.text)
+    }));
     all.push("\nchecks".to_owned());
-    all.extend(result.checks.iter().map(check_line));
+    all.extend(result.checks.iter().map(|check| {
+        let (verdict, joints) = (check.verdict.name(), check.head_joints.name());
+        format!("  {verdict:<12} {joints:<8} {}", check.text)
+    }));
     all.push("\nanswer".to_owned());
-    all.extend(result.conclusions.iter().map(conclusion_line));
+    let conclusions = result.conclusions.iter();
+    all.extend(conclusions.map(|one| format!("  {:<8} {one}", one.head_joints.name())));
     all.join("\n") + "\n"
 }
 
@@ -54,28 +61,6 @@ pub fn fingerprint(head_joints: HeadJoints, scene: &Scene) -> String {
         short(high.y - low.y, 3),
         short(scene.weight(), 3),
     )
-}
-
-/// One note as a line.
-fn note_line(note: &Note) -> String {
-    let joints: Vec<&str> = note.head_joints.iter().map(|h| h.name()).collect();
-    let (method, joints) = (&note.method, joints.join(", "));
-    format!("  {method:<12} {joints:<14} {}", note.text)
-}
-
-/// One check as a line.
-fn check_line(check: &Check) -> String {
-    format!(
-        "  {:<12} {:<8} {}",
-        check.verdict.name(),
-        check.head_joints.name(),
-        check.text
-    )
-}
-
-/// What all answers about a scene come to, as a line.
-fn conclusion_line(conclusion: &Conclusion) -> String {
-    format!("  {:<8} {conclusion}", conclusion.head_joints.name())
 }
 
 /// How many checks ended how, in words: what the terminal says where nothing is wrong.

@@ -7,23 +7,17 @@ use insta::Snapshot;
 
 use crate::files::{Input, read_input, write_whole};
 
-/// How a record compares with the accepted one.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum RecordChange {
-    /// Equal to the accepted snapshot.
-    Same,
-    /// The first of its case; it stands in this file.
-    New(PathBuf),
-    /// Different from the accepted snapshot; the new one stands in this file.
-    Changed(PathBuf),
-}
-
 /// Compares `record` with `NAME.snap` in a folder. Where they differ, or there is none yet, writes
-/// `NAME.snap.new` for `cargo insta review`; where they agree, removes a stale one.
+/// `NAME.snap.new` for `cargo insta review` and returns it behind "new" or "changed"; where they agree,
+/// removes a stale one.
 ///
 /// # Errors
 /// Errors of the file system, and a snapshot file that cannot be read as one.
-pub fn compare(folder: &Path, name: &str, record: &str) -> io::Result<RecordChange> {
+pub fn compare(
+    folder: &Path,
+    name: &str,
+    record: &str,
+) -> io::Result<Option<(&'static str, PathBuf)>> {
     let accepted = folder.join(format!("{name}.snap"));
     let pending = folder.join(format!("{name}.snap.new"));
     let known = accepted.exists();
@@ -43,16 +37,13 @@ pub fn compare(folder: &Path, name: &str, record: &str) -> io::Result<RecordChan
             if pending.exists() {
                 std::fs::remove_file(&pending)?;
             }
-            return Ok(RecordChange::Same);
+            return Ok(None);
         }
     }
     let source = serde_json::Value::from(format!("trilith: {name}"));
     write_whole(&pending, format!("---\nsource: {source}\n---\n{record}"))?;
-    Ok(if known {
-        RecordChange::Changed(pending)
-    } else {
-        RecordChange::New(pending)
-    })
+    let word = if known { "changed" } else { "new" };
+    Ok(Some((word, pending)))
 }
 
 /// The snapshots in a folder, accepted and new ones, whose case is none of these: by the names of
@@ -87,16 +78,14 @@ mod tests {
         let path = folder.path();
         let pending = path.join("wall.snap.new");
         let text = "wall: mine\n\n  a line\n";
-        assert_eq!(
-            compare(path, "wall", text).unwrap(),
-            RecordChange::New(pending.clone())
-        );
+        let new = compare(path, "wall", text).unwrap();
+        assert_eq!(new, Some(("new", pending.clone())));
         // What `cargo insta accept` does.
         std::fs::rename(&pending, path.join("wall.snap")).unwrap();
-        assert_eq!(compare(path, "wall", text).unwrap(), RecordChange::Same);
+        assert_eq!(compare(path, "wall", text).unwrap(), None);
         let changed = compare(path, "wall", "wall: mine\n\n  another line\n").unwrap();
-        assert_eq!(changed, RecordChange::Changed(pending.clone()));
-        assert_eq!(compare(path, "wall", text).unwrap(), RecordChange::Same);
+        assert_eq!(changed, Some(("changed", pending.clone())));
+        assert_eq!(compare(path, "wall", text).unwrap(), None);
         assert!(!pending.exists());
         let others = |cases: &[&str]| records_beside(path, cases).unwrap();
         assert_eq!(others(&["wall"]), []);

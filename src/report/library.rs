@@ -169,7 +169,6 @@ fn percent(error: f64) -> String {
 /// What is counted of rows: a heading, and whether a row counts below it.
 type Count = (&'static str, fn(&Row, &str) -> bool);
 
-/// What is counted of a method over all cases.
 const COUNTS: [Count; 11] = [
     ("scenes", |_, _| true),
     ("numbers", |row, _| row.bracket().is_some()),
@@ -279,7 +278,6 @@ fn remark<const N: usize>(layout: Layout, about: [&str; N], words: &str) -> Stri
     columns(about.chain([(words, 0)]))
 }
 
-/// A section, where it has lines.
 fn section(text: &mut String, title: String, lines: impl Iterator<Item = String>) {
     let lines: Vec<String> = lines.collect();
     if !lines.is_empty() {

@@ -1,6 +1,6 @@
 //! CSV and JSON: the same rows twice.
 
-use serde_json::json;
+use serde_json::{Value as Json, json};
 
 use super::terms::terms;
 use crate::answer::Outcome;
@@ -20,10 +20,7 @@ fn rows(results: &[CaseResult]) -> impl Iterator<Item = &Row> {
 
 /// CSV with a heading line: numbers with 9 significant digits, empty where there is nothing to vouch
 /// for.
-///
-/// # Errors
-/// Those of the CSV writer; none is expected in memory.
-pub fn csv(results: &[CaseResult]) -> Result<String, csv::Error> {
+pub fn csv(results: &[CaseResult]) -> String {
     let headings = for_programs().map(|column| column.name);
     let line = |row| for_programs().map(|column| (column.value)(row)).collect();
     run::csv(headings, rows(results).map(line))
@@ -44,121 +41,93 @@ pub fn csv(results: &[CaseResult]) -> Result<String, csv::Error> {
 /// Where a support moves, `lower` and `upper` are of its reaction, and `reaction` has the one that it
 /// starts with: λ in `sides` is the change from there, a fall where it `moves` away.
 /// Where results are partial, a last object says so in `partial`, and its columns are `null`.
-///
-/// # Errors
-/// Those of the JSON writer; none is expected in memory.
-pub fn json(
-    results: &[CaseResult],
-    partial: Option<&Partial>,
-) -> Result<String, serde_json::Error> {
-    let of_case = |result: &CaseResult| -> Vec<JsonObject> {
+pub fn json(results: &[CaseResult], partial: Option<&Partial>) -> String {
+    let of_case = |result: &'_ CaseResult| -> Vec<Json> {
         result.rows.iter().map(|row| object(result, row)).collect()
     };
-    let mut list: Vec<JsonObject> = results.iter().flat_map(of_case).collect();
-    list.extend(partial.map(mark));
-    let mut text = serde_json::to_string_pretty(&list)?;
-    text.push('\n');
-    Ok(text)
+    let rows = results.iter().flat_map(of_case);
+    let list: Json = rows.chain(partial.map(mark)).collect();
+    format!("{list:#}\n")
 }
 
 /// As `json`, a row a line, each with its `head_joints` and with the `sides` that it was pushed
 /// to, the row's own side first: the scene and every answer of the method, in the formats of outside
 /// programs and in full digits, so that another program can confirm each claim.
-///
-/// # Errors
-/// As `json`.
-pub fn json_with_states(
-    results: &[CaseResult],
-    partial: Option<&Partial>,
-) -> Result<String, serde_json::Error> {
+pub fn json_with_states(results: &[CaseResult], partial: Option<&Partial>) -> String {
     let mut lines = Vec::new();
     for result in results {
         for row in &result.rows {
             let mut object = object(result, row);
-            object.insert("head_joints".to_owned(), row.head_joints.name().into());
-            object.insert("sides".to_owned(), sides(result, row)?);
-            lines.push(serde_json::to_string(&object)?);
+            object["head_joints"] = row.head_joints.name().into();
+            let sides = row.sides().map(|(push, outcome)| {
+                let mut side = side(push, outcome);
+                side["scene"] = json!(SceneFile::from(result.side(row.head_joints, push)));
+                side["answers"] = json!(answers(outcome));
+                side
+            });
+            object["sides"] = sides.collect();
+            lines.push(object.to_string());
         }
     }
-    if let Some(partial) = partial {
-        lines.push(serde_json::to_string(&mark(partial))?);
-    }
-    Ok(format!("[\n{}\n]\n", lines.join(",\n")))
+    lines.extend(partial.map(|partial| mark(partial).to_string()));
+    format!("[\n{}\n]\n", lines.join(",\n"))
 }
 
 /// The last object of partial results.
-fn mark(partial: &Partial) -> JsonObject {
-    let nothing = for_programs().map(|column| (column.name.to_owned(), serde_json::Value::Null));
-    let said = ("partial".to_owned(), partial.to_string().into());
-    nothing.chain([said]).collect()
+fn mark(partial: &Partial) -> Json {
+    let mut object = json!({"partial": partial.to_string()});
+    for column in for_programs() {
+        object[column.name] = Json::Null;
+    }
+    object
 }
 
-type JsonObject = serde_json::Map<String, serde_json::Value>;
+fn digits(number: f64) -> Json {
+    Value::Number(number).json()
+}
 
 /// A row with the columns for programs, its self-checks, its recording, and the conclusion from all
 /// rows about its scene.
-fn object(result: &CaseResult, row: &Row) -> JsonObject {
-    let cells = for_programs().map(|column| {
-        let value = (column.value)(row);
-        (column.name.to_owned(), value.json())
-    });
-    let mut object: JsonObject = cells.collect();
-    let checks = row
-        .outcome
-        .evidence
-        .checks()
-        .iter()
-        .map(ToString::to_string);
-    object.insert("checks".to_owned(), checks.collect());
-    let observed = row.outcome.evidence.observed();
+fn object(result: &CaseResult, row: &Row) -> Json {
+    let evidence = &row.outcome.evidence;
+    let checks: Json = evidence.checks().iter().map(ToString::to_string).collect();
+    let mut object = json!({"checks": checks});
+    for column in for_programs() {
+        object[column.name] = (column.value)(row).json();
+    }
+    let observed = evidence.observed();
     if let Some(recording) = observed.and_then(|observed| observed.recording.as_ref()) {
-        let frames = recording.frames.iter().map(frame);
-        object.insert(
-            "recording".to_owned(),
-            json!({
-                "interval": Value::Number(recording.interval).json(),
-                "frames": frames.collect::<Vec<_>>(),
-            }),
-        );
+        object["recording"] = json!({
+            "interval": digits(recording.interval),
+            "frames": recording.frames.iter().map(frame).collect::<Json>(),
+        });
     }
     if let Some(reaction) = &row.reaction {
-        let digits = |number| Value::Number(number).json();
-        let begins = json!({
+        object["reaction"] = json!({
             "support": reaction.support,
             "moves": reaction.sense.name(),
             "start": reaction.start,
             "limited": reaction.limited,
             "weight": digits(reaction.weight),
         });
-        object.insert("reaction".to_owned(), begins);
     }
     if row.other.is_some() {
-        let sides = row
+        object["sides"] = row
             .sides()
-            .map(|(push, outcome)| side(push, outcome).into());
-        object.insert(
-            "sides".to_owned(),
-            serde_json::Value::Array(sides.collect()),
-        );
+            .map(|(push, outcome)| side(push, outcome))
+            .collect();
     }
     let mut conclusions = result.conclusions.iter();
     let of_row = conclusions.find(|conclusion| conclusion.head_joints == row.head_joints);
-    object.insert(
-        "conclusion".to_owned(),
-        of_row.map(|of| conclusion(result, of)).into(),
-    );
-    if let Some((_, forces)) = row.outcome.evidence.forces() {
-        object.insert(
-            "thrust".to_owned(),
-            way_of(&thrust(result.scene(row), forces)),
-        );
+    object["conclusion"] = of_row.map(|of| conclusion(result, of)).into();
+    if let Some((_, forces)) = evidence.forces() {
+        object["thrust"] = way_of(&thrust(result.scene(row), forces));
     }
     object
 }
 
 /// Lines of thrust as lists of points, and resultants on level bed joints.
-fn way_of(thrust: &Thrust) -> serde_json::Value {
-    let digits = |number: f64| Value::Number(number).json();
+fn way_of(thrust: &Thrust) -> Json {
     let pair = |x: f64, y: f64| json!([digits(x), digits(y)]);
     let lines = thrust.lines.iter().map(|line| {
         let points = line.iter().map(|point| pair(point.x, point.y));
@@ -171,25 +140,19 @@ fn way_of(thrust: &Thrust) -> serde_json::Value {
             "x": of.x.map(digits),
         })
     });
-    json!({
-        "lines": lines.collect::<Vec<_>>(),
-        "courses": courses.collect::<Vec<_>>(),
-    })
+    json!({"lines": lines.collect::<Json>(), "courses": courses.collect::<Json>()})
 }
 
 /// The conclusion as data, and its line.
-fn conclusion(result: &CaseResult, of: &Conclusion) -> serde_json::Value {
+fn conclusion(result: &CaseResult, of: &Conclusion) -> Json {
     let terms = terms(result, of);
     let terms = terms.as_ref();
     let digits = |number: Option<f64>| Value::from(number).json();
     let difference = of.difference.as_ref();
     let (lower, upper) = of.range().unzip();
-    let reads = |lambda: f64| {
-        of.reaction
-            .as_ref()
-            .map_or(lambda, |reaction| reaction.at(lambda))
-    };
-    let doubts = of.doubts.iter().map(ToString::to_string);
+    let reaction = of.reaction.as_ref();
+    let reads = |lambda: f64| reaction.map_or(lambda, |reaction| reaction.at(lambda));
+    let doubts: Json = of.doubts.iter().map(ToString::to_string).collect();
     json!({
         "push": of.push.name(),
         "other_side": of.other.as_deref().map(|other| conclusion(result, other)),
@@ -207,7 +170,7 @@ fn conclusion(result: &CaseResult, of: &Conclusion) -> serde_json::Value {
         "difference": digits(difference.and_then(|difference| difference.relative)),
         "explanation": difference.map(|difference| difference.explanation.name()),
         "explained": of.is_explained(),
-        "doubts": doubts.collect::<Vec<_>>(),
+        "doubts": doubts,
         "line": of.to_string(),
         "tilt_degrees": digits(terms.and_then(|terms| terms.tilt)),
         "base_shear": terms.and_then(|terms| terms.base_shear),
@@ -217,43 +180,25 @@ fn conclusion(result: &CaseResult, of: &Conclusion) -> serde_json::Value {
         "first_joints": terms.map(|terms| terms.first_joints.clone()),
         "cracks": terms.filter(|_| of.reaction.is_some()).map(|terms| {
             let cracks = terms.cracks.iter();
-            cracks.map(|(joint, opening)| json!([joint, digits(Some(*opening))])).collect::<Vec<_>>()
+            cracks.map(|(joint, opening)| json!([joint, digits(Some(*opening))])).collect::<Json>()
         }),
     })
 }
 
 /// One side of the push: what its answer is worth, and its range in full digits.
-fn side(push: Push, outcome: &Outcome) -> JsonObject {
+fn side(push: Push, outcome: &Outcome) -> Json {
     let bracket = outcome.bracket();
-    let side = [
-        ("push", push.name().into()),
-        ("status", outcome.status.name().into()),
-        ("lower", bracket.map(|bracket| bracket.lower).into()),
-        ("upper", bracket.map(|bracket| bracket.upper).into()),
-        ("reason", outcome.reason().into()),
-    ];
-    side.into_iter()
-        .map(|(name, value)| (name.to_owned(), value))
-        .collect()
+    json!({
+        "push": push.name(),
+        "status": outcome.status.name(),
+        "lower": bracket.map(|bracket| bracket.lower),
+        "upper": bracket.map(|bracket| bracket.upper),
+        "reason": outcome.reason(),
+    })
 }
 
-fn sides(result: &CaseResult, row: &Row) -> Result<serde_json::Value, serde_json::Error> {
-    let sides = row.sides().map(|(push, outcome)| {
-        let mut side = side(push, outcome);
-        let scene = SceneFile::from(result.side(row.head_joints, push));
-        side.insert("scene".to_owned(), serde_json::to_value(scene)?);
-        side.insert(
-            "answers".to_owned(),
-            serde_json::to_value(answers(outcome))?,
-        );
-        Ok(serde_json::Value::Object(side))
-    });
-    sides.collect()
-}
-
-fn frame(moved: &Mechanism) -> serde_json::Value {
+fn frame(moved: &Mechanism) -> Json {
     let motions = moved.motions.iter();
     let numbers = motions.map(|m| [m.velocity.x, m.velocity.y, m.rotation]);
-    let digits = numbers.map(|n| n.map(|x| Value::Number(x).json()).to_vec());
-    digits.map(serde_json::Value::from).collect()
+    numbers.map(|numbers| json!(numbers.map(digits))).collect()
 }

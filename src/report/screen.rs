@@ -85,15 +85,9 @@ fn answers(result: &CaseResult, layout: Layout) -> String {
     grid(layout, 0, &columns, &rows)
 }
 
-/// A note as a paragraph.
 fn said(note: &Note, layout: Layout) -> String {
-    let joints: Vec<&str> = note.head_joints.iter().map(|h| h.name()).collect();
-    let words = format!(
-        "{}, {}: {}",
-        note.method,
-        joints.join(" and "),
-        ended(&note.text)
-    );
+    let (method, joints) = (&note.method, note.joints().join(" and "));
+    let words = format!("{method}, {joints}: {}", ended(&note.text));
     layout.paragraph("  ", Style::new(), &words)
 }
 

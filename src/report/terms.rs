@@ -4,9 +4,9 @@
 use std::fmt;
 
 use crate::judge::Conclusion;
-use crate::mechanics::{Mechanism, Moved};
+use crate::mechanics::Moved;
 use crate::number::short;
-use crate::run::{CaseResult, Row};
+use crate::run::CaseResult;
 use crate::scene::{Block, Scene, Vector};
 
 /// The best answer about a scene in these terms.
@@ -34,11 +34,9 @@ pub(crate) fn terms(result: &CaseResult, conclusion: &Conclusion) -> Option<Term
     let rows = result.rows.iter();
     let mut rows = rows.filter(|row| row.head_joints == conclusion.head_joints);
     let first = conclusion.methods.first()?;
-    let row = rows
-        .find(|row| row.method == *first)?
-        .of_side(conclusion.push);
-    let row = &*row;
-    let scene = result.scene(row);
+    let row = rows.find(|row| row.method == *first)?;
+    let row = &*row.of_side(conclusion.push);
+    let (scene, evidence) = (result.scene(row), &row.outcome.evidence);
     // The reaction of a support is no push.
     let lambda = conclusion.bracket.filter(|_| scene.reaction().is_none());
     let lambda = lambda.map(|bracket| bracket.lower);
@@ -49,27 +47,22 @@ pub(crate) fn terms(result: &CaseResult, conclusion: &Conclusion) -> Option<Term
     // In the direction of the live load, whatever the case calls its push.
     let sign = if along(Block::live) < 0.0 { -1.0 } else { 1.0 };
     let push_shear = lambda.map(|lambda| sign * lambda * along(Block::live));
-    let moved =
-        mechanism(row).map(|mechanism| Moved::new(scene, mechanism, row.outcome.evidence.still()));
+    // Of several states, the lowest: the multiplier that the answer gives.
+    let moved = evidence.mechanism();
+    let moved = moved.map(|mechanism| Moved::new(scene, mechanism, evidence.still()));
+    let tilt = lambda.filter(|_| weights_push(scene));
     Some(Terms {
         cracks: match (scene.reaction(), &moved) {
             (Some(_), Some(moved)) => moved.cracks(),
             _ => Vec::new(),
         },
-        tilt: lambda
-            .filter(|_| weights_push(scene))
-            .map(|lambda| lambda.atan().to_degrees()),
+        tilt: tilt.map(|lambda| lambda.atan().to_degrees()),
         base_shear: push_shear.map(|push| sign * along(Block::dead) + push),
         push_shear,
         first_blocks: moved.as_ref().map_or(Vec::new(), Moved::first_blocks),
         first_joints: moved.as_ref().map_or(Vec::new(), Moved::first_joints),
         mechanism: moved.as_ref().and_then(Moved::words),
     })
-}
-
-/// The mechanism at the multiplier that the answer gives: of several states, the lowest.
-fn mechanism(row: &Row) -> Option<&Mechanism> {
-    row.outcome.evidence.mechanism()
 }
 
 /// Whether every live force is its dead one turned sideways, and so the push a tilt of the ground.

@@ -2,13 +2,10 @@
 
 use anstyle::Style;
 
-use super::layout::{Layout, bold};
-use super::wrap::lines;
+use super::layout::{Layout, bold, lines};
 
-/// A column.
 #[derive(Clone, Copy)]
 pub struct GridColumn {
-    /// What stands above it.
     pub heading: &'static str,
     /// 0: it is always there; else it is left out the sooner the larger this is.
     pub spare: usize,
@@ -22,7 +19,6 @@ fn plain(_: &str) -> Style {
     Style::new()
 }
 
-/// A column of words that is always there.
 pub const fn words(heading: &'static str) -> GridColumn {
     GridColumn {
         heading,
@@ -57,7 +53,6 @@ impl GridColumn {
     }
 }
 
-/// Blanks between columns.
 const GAP: usize = 2;
 
 fn length(text: &str) -> usize {

@@ -3,9 +3,7 @@
 mod grid;
 mod layout;
 mod worded;
-mod wrap;
 
 pub use grid::{GridColumn, grid, numbers, words};
-pub use layout::{LEAST_WIDTH, Layout, bold, ended, sentence};
+pub use layout::{LEAST_WIDTH, Layout, bold, ended, sentence, wrapped};
 pub(crate) use worded::worded;
-pub use wrap::wrapped;

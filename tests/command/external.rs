@@ -287,7 +287,7 @@ fn has_ended(process: &str) -> bool {
 #[test]
 fn the_schemas_describe_what_is_written_and_read() {
     let scene = paper_1(HeadJoints::Contact);
-    let text = export(&scene).unwrap();
+    let text = export(&scene);
     let back: SceneFile = serde_json::from_str(&text).unwrap();
     assert_eq!(
         back,

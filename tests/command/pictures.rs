@@ -3,8 +3,8 @@
 
 use crate::svg::{assert_true_ticks, axes, faults, texts};
 use trilith::case::{find, library};
-use trilith::inside::{Report, manual, page};
 use trilith::inside::{chart, chart::Chart};
+use trilith::inside::{manual, page};
 use trilith::inside::{sweep::SweepTable, sweep::sweep_picture};
 use trilith::method::{Method, Settings, methods as all_methods};
 use trilith::run::{CaseResult, Plan, run};
@@ -57,13 +57,8 @@ fn the_librarys_pictures_are_clear() {
         &["macro-block", "associative", "sequential", "interval"],
     ));
     let settings = Settings::default();
-    let report = Report {
-        results: &results,
-        settings: &settings,
-        sweeps: &[],
-        partial: None,
-    };
-    for html in [page(&report), manual(&results, &settings, None)] {
+    let report = page(&results, &settings, &[], None);
+    for html in [report, manual(&results, &settings, None)] {
         let pictures = pictures(&html);
         assert!(pictures.len() > cases.len(), "{}", pictures.len());
         let mut all = Vec::new();

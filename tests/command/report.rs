@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use trilith::case::find;
+use trilith::inside::page;
 use trilith::inside::sweep::SweepTable;
-use trilith::inside::{Report, page};
 use trilith::method::{Settings, methods as all_methods};
 use trilith::run::{CaseResult, Plan, run};
 use trilith::scene::HeadJoints;
@@ -25,12 +25,7 @@ fn results(cases: &[&str], methods: &[&str]) -> Vec<CaseResult> {
 }
 
 fn written(results: &[CaseResult], sweeps: &[SweepTable]) -> String {
-    page(&Report {
-        results,
-        settings: &Settings::default(),
-        sweeps,
-        partial: None,
-    })
+    page(results, &Settings::default(), sweeps, None)
 }
 
 #[test]

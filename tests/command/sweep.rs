@@ -224,9 +224,18 @@ fn a_script_for_slurm_names_every_shard_and_a_merge_that_waits() {
     let folder = folder_with(SMALL);
     let output = trilith(
         folder.path(),
-        &["sweep", "small.sweep.toml", "--slurm", "8"],
+        &[
+            "sweep",
+            "small.sweep.toml",
+            "--slurm=8",
+            "--external=it=echo 'a b'",
+        ],
     );
     let script = text(&output.stdout);
+    // What is quoted stays one word of the shell.
+    let word = r" --external 'it=echo '\''a b'\'''";
+    assert_eq!(script.matches(word).count(), 2, "{script}");
+    assert!(!script.contains('@'), "{script}");
     for part in [
         "--array=1-8",
         "--shard \"$SLURM_ARRAY_TASK_ID/8\"",

@@ -238,7 +238,7 @@ fn unequal_courses_crack_and_reduce() {
         all.1
     );
     assert!((part.0.lower - all.0.lower).abs() < 1e-6);
-    let crack = part.2.evidence.crack().expect("a crack");
+    let crack = part.2.evidence.crack(&scene).expect("a crack");
     let (c, e) = (crack.c.unwrap(), crack.e.unwrap());
     let height: f64 = heights.iter().sum();
     assert!((crack.tan_beta - ((c + e) / 2.0 - 1.5) / height).abs() < 1e-12);

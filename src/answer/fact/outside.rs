@@ -7,12 +7,6 @@ use serde::{Deserialize, Serialize};
 /// Why an outside program gave no answer.
 #[derive(Clone, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]
 pub enum ProgramFailure {
-    /// The scene cannot be written as JSON.
-    #[error("the scene cannot be written: {error}")]
-    NotWritten {
-        /// The writer's error.
-        error: String,
-    },
     /// No program is named.
     #[error("the program has no command")]
     NoCommand,

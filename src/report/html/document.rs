@@ -2,23 +2,17 @@
 
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
-/// A page.
 pub struct Document<'a> {
-    /// Title of the window.
     pub title: String,
     /// Class of the page, which its style depends on.
     pub class: &'a str,
-    /// Large heading.
     pub heading: &'a str,
-    /// What stands below it.
     pub lead: String,
     /// Links to sections: id and name.
     pub links: Vec<(String, String)>,
-    /// What follows.
     pub body: Markup,
 }
 
-/// The page as text.
 pub fn document(page: &Document) -> String {
     let markup = html! {
         (DOCTYPE)

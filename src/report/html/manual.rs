@@ -10,8 +10,7 @@ use super::ranges::range_figure;
 use super::residuals::in_short;
 use super::sortable::{TableCell, cells, plain, titles};
 use super::witnesses::witnesses;
-use crate::case::Case;
-use crate::judge::Verdict;
+use crate::judge::{Check, Verdict};
 use crate::method::Settings;
 use crate::number::{nine_digits, short};
 use crate::run::{CaseResult, Partial};
@@ -42,14 +41,8 @@ pub fn manual(results: &[CaseResult], settings: &Settings, partial: Option<&Part
     })
 }
 
-/// The page of a case.
 fn case(result: &CaseResult) -> Markup {
-    let Case {
-        name,
-        title,
-        source,
-        ..
-    } = &result.case;
+    let (name, title, source) = (&result.case.name, &result.case.title, &result.case.source);
     html! {
         section.case id={"case-" (name)} {
             h2 { (name) }
@@ -76,10 +69,8 @@ fn case(result: &CaseResult) -> Markup {
 fn in_figures(result: &CaseResult) -> String {
     let mut settings: Vec<String> = Vec::new();
     for head_joints in &result.case.head_joints {
-        let row = result
-            .rows
-            .iter()
-            .find(|row| row.head_joints == *head_joints);
+        let mut rows = result.rows.iter();
+        let row = rows.find(|row| row.head_joints == *head_joints);
         let Some(row) = row else { continue };
         let friction = match row.friction {
             Some([least, most]) if least == most => format!(", μ = {}", short(least, 4)),
@@ -94,11 +85,8 @@ fn in_figures(result: &CaseResult) -> String {
         ));
     }
     let pushes: Vec<&str> = result.case.pushes.iter().map(|push| push.name()).collect();
-    format!(
-        "Head joints {}. Pushed {}.",
-        settings.join("; "),
-        pushes.join(" and ")
-    )
+    let (settings, pushes) = (settings.join("; "), pushes.join(" and "));
+    format!("Head joints {settings}. Pushed {pushes}.")
 }
 
 fn references(result: &CaseResult) -> Markup {
@@ -127,11 +115,8 @@ fn references(result: &CaseResult) -> Markup {
         "Kind",
         "Source",
     ];
-    plain(
-        "Known from elsewhere",
-        &columns,
-        &references.collect::<Vec<_>>(),
-    )
+    let references: Vec<_> = references.collect();
+    plain("Known from elsewhere", &columns, &references)
 }
 
 fn answers(result: &CaseResult) -> Markup {
@@ -153,16 +138,10 @@ fn answers(result: &CaseResult) -> Markup {
 
 /// How many checks hold, and those that do not simply.
 fn open_checks(result: &CaseResult) -> Markup {
-    let holds = result
-        .checks
-        .iter()
-        .filter(|check| check.verdict == Verdict::Holds);
-    let open = result
-        .checks
-        .iter()
-        .filter(|check| check.verdict > Verdict::Holds);
+    let (open, hold): (Vec<&Check>, Vec<&Check>) =
+        (result.checks.iter()).partition(|check| check.verdict > Verdict::Holds);
     html! {
-        p { (holds.count()) " of " (result.checks.len()) " checks hold." }
+        p { (hold.len()) " of " (result.checks.len()) " checks hold." }
         ul.checks {
             @for check in open {
                 li { b { (check.verdict.name()) } ", " (check.head_joints.name()) ": " (check.text) }

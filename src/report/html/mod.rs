@@ -13,7 +13,6 @@ mod page;
 mod panel;
 mod prose;
 mod ranges;
-mod replay;
 mod residuals;
 mod sortable;
 mod summary;
@@ -21,4 +20,4 @@ mod sweep;
 mod witnesses;
 
 pub use manual::manual;
-pub use page::{Report, page};
+pub use page::page;

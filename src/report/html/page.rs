@@ -8,34 +8,27 @@ use crate::method::Settings;
 use crate::run::{CaseResult, Partial};
 use crate::study::sweep::SweepTable;
 
-/// What a report is made of.
-pub struct Report<'a> {
-    /// Results, in the order of the page.
-    pub results: &'a [CaseResult],
-    /// Settings that they were computed with.
-    pub settings: &'a Settings,
-    /// Sweeps to plot, each under its own heading.
-    pub sweeps: &'a [SweepTable],
-    /// That results are missing, and why.
-    pub partial: Option<&'a Partial>,
-}
-
-/// The page. It refers to nothing outside itself.
-pub fn page(report: &Report) -> String {
-    let sections = sections(report);
-    let partial = report.partial.map_or("", |_| "PARTIAL: ");
-    let names = names(report.results);
+/// The page of results, with plots of sweeps, each under its own heading; it says so where results are
+/// missing. It refers to nothing outside itself.
+pub fn page(
+    results: &[CaseResult],
+    settings: &Settings,
+    sweeps: &[SweepTable],
+    partial: Option<&Partial>,
+) -> String {
+    let sections = sections(results, settings, sweeps);
+    let said = partial.map_or("", |_| "PARTIAL: ");
+    let names = names(results);
+    let links = sections.iter();
+    let links = links.map(|(id, title, _)| (id.clone(), title.clone()));
     document(&Document {
-        title: format!("{partial}trilith report: {names}"),
+        title: format!("{said}trilith report: {names}"),
         class: "report",
         heading: "Collapse multipliers of dry-joint masonry",
         lead: names,
-        links: sections
-            .iter()
-            .map(|(id, title, _)| (id.clone(), title.clone()))
-            .collect(),
+        links: links.collect(),
         body: html! {
-            @if let Some(partial) = report.partial { p.headline.bad { (partial) } }
+            @if let Some(partial) = partial { p.headline.bad { (partial) } }
             @for (id, title, body) in &sections {
                 section id=(id) aria-labelledby={(id) "-title"} {
                     h2 id={(id) "-title"} { (title) }
@@ -47,49 +40,31 @@ pub fn page(report: &Report) -> String {
 }
 
 /// Sections as (id, heading, body), those without contents left out.
-fn sections(report: &Report) -> Vec<(String, String, Markup)> {
-    let results = report.results;
-    let mut sections = vec![
-        (
-            "summary".into(),
-            "Summary".into(),
-            summary::summary(results),
-        ),
-        (
-            "multipliers".into(),
-            "Multipliers".into(),
-            sortable::multipliers(results),
-        ),
-    ];
-    let mut add = |id: &str, title: &str, body: Option<Markup>| {
-        if let Some(body) = body {
-            sections.push((id.to_owned(), title.to_owned(), body));
-        }
+fn sections(
+    results: &[CaseResult],
+    settings: &Settings,
+    sweeps: &[SweepTable],
+) -> Vec<(String, String, Markup)> {
+    let mut sections = Vec::new();
+    let mut add = |id: &str, title: &str, body: Markup| {
+        sections.push((id.to_owned(), title.to_owned(), body));
     };
-    add("ranges", "Ranges", ranges::ranges(results));
-    for (index, table) in report.sweeps.iter().enumerate() {
-        let body = sweep::section(table);
-        add(
-            &format!("sweep-{}", index + 1),
-            &sweep::title(table),
-            Some(body),
-        );
+    add("summary", "Summary", summary::summary(results));
+    add("multipliers", "Multipliers", sortable::multipliers(results));
+    if let Some(body) = ranges::ranges(results) {
+        add("ranges", "Ranges", body);
+    }
+    for (index, table) in sweeps.iter().enumerate() {
+        let id = format!("sweep-{}", index + 1);
+        add(&id, &sweep::title(table), sweep::section(table));
     }
     for result in results {
         let name = &result.case.name;
-        add(&format!("case-{name}"), name, Some(panel::panel(result)));
+        add(&format!("case-{name}"), name, panel::panel(result));
     }
-    add("reading", "How to read it", Some(prose::reading()));
-    add(
-        "limitations",
-        "Known limitations",
-        Some(prose::limitations()),
-    );
-    add(
-        "made-with",
-        "Made with",
-        Some(prose::made_with(report.settings)),
-    );
+    add("reading", "How to read it", prose::reading());
+    add("limitations", "Known limitations", prose::limitations());
+    add("made-with", "Made with", prose::made_with(settings));
     sections
 }
 

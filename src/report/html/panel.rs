@@ -2,20 +2,19 @@
 
 use maud::{Markup, PreEscaped, html};
 
-use super::{replay, residuals};
+use super::residuals;
 use crate::method::{Kind, entry};
-use crate::picture::{Options, View, common_size, figure};
+use crate::number::number;
+use crate::picture::{Options, View, common_size, figure, replay as drawn_replay};
 use crate::record::record;
 use crate::report::terms::terms;
 use crate::run::{CaseResult, Row};
 use crate::scene::HeadJoints;
 
-/// The panel of a case.
 pub fn panel(result: &CaseResult) -> Markup {
     let (foremost, further) = drawn(result);
-    let all: Vec<View> = (foremost.iter().chain(&further))
-        .map(|row| view(result, row))
-        .collect();
+    let all = foremost.iter().chain(&further);
+    let all: Vec<View> = all.map(|row| view(result, row)).collect();
     let size = common_size(&all, WIDTH);
     html! {
         @if result.case.title != result.case.name { p.title { (result.case.title) } }
@@ -34,7 +33,7 @@ pub fn panel(result: &CaseResult) -> Markup {
             }
         }
         @for row in &result.rows {
-            (replay::replay(result, row))
+            (replay(result, row))
         }
         @if let Some(residuals) = residuals::in_full(result) {
             details { summary { "Certificates" } (residuals) }
@@ -63,11 +62,9 @@ pub fn foremost(result: &CaseResult) -> Option<String> {
 /// Rows to draw: the foremost methods with the head joints that published mechanisms are of, and
 /// what else has a mechanism. The closed form does not see head joints: it is drawn once.
 fn drawn(result: &CaseResult) -> (Vec<&Row>, Vec<&Row>) {
-    let open = result
-        .rows
-        .iter()
-        .any(|row| row.head_joints == HeadJoints::Open);
-    let main = |row: &Row| (row.head_joints == HeadJoints::Open) == open;
+    let is_open = |row: &Row| row.head_joints == HeadJoints::Open;
+    let open = result.rows.iter().any(is_open);
+    let main = |row: &Row| is_open(row) == open;
     let is_foremost =
         |row: &Row| entry(&row.method).is_some_and(|entry| entry.drawn_first) && main(row);
     let can_be_drawn = |row: &&Row| {
@@ -77,35 +74,32 @@ fn drawn(result: &CaseResult) -> (Vec<&Row>, Vec<&Row>) {
             row.outcome.evidence.mechanism().is_some()
         }
     };
-    let (mut foremost, mut further): (Vec<&Row>, Vec<&Row>) = result
-        .rows
-        .iter()
-        .filter(can_be_drawn)
-        .partition(|row| is_foremost(row));
+    let rows = result.rows.iter().filter(can_be_drawn);
+    let (mut foremost, mut further): (Vec<&Row>, Vec<&Row>) =
+        rows.partition(|row| is_foremost(row));
     if foremost.is_empty() {
         std::mem::swap(&mut foremost, &mut further);
     }
     if foremost.is_empty() {
         // The wall as it stands, with what a method says of it.
-        let mut own = result
-            .rows
-            .iter()
-            .filter(|row| row.kind() != Kind::ClosedForm);
-        foremost.extend(own.next());
+        let mut rows = result.rows.iter();
+        foremost.extend(rows.find(|row| row.kind() != Kind::ClosedForm));
     }
     (foremost, further)
 }
 
 /// The view of a row, with the crack of the closed form for the same scene.
 fn view<'a>(result: &'a CaseResult, row: &'a Row) -> View<'a> {
-    let same =
-        |other: &&Row| other.kind() == Kind::ClosedForm && other.head_joints == row.head_joints;
-    let closed = result.rows.iter().find(same);
+    let mut same = result
+        .rows
+        .iter()
+        .filter(|other| other.head_joints == row.head_joints);
+    let closed = same.find(|other| other.kind() == Kind::ClosedForm);
     let (scene, row) = result.governing(row);
     View {
         scene,
         row,
-        macro_slope: closed.and_then(|row| row.crack).map(|crack| crack.tan_beta),
+        macro_slope: closed.and_then(|row| Some(row.crack?.tan_beta)),
     }
 }
 
@@ -126,6 +120,47 @@ fn drawings(result: &CaseResult, rows: &[&Row], (scale, height): (f64, f64)) -> 
     html! {
         div.drawings {
             @for row in rows { figure.drawing { (PreEscaped(svg(row))) } }
+        }
+    }
+}
+
+/// The pushover's collapse, replayed: poses that a little script plays over a drawing, with their times;
+/// nothing where the row holds no recording.
+fn replay(result: &CaseResult, row: &Row) -> Markup {
+    let title = format!("Collapse of {}", result.case.name);
+    let Some(replay) = drawn_replay(result.scene(row), row, &title) else {
+        return html! {};
+    };
+    // A string in a script must not be able to close it.
+    let data = serde_json::to_string(&replay.poses).unwrap_or_default();
+    let data = data.replace("</", "<\\/");
+    let frames = replay.poses.frames.len();
+    let id = format!("replay-{}-{}", result.case.name, row.head_joints.name());
+    // The replay is of the larger λ, which is the farther change of a reaction.
+    let lambda = row.outcome.bracket().map_or(0.0, |bracket| bracket.upper);
+    let (what, upper) = match row.reaction {
+        Some(_) => ("a reaction of", row.reads(lambda)),
+        None => ("λ =", lambda),
+    };
+    html! {
+        h3 id=(id) { "The collapse, replayed" }
+        figure.replay aria-labelledby=(id) {
+            (PreEscaped(replay.svg))
+            div.controls {
+                button.play type="button" { "Play" }
+                label { span { "Time" }
+                    input type="range" min="0" max=(frames - 1) value="0" step="1"
+                        aria-label="Frame of the replay"; }
+                output { "t = 0" }
+            }
+            figcaption { "Pushover at " (what) " " (number(upper, 5)) ", " (row.head_joints.name())
+                " head joints: the motion without damping after the collapse was called, as large as it \
+                 is, until the farthest corner had moved by " (number(replay.farthest, 2)) ". Time t is in √(L/g), L \
+                 being the unit of length: 0.319 s where that is the metre."
+                @if row.head_joints == HeadJoints::Open {
+                    " Blocks of a course do not touch each other here, and may overlap."
+                } }
+            script type="application/json" { (PreEscaped(data)) }
         }
     }
 }

@@ -5,7 +5,6 @@ use maud::{Markup, html};
 use crate::answer::Status;
 use crate::method::{METHODS, Setting, Settings};
 
-/// What the words and marks mean.
 pub fn reading() -> Markup {
     let statuses = Status::ALL.chunk_by(|a, b| meaning(*a) == meaning(*b));
     let statuses = statuses.map(|alike| {
@@ -54,7 +53,6 @@ fn meaning(status: Status) -> &'static str {
     }
 }
 
-/// What nobody should conclude from it.
 pub fn limitations() -> Markup {
     html! {
         ul {

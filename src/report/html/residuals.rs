@@ -9,23 +9,24 @@ use crate::mechanics::{CollapseResidual, StaticResidual, VERIFIED_RESIDUAL};
 use crate::number::number;
 use crate::run::{CaseResult, Row};
 
-/// One thing that an answer puts forward: what it is, its multiplier, and its residuals by name.
-struct PutForward {
-    what: String,
-    lambda: Option<f64>,
-    residuals: Vec<(&'static str, f64)>,
-}
+/// One thing that an answer puts forward: the cells that say what it is, and its residuals by name.
+type PutForward = ([TableCell; 4], Vec<(&'static str, f64)>);
 
 /// Everything that an answer puts forward, in the order of the evidence.
 fn put_forward(row: &Row) -> Vec<PutForward> {
     let residuals = row.residuals.iter().enumerate();
     let described = residuals.map(|(index, of)| {
         let (lambda, residuals) = by_name(of);
-        PutForward {
-            what: what(&row.outcome.evidence, of, index),
-            lambda,
-            residuals,
-        }
+        let cells = [
+            TableCell::text(&row.method),
+            TableCell::text(row.head_joints.name()),
+            TableCell::text(what(&row.outcome.evidence, of, index)),
+            match lambda {
+                Some(lambda) => TableCell::number(number(lambda, 6)),
+                None => TableCell::text("-"),
+            },
+        ];
+        (cells, residuals)
     });
     described.collect()
 }
@@ -95,13 +96,6 @@ fn of_state(collapse: &CollapseResidual) -> Vec<(&'static str, f64)> {
     ]
 }
 
-fn shown(lambda: Option<f64>) -> TableCell {
-    lambda.map_or_else(
-        || TableCell::text("-"),
-        |lambda| TableCell::number(number(lambda, 6)),
-    )
-}
-
 /// Whether a residual is small enough for `verified`.
 fn within(residual: f64) -> TableCell {
     match residual <= VERIFIED_RESIDUAL {
@@ -114,26 +108,17 @@ fn within(residual: f64) -> TableCell {
 pub fn in_short(result: &CaseResult) -> Markup {
     let mut lines = Vec::new();
     for row in &result.rows {
-        let all = put_forward(row);
+        let mut all = put_forward(row);
         // Of many collapse states the lowest and the highest.
-        let count = all.len();
-        let ends = all.into_iter().enumerate();
-        let ends = ends.filter(|(index, _)| *index == 0 || index + 1 == count);
-        for (_, of) in ends {
-            let largest = of.residuals.iter().map(|(_, value)| *value);
+        let last = (all.len() > 1).then(|| all.pop()).flatten();
+        all.truncate(1);
+        for (cells, residuals) in all.into_iter().chain(last) {
+            let largest = residuals.iter().map(|(_, value)| *value);
             let largest = largest.fold(0.0, f64::max);
-            let named = of
-                .residuals
-                .iter()
-                .map(|(name, value)| format!("{name} {value:.0e}"));
-            lines.push(vec![
-                TableCell::text(&row.method),
-                TableCell::text(row.head_joints.name()),
-                TableCell::text(&of.what),
-                shown(of.lambda),
-                within(largest),
-                TableCell::text(named.collect::<Vec<_>>().join(", ")),
-            ]);
+            let named = residuals.iter();
+            let named = named.map(|(name, value)| format!("{name} {value:.0e}"));
+            let named = TableCell::text(named.collect::<Vec<_>>().join(", "));
+            lines.push(cells.into_iter().chain([within(largest), named]).collect());
         }
     }
     let columns = [
@@ -153,25 +138,17 @@ pub fn in_short(result: &CaseResult) -> Markup {
 pub fn in_full(result: &CaseResult) -> Option<Markup> {
     let mut lines = Vec::new();
     for row in &result.rows {
-        for of in put_forward(row) {
-            for (name, value) in of.residuals {
-                lines.push(vec![
-                    TableCell::text(&row.method),
-                    TableCell::text(row.head_joints.name()),
-                    TableCell::text(&of.what),
-                    shown(of.lambda),
-                    TableCell::text(name),
-                    TableCell::number(format!("{value:.1e}")),
-                    within(value),
-                ]);
+        for (cells, residuals) in put_forward(row) {
+            for (name, value) in residuals {
+                let (name, shown) = (TableCell::text(name), format!("{value:.1e}"));
+                let own = [name, TableCell::number(shown), within(value)];
+                lines.push(cells.iter().cloned().chain(own).collect());
             }
         }
     }
-    let checked: Vec<&Row> = result
-        .rows
-        .iter()
-        .filter(|row| !row.outcome.evidence.checks().is_empty())
-        .collect();
+    let checked = result.rows.iter();
+    let checked = checked.filter(|row| !row.outcome.evidence.checks().is_empty());
+    let checked: Vec<&Row> = checked.collect();
     let columns = [
         "Method",
         "Head joints",

@@ -7,55 +7,39 @@ use crate::judge::Verdict;
 use crate::record::LEGEND;
 use crate::run::{CaseResult, Row, column};
 
-/// One cell.
+#[derive(Clone)]
 pub struct TableCell {
     text: String,
-    /// Where a click leads.
     link: Option<String>,
     /// Class that colours a verdict or status.
     class: &'static str,
 }
 
 impl TableCell {
-    /// Plain text.
-    pub fn text(text: impl Into<String>) -> Self {
-        Self {
-            text: text.into(),
-            link: None,
-            class: "",
-        }
+    fn of(class: &'static str, text: impl Into<String>) -> Self {
+        let (text, link) = (text.into(), None);
+        Self { text, link, class }
     }
 
-    /// A number, or "-".
+    pub fn text(text: impl Into<String>) -> Self {
+        Self::of("", text)
+    }
+
     pub fn number(text: impl Into<String>) -> Self {
-        Self {
-            class: "n",
-            ..Self::text(text)
-        }
+        Self::of("n", text)
     }
 
     /// A word that says nothing of good or bad.
     pub fn word(text: impl Into<String>) -> Self {
-        Self {
-            class: "word",
-            ..Self::text(text)
-        }
+        Self::of("word", text)
     }
 
-    /// What a result may be used for.
     pub fn status(status: Status) -> Self {
-        Self {
-            class: status_class(status).unwrap_or("word"),
-            ..Self::text(status.name())
-        }
+        Self::of(status_class(status).unwrap_or("word"), status.name())
     }
 
-    /// Whether a check holds.
     pub fn verdict(verdict: Verdict) -> Self {
-        Self {
-            class: verdict_class(verdict),
-            ..Self::text(verdict.name())
-        }
+        Self::of(verdict_class(verdict), verdict.name())
     }
 
     /// Text that leads to a place on the page.
@@ -81,7 +65,6 @@ pub fn status_class(status: Status) -> Option<&'static str> {
     }
 }
 
-/// Class that colours a verdict.
 pub fn verdict_class(verdict: Verdict) -> &'static str {
     match verdict {
         Verdict::Holds => "good",
@@ -139,21 +122,20 @@ fn shown(place: usize, name: &str, cell: &TableCell) -> Markup {
     }
 }
 
-/// Headings of columns of rows.
 pub fn titles(names: &[&str]) -> Vec<&'static str> {
     names.iter().map(|name| column(name).title).collect()
 }
 
-/// What a row says in these columns.
 pub fn cells(row: &Row, names: &[&str]) -> Vec<TableCell> {
     let cell = |name: &&str| {
         let text = (column(name).value)(row).shown().replace(" - ", " – ");
         match *name {
             "method" | "head_joints" | "note" => TableCell::text(text),
             "status" => TableCell::status(row.status()),
-            "verdict" => row
-                .verdict
-                .map_or_else(|| TableCell::word(text), TableCell::verdict),
+            "verdict" => match row.verdict {
+                Some(verdict) => TableCell::verdict(verdict),
+                None => TableCell::word(text),
+            },
             _ => TableCell::number(text),
         }
     };

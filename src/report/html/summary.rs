@@ -7,14 +7,6 @@ use crate::answer::Status;
 use crate::judge::{Check, Verdict};
 use crate::run::CaseResult;
 
-/// How many results or checks came out in one way.
-struct Tile {
-    count: usize,
-    words: &'static str,
-    /// Class that colours it.
-    class: &'static str,
-}
-
 /// The verdicts in the order of their tiles, and what is said of the checks.
 const CHECK_TILES: [(Verdict, &str); Verdict::ALL.len()] = [
     (Verdict::Holds, "hold"),
@@ -37,33 +29,22 @@ pub fn summary(results: &[CaseResult]) -> Markup {
     let undecided = statuses(Status::Undecided);
     let headline = headline(bad, undecided, verdicts(Verdict::NotDecided));
     // Every result is in one tile of the first list, every check in one of the second.
-    let results_by_status = Status::ALL.map(|status| Tile {
-        count: statuses(status),
-        words: status.name(),
-        class: status_class(status).unwrap_or(""),
+    let by_status = Status::ALL.into_iter().map(|status| {
+        let class = status_class(status).unwrap_or("");
+        (statuses(status), status.name(), class)
     });
-    let results_by_status = results_by_status.into_iter().filter(|tile| tile.count > 0);
-    let checks_by_verdict = CHECK_TILES.map(|(verdict, words)| Tile {
-        count: verdicts(verdict),
-        words,
-        class: verdict_class(verdict),
-    });
-    let tiles = [
-        (
-            format!("{} results of {} cases", rows.len(), results.len()),
-            results_by_status.collect(),
-        ),
-        (
-            format!("{} checks", checks.len()),
-            Vec::from(checks_by_verdict),
-        ),
-    ];
+    let by_status: Vec<_> = by_status.filter(|(count, ..)| *count > 0).collect();
+    let by_verdict =
+        CHECK_TILES.map(|(verdict, words)| (verdicts(verdict), words, verdict_class(verdict)));
+    let of_results = format!("{} results of {} cases", rows.len(), results.len());
+    let of_checks = format!("{} checks", checks.len());
+    let tiles = [(of_results, by_status), (of_checks, by_verdict.into())];
     html! {
         p.headline.bad[bad > 0] { (headline) }
         @for (heading, tiles) in &tiles {
             p.tiles-title { (heading) }
             dl.tiles {
-                @for Tile { count, words, class } in tiles {
+                @for (count, words, class) in tiles {
                     div class=(if *count > 0 { class } else { "" }) { dt { (words) } dd { (count) } }
                 }
             }

@@ -6,7 +6,6 @@ use super::sortable::{TableCell, sortable};
 use crate::number::short;
 use crate::study::sweep::{SweepTable, VariableKind, sweep_pictures};
 
-/// Heading of a sweep's section.
 pub fn title(table: &SweepTable) -> String {
     match table.variables().as_slice() {
         [only] if only.kind == VariableKind::Overburden => "Overburden".to_owned(),

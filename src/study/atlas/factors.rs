@@ -1,20 +1,17 @@
 //! Grids over numbers that may have any size: live loads and friction.
 
 use super::grid::{Grid, GridPoint, Known};
-use super::library::of_library;
 use super::towers::{self, Tower};
-use super::walls::{COMPUTED, ROUGH, RUNNING, rough_bond, running_bond};
+use super::walls::{COMPUTED, ROUGH, RUNNING, of_library, rough_bond, running_bond};
 use crate::scene::{HeadJoints, Scene};
 
 /// An arch that collapses by hinges alone.
 const ARCH: &str = "oppenheim-7";
 
-/// A column of three blocks.
 fn column() -> Tower {
     Tower::of_equal(0.0, 1.0, 0.5, 3)
 }
 
-/// Live loads of any size.
 pub fn live_load(large: bool) -> Grid {
     const FACTORS: [f64; 7] = [1e-6, 1e-4, 1e-2, 1.0, 1e2, 1e4, 1e6];
     let mut cells = Vec::new();
@@ -31,16 +28,12 @@ pub fn live_load(large: bool) -> Grid {
         }
     };
     let known = Known::exact(column().multiplier(0.6));
-    row(
-        "column",
-        known,
-        towers::scene(&[column()], 0.6),
-        &[1e-6, 1e6],
-    );
+    let scene = towers::scene(&[column()], 0.6);
+    row("column", known, scene, &[1e-6, 1e6]);
     let (courses, known) = RUNNING[0];
     row("wall", known, running_bond(courses), &[1e-6]);
-    if let Some((case, known)) = of_library(ARCH, HeadJoints::Contact) {
-        row("arch", known, case.scene(HeadJoints::Contact), &[1e6]);
+    if let Some((scene, known)) = of_library(ARCH, HeadJoints::Contact) {
+        row("arch", known, scene, &[1e6]);
     }
     Grid {
         name: "live-load",
@@ -79,10 +72,9 @@ pub fn friction(large: bool) -> Grid {
         };
         point("wall", known, rough_bond(friction), &[1.5]);
         // Hinges alone turn in it, so that more friction than the case has changes nothing.
-        if let Some((case, known)) = arch.as_ref().filter(|_| friction >= 10.0) {
-            let scene = case.scene(HeadJoints::Contact);
+        if let Some((scene, known)) = arch.clone().filter(|_| friction >= 10.0) {
             let scene = scene.with_friction(|_, _| friction);
-            point("arch", *known, scene, &[1e6]);
+            point("arch", known, scene, &[1e6]);
         }
     }
     Grid {

@@ -22,27 +22,20 @@ pub struct Grid {
 
 /// A place on a grid: one scene and setting, and what the answer must be.
 pub struct GridPoint {
-    /// Value from left to right.
     pub x: String,
-    /// Value from bottom to top.
     pub y: String,
-    pub scene: Box<dyn Fn() -> Scene + Send + Sync>,
-    /// Number of blocks.
-    pub blocks: usize,
-    /// Settings of the methods.
+    pub scene: Scene,
     pub settings: Settings,
     /// What is known of its multipliers.
     pub known: Known,
 }
 
 impl GridPoint {
-    /// A scene with default settings.
     pub fn of_scene([x, y]: [String; 2], known: Known, scene: Scene) -> Self {
         Self {
             x,
             y,
-            blocks: scene.blocks().len(),
-            scene: Box::new(move || scene.clone()),
+            scene,
             settings: Settings::default(),
             known,
         }
@@ -64,7 +57,6 @@ pub fn crossed<X: Copy, Y: Copy>(
     ys.iter().flat_map(row).collect()
 }
 
-/// Accuracy of a formula.
 const EXACT: f64 = 1e-6;
 
 /// Multipliers of a scene from elsewhere than the methods.

@@ -1,12 +1,12 @@
 //! The grids of the atlas.
 
-use super::columns::Columns;
 use super::factors::{friction, live_load};
 use super::grid::{Grid, GridPoint, Known, chosen, crossed};
 use super::openings::{openings, openings_in_contact};
+use super::towers::Columns;
 use super::unequal::{light_beside_heavy, load_on_top, weights};
 use super::walls::{RUNNING, moved, running_bond, running_bond_in};
-use crate::method::{Kind, Settings};
+use crate::method::Kind;
 
 /// All grids; the small ones are subsets of the large ones.
 pub fn grids(large: bool) -> Vec<Grid> {
@@ -28,15 +28,8 @@ pub fn grids(large: bool) -> Vec<Grid> {
     ]
 }
 
-fn on_columns([x, y]: [String; 2], columns: Columns) -> GridPoint {
-    GridPoint {
-        x,
-        y,
-        blocks: columns.courses * columns.count,
-        settings: Settings::default(),
-        known: Known::exact(columns.multiplier()),
-        scene: Box::new(move || columns.scene()),
-    }
+fn on_columns(place: [String; 2], columns: Columns) -> GridPoint {
+    GridPoint::of_scene(place, Known::exact(columns.multiplier()), columns.scene())
 }
 
 fn courses_and_friction(large: bool) -> Grid {
@@ -144,18 +137,9 @@ fn unit_and_distance(large: bool) -> Grid {
     let distances = chosen(large, &[0.0, 1e3, 1e5, 1e7], &[0.0, 1e3]);
     let (courses, known) = RUNNING[0];
     let cells = crossed(units, distances, |unit, distance| {
-        let scene = move || {
-            let wall = running_bond_in(courses, unit);
-            moved(&wall, distance * wall.height())
-        };
-        GridPoint {
-            x: format!("{unit:e}"),
-            y: format!("{distance:e}"),
-            scene: Box::new(scene),
-            blocks: 33,
-            settings: Settings::default(),
-            known,
-        }
+        let wall = running_bond_in(courses, unit);
+        let scene = moved(&wall, distance * wall.height());
+        GridPoint::of_scene([format!("{unit:e}"), format!("{distance:e}")], known, scene)
     });
     Grid {
         name: "unit-distance",
@@ -178,16 +162,10 @@ fn tolerance_of_programs(large: bool) -> Grid {
         &[1e-2, 1e-4, 1e-6, 1e-10],
     );
     let cells = crossed(tolerances, &RUNNING, |tolerance, (courses, known)| {
-        let mut settings = Settings::default();
-        settings.programs.lp_tolerance = tolerance;
-        GridPoint {
-            x: format!("{tolerance:e}"),
-            y: format!("{courses} courses"),
-            scene: Box::new(move || running_bond(courses)),
-            blocks: 5 * courses + courses / 2,
-            settings,
-            known,
-        }
+        let place = [format!("{tolerance:e}"), format!("{courses} courses")];
+        let mut point = GridPoint::of_scene(place, known, running_bond(courses));
+        point.settings.programs.lp_tolerance = tolerance;
+        point
     });
     Grid {
         name: "tolerance",
@@ -212,17 +190,11 @@ fn substep_and_stiffness(large: bool) -> Grid {
     let stiffnesses = chosen(large, &all, &small);
     let (courses, known) = RUNNING[0];
     let cells = crossed(substeps, stiffnesses, |substep: f64, stiffness: f64| {
-        let mut settings = Settings::default();
-        settings.pushover.substep = substep;
-        settings.pushover.stiffness = stiffness;
-        GridPoint {
-            x: substep.to_string(),
-            y: stiffness.to_string(),
-            scene: Box::new(move || running_bond(courses)),
-            blocks: 33,
-            settings,
-            known,
-        }
+        let place = [substep.to_string(), stiffness.to_string()];
+        let mut point = GridPoint::of_scene(place, known, running_bond(courses));
+        point.settings.pushover.substep = substep;
+        point.settings.pushover.stiffness = stiffness;
+        point
     });
     Grid {
         name: "substep-stiffness",

@@ -9,22 +9,18 @@
 //! methods; wrong cells must not exist.
 
 mod cell;
-mod columns;
 mod factors;
 mod grid;
 mod grids;
-mod library;
 mod openings;
-mod picture;
-mod text;
+mod shown;
 mod towers;
 mod unequal;
 mod walls;
 
 pub use cell::{Atlas, Cell, CellVerdict};
-pub use columns::Columns;
 pub use grid::Grid;
 pub use grids::grids;
-pub use picture::picture;
-pub use text::{csv, table};
+pub use shown::{csv, picture, table};
+pub use towers::Columns;
 pub use walls::running_bond;

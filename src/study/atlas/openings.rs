@@ -1,10 +1,10 @@
 //! Grids over walls with openings, whose lowest states searches have missed.
 
-use super::grid::{Grid, GridPoint, Known, chosen};
+use super::grid::{Grid, GridPoint, Known};
 use super::walls::{COMPUTED, laid, wall};
 use crate::answer::Bracket;
 use crate::method::Kind;
-use crate::scene::{Course, HeadJoints, Piece, Scene};
+use crate::scene::{Course, HeadJoints, Piece};
 
 /// Head joints open: every method.
 pub fn openings(large: bool) -> Grid {
@@ -46,34 +46,32 @@ pub fn openings_in_contact(large: bool) -> Grid {
 
 fn pierced(head_joints: HeadJoints, large: bool) -> Vec<GridPoint> {
     let mut cells = Vec::new();
-    for &openings in chosen(large, &[1, 2], &[1]) {
-        for &height in chosen(large, &HEIGHTS, &[5]) {
-            let wall = Pierced {
-                openings,
-                height,
-                head_joints,
-            };
-            if let Some(known) = wall.known() {
-                let place = [height.to_string(), openings.to_string()];
-                cells.push(GridPoint::of_scene(place, known, wall.scene()));
+    for (row, openings) in [1, 2].into_iter().enumerate() {
+        for (column, height) in HEIGHTS.into_iter().enumerate() {
+            if !large && (openings, height) != (1, 5) {
+                continue;
             }
+            let [associative, lower, upper] = match head_joints {
+                HeadJoints::Contact => CONTACT[row][column],
+                HeadJoints::Open => {
+                    let [associative, state] = OPEN[row][column];
+                    [associative, state, state]
+                }
+            };
+            let known = Known {
+                states: Bracket { lower, upper },
+                associative,
+                accuracy: COMPUTED,
+            };
+            let scene = laid(&wall(courses(openings, height)), head_joints);
+            let place = [height.to_string(), openings.to_string()];
+            cells.push(GridPoint::of_scene(place, known, scene));
         }
     }
     cells
 }
 
-/// A wall with openings one unit wide, straight jambs, and a perpend over the middle of each.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Pierced {
-    /// Openings, each between piers of one unit.
-    pub openings: usize,
-    /// Their height in courses, odd; three courses are below and three above.
-    pub height: usize,
-    /// What its head joints carry.
-    pub head_joints: HeadJoints,
-}
-
-/// Heights of the openings of [`Pierced`] walls that another code was asked about, in courses.
+/// Heights of the openings that another code was asked about, in courses.
 const HEIGHTS: [usize; 4] = [1, 3, 5, 7];
 
 /// λ_A, lowest and highest state known with head joints in contact, over [`HEIGHTS`], with one opening
@@ -109,45 +107,22 @@ const OPEN: [[[f64; 2]; 4]; 2] = [
     ],
 ];
 
-impl Pierced {
-    /// What another code found, where one was asked.
-    pub fn known(&self) -> Option<Known> {
-        let height = HEIGHTS.iter().position(|&height| height == self.height)?;
-        let openings = self.openings.checked_sub(1)?;
-        let [associative, lower, upper] = match self.head_joints {
-            HeadJoints::Contact => CONTACT.get(openings)?[height],
-            HeadJoints::Open => {
-                let [associative, state] = OPEN.get(openings)?[height];
-                [associative, state, state]
-            }
-        };
-        Some(Known {
-            states: Bracket { lower, upper },
-            associative,
-            accuracy: COMPUTED,
-        })
-    }
-
-    fn courses(&self) -> Vec<Course> {
-        use Piece::{Gap, Half, Unit};
-        let row = |pier: &[Piece]| {
-            let further = [&[Gap], pier].concat().repeat(self.openings);
-            [pier, &further].concat()
-        };
-        let units = 2 * self.openings + 1;
-        let cut = [vec![Half], vec![Unit; units - 1], vec![Half]].concat();
-        let band = [cut.clone(), vec![Unit; units], cut];
-        let jambs = (0..self.height).map(|course| match course % 2 {
-            0 => row(&[Unit]),
-            _ => row(&[Half, Half]),
-        });
-        (band.iter().cloned())
-            .chain(jambs)
-            .chain(band.iter().cloned())
-            .collect()
-    }
-
-    pub fn scene(&self) -> Scene {
-        laid(&wall(self.courses()), self.head_joints)
-    }
+/// A wall with so many openings one unit wide, each between piers of one unit, with straight jambs and
+/// a perpend over the middle of each; so many courses high, an odd number, with three courses below and
+/// three above.
+fn courses(openings: usize, height: usize) -> Vec<Course> {
+    use Piece::{Gap, Half, Unit};
+    let row = |pier: &[Piece]| {
+        let further = [&[Gap], pier].concat().repeat(openings);
+        [pier, &further].concat()
+    };
+    let units = 2 * openings + 1;
+    let cut = [vec![Half], vec![Unit; units - 1], vec![Half]].concat();
+    let band = [cut.clone(), vec![Unit; units], cut];
+    let jambs = (0..height).map(|course| match course % 2 {
+        0 => row(&[Unit]),
+        _ => row(&[Half, Half]),
+    });
+    let jambs: Vec<Course> = jambs.collect();
+    [band.as_slice(), &jambs, &band].concat()
 }

@@ -2,7 +2,6 @@
 
 use crate::scene::{Block, Load, Point, Polygon, Scene, SceneParts, Vector};
 
-/// A block of a tower.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stone {
     pub width: f64,
@@ -13,7 +12,6 @@ pub struct Stone {
 /// Blocks above each other, about one axis, on level ground.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tower {
-    /// Place of its axis.
     pub axis: f64,
     /// From bottom to top.
     pub stones: Vec<Stone>,
@@ -53,7 +51,6 @@ impl Tower {
         lowest
     }
 
-    /// Height of its top.
     pub fn top(&self) -> f64 {
         self.stones.iter().map(|stone| stone.height).sum()
     }
@@ -84,56 +81,97 @@ impl Tower {
     }
 }
 
-/// The smallest multiplier of towers that do not touch.
 pub fn multiplier(towers: &[Tower], friction: f64) -> f64 {
     let each = towers.iter().map(|tower| tower.multiplier(friction));
     each.fold(f64::INFINITY, f64::min)
 }
 
-/// The scene of towers side by side.
 pub fn scene(towers: &[Tower], friction: f64) -> Scene {
     let blocks = towers.iter().flat_map(Tower::blocks).collect();
     assembled(blocks, vec![ground(towers)], friction)
 }
 
-/// Two equal towers that carry a slab from the left side of the one to the right side of the other.
-///
-/// Their multiplier is the smaller of μ and width over height of a tower, whatever the slab weighs:
-/// turning about their toes, the towers lift and push it at their left corners, where it does not
-/// slip. Its forces there share out so that each tower is at the point of turning, and every joint
-/// above carries the same shear over less height.
+/// Columns of equal blocks side by side, in one unit of length and one of force.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Capped {
-    /// Width of a stone of the towers.
-    pub width: f64,
-    /// Height of a stone.
-    pub height: f64,
-    /// Stones of each tower.
+pub struct Columns {
+    /// Blocks of each column.
     pub courses: usize,
-    /// Weight of the slab over that of both towers.
-    pub cap: f64,
+    /// Width of a block.
+    pub width: f64,
+    /// Height of a block.
+    pub height: f64,
+    /// Weight of the top block over that of each other one.
+    pub mass_ratio: f64,
+    /// Load on the top, dead and live, over the weight of the column.
+    pub overburden: f64,
+    /// Coefficient of friction.
+    pub friction: f64,
+    /// Number of columns.
+    pub count: usize,
+    /// Distance between columns.
+    pub gap: f64,
 }
 
-impl Capped {
-    /// The exact multiplier.
-    pub fn multiplier(&self, friction: f64) -> f64 {
-        friction.min(self.width / (self.courses as f64 * self.height))
+impl Default for Columns {
+    fn default() -> Self {
+        Self {
+            courses: 3,
+            width: 1.0,
+            height: 0.5,
+            mass_ratio: 1.0,
+            overburden: 0.0,
+            friction: 0.6,
+            count: 1,
+            gap: 0.1,
+        }
+    }
+}
+
+impl Columns {
+    fn towers(&self) -> Vec<Tower> {
+        let column = |column: usize| {
+            let axis = column as f64 * (self.width + self.gap) + self.width / 2.0;
+            let mut tower = Tower::of_equal(axis, self.width, self.height, self.courses);
+            if let Some(top) = tower.stones.last_mut() {
+                top.weight = self.mass_ratio;
+            }
+            let weights = tower.stones.iter().map(|stone| stone.weight);
+            tower.load = self.overburden * weights.sum::<f64>();
+            tower
+        };
+        (0..self.count).map(column).collect()
     }
 
-    /// The scene: the clear distance of the towers is twice their width.
-    pub fn scene(&self, friction: f64) -> Scene {
-        let tower = |axis| Tower::of_equal(axis, self.width, self.height, self.courses);
-        let towers = [tower(self.width / 2.0), tower(3.5 * self.width)];
-        let (width, bottom) = (4.0 * self.width, towers[0].top());
-        let weight = self.cap * 2.0 * self.courses as f64;
-        let slab = Block {
-            shape: rectangle([0.0, width], [bottom, bottom + self.height]),
-            loads: vec![load(width / 2.0, bottom + self.height / 2.0, weight)],
-        };
-        let mut blocks: Vec<Block> = towers.iter().flat_map(Tower::blocks).collect();
-        blocks.push(slab);
-        assembled(blocks, vec![ground(&towers)], friction)
+    /// The exact multiplier of the tower, see `Tower::multiplier`.
+    pub fn multiplier(&self) -> f64 {
+        multiplier(&self.towers(), self.friction)
     }
+
+    /// The scene.
+    pub fn scene(&self) -> Scene {
+        scene(&self.towers(), self.friction)
+    }
+}
+
+/// Two equal towers of four stones that carry a slab, `cap` times as heavy as both, from the left side
+/// of the one to the right side of the other: the clear distance of the towers is twice their width.
+/// The exact multiplier, and the scene.
+///
+/// The multiplier is the smaller of μ and width over height of a tower, whatever the slab weighs:
+/// turning about their toes, the towers lift and push it at their left corners, where it does not slip.
+/// Its forces there share out so that each tower is at the point of turning, and every joint above
+/// carries the same shear over less height.
+pub fn capped(cap: f64, friction: f64) -> (f64, Scene) {
+    let towers = [0.5, 3.5].map(|axis| Tower::of_equal(axis, 1.0, 0.5, 4));
+    let bottom = towers[0].top();
+    let slab = Block {
+        shape: rectangle([0.0, 4.0], [bottom, bottom + 0.5]),
+        loads: vec![load(2.0, bottom + 0.25, 8.0 * cap)],
+    };
+    let mut blocks: Vec<Block> = towers.iter().flat_map(Tower::blocks).collect();
+    blocks.push(slab);
+    let scene = assembled(blocks, vec![ground(&towers)], friction);
+    (friction.min(1.0 / bottom), scene)
 }
 
 /// Level ground that reaches beyond all towers.

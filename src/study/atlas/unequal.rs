@@ -2,11 +2,10 @@
 //! light ones, and over heavy tops.
 
 use super::grid::{Grid, GridPoint, Known, chosen, crossed};
-use super::library::of_library;
-use super::towers::{self, Capped, Stone, Tower};
+use super::towers::{self, Stone, Tower};
+use super::walls::of_library;
 use crate::scene::HeadJoints;
 
-/// Ratios of weights.
 fn ratios(large: bool) -> &'static [f64] {
     chosen(large, &[1.0, 1e2, 1e4, 1e6, 1e8, 1e10, 1e12], &[1e2, 1e6])
 }
@@ -96,21 +95,14 @@ pub fn load_on_top(large: bool) -> Grid {
     let ratios = chosen(large, &all, &[4.0, 10.0]);
     let friction = 0.6;
     let capped = |cap: f64| {
-        let capped = Capped {
-            width: 1.0,
-            height: 0.5,
-            courses: 4,
-            cap,
-        };
-        let known = Known::exact(capped.multiplier(friction));
+        let (multiplier, scene) = towers::capped(cap, friction);
         let place = [cap.to_string(), "cap".to_owned()];
-        GridPoint::of_scene(place, known, capped.scene(friction))
+        GridPoint::of_scene(place, Known::exact(multiplier), scene)
     };
     let loaded = |ratio: f64| {
-        let head_joints = HeadJoints::Open;
-        let (case, known) = of_library(&format!("overburden-{ratio}"), head_joints)?;
+        let (scene, known) = of_library(&format!("overburden-{ratio}"), HeadJoints::Open)?;
         let place = [ratio.to_string(), "overburden".to_owned()];
-        Some(GridPoint::of_scene(place, known, case.scene(head_joints)))
+        Some(GridPoint::of_scene(place, known, scene))
     };
     let caps = ratios.iter().map(|&cap| capped(cap));
     let walls = ratios.iter().filter_map(|&ratio| loaded(ratio));

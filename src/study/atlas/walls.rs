@@ -1,7 +1,9 @@
-//! Walls of the atlas, with what other codes found of them.
+//! Walls of the atlas, with what other codes found of them, and cases of the library.
 
 use super::grid::Known;
 use crate::answer::Bracket;
+use crate::case::{Quantity, Reference, SourceKind, library};
+use crate::method::{Kind, kind};
 use crate::scene::{
     Course, Friction, HeadJoints, Own, Piece, Polygon, Push, Scene, SceneParts, Vector, Wall,
 };
@@ -46,7 +48,6 @@ pub fn wall(courses: Vec<Course>) -> Wall {
     }
 }
 
-/// The scene of a wall.
 pub fn laid(wall: &Wall, head_joints: HeadJoints) -> Scene {
     let scene = wall.scene(head_joints);
     scene.expect("the atlas has walls that can be laid")
@@ -125,4 +126,33 @@ pub fn moved(scene: &Scene, by: f64) -> Scene {
     });
     let moved = moved.expect("the atlas has proper numbers");
     moved.with_head_joints(scene.head_joints())
+}
+
+/// The scene of the library's case of this name with what is known of it; `None` where there is no such
+/// case, or its references leave λ_A or the lowest state open.
+pub fn of_library(name: &str, head_joints: HeadJoints) -> Option<(Scene, Known)> {
+    let case = library().into_iter().find(|case| case.name == name)?;
+    let about = |r: &&Reference| {
+        r.head_joints.is_none_or(|only| only == head_joints)
+            && r.kind != SourceKind::Published
+            && r.deviation.is_none()
+    };
+    let value = |of: Kind, quantities: [Quantity; 2]| {
+        let mut about = case.references.iter().filter(about);
+        about.find(|r| kind(&r.method) == of && quantities.contains(&r.quantity))
+    };
+    use Quantity::{Lambda, Lower, Upper};
+    let bound = value(Kind::AssociativeBounds, [Lambda; 2])?;
+    let lowest = value(Kind::CollapseStates, [Lower, Lambda])?;
+    let highest = value(Kind::CollapseStates, [Upper, Lambda]).unwrap_or(lowest);
+    let accuracy = [bound, lowest, highest].map(|r| r.tolerance / r.value);
+    let known = Known {
+        states: Bracket {
+            lower: lowest.value,
+            upper: highest.value,
+        },
+        associative: bound.value,
+        accuracy: accuracy.into_iter().fold(0.0, f64::max),
+    };
+    Some((case.scene(head_joints), known))
 }

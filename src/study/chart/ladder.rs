@@ -2,7 +2,6 @@
 
 use crate::method::{Changes, Kind, METHODS, Method, Settings};
 
-/// One method with one setting.
 #[derive(Clone)]
 pub struct Step<'a> {
     pub method: &'a dyn Method,
@@ -18,10 +17,7 @@ pub struct Step<'a> {
 /// walls of twenty blocks.
 pub fn ladder<'a>(blocks: usize, externals: &[&'a dyn Method]) -> Vec<Step<'a>> {
     let mut steps = Vec::new();
-    let entries = METHODS
-        .iter()
-        .filter(|entry| entry.kind != Kind::LowerBound);
-    for entry in entries {
+    for entry in METHODS.iter().filter(|e| e.kind != Kind::LowerBound) {
         steps.push(step(entry.method, &[], false));
         let rungs = entry.ladder.iter();
         let rungs = rungs.filter(|rung| rung.scenes.hold(blocks));
@@ -37,19 +33,18 @@ fn step<'a>(method: &'a dyn Method, changes: Changes, loose: bool) -> Step<'a> {
         let set = settings.set(name, value);
         set.expect("a test sets every rung of the table");
     }
-    let words: Vec<String> = changes
+    let words = changes
         .iter()
-        .map(|(name, value)| format!("{name}={value}"))
-        .collect();
+        .map(|(name, value)| format!("{name}={value}"));
+    let label = match changes {
+        [] => "default".to_owned(),
+        _ => words.collect::<Vec<_>>().join(" "),
+    };
     Step {
         method,
         settings,
+        label,
         loose,
-        label: if words.is_empty() {
-            "default".to_owned()
-        } else {
-            words.join(" ")
-        },
     }
 }
 

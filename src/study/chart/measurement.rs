@@ -7,7 +7,7 @@ use std::io;
 use super::ladder::{Step, ladder};
 use super::reference::{ReferenceRange, reference};
 use crate::answer::{Bracket, Status};
-use crate::case::Case;
+use crate::case::{Case, Reference};
 use crate::method::Method;
 use crate::run::{
     self, Journal, Progress, Row, Subject, Task, Value, fingerprint, run_rows, values,
@@ -37,17 +37,18 @@ impl Measurement {
         self.row.bracket().filter(|_| answered)
     }
 
-    /// Error of an answer, see [`ReferenceRange::error`]; `None` where there is no answer.
-    pub fn error(&self) -> Option<f64> {
-        let unit = self.row.multiplier_unit;
-        Some(self.reference.as_ref()?.error(self.answer()?, unit))
-    }
-
-    /// Distance of the end that is nearer to its own of the reference range.
-    pub fn nearest(&self) -> Option<f64> {
+    /// Distances of an answer's ends from their own of the reference range, the nearer one first;
+    /// `None` where there is no answer.
+    pub fn distances(&self) -> Option<[f64; 2]> {
         let unit = self.row.multiplier_unit;
         let [lower, upper] = self.reference.as_ref()?.distances(self.answer()?, unit);
-        Some(lower.min(upper))
+        Some([lower.min(upper), lower.max(upper)])
+    }
+
+    /// Error of an answer: the larger distance, so that neither a wide bracket nor a single number for
+    /// a wide truth looks exact; `None` where there is no answer.
+    pub fn error(&self) -> Option<f64> {
+        self.distances().map(|[_, farther]| farther)
     }
 
     /// Whether the answer's lower end is not above the lowest state that is known.
@@ -98,36 +99,27 @@ impl<'a> Chart<'a> {
     ) -> Self {
         let mut planned = Vec::new();
         for case in cases {
-            for &of_case in &case.head_joints {
-                if head_joints.is_some_and(|only| only != of_case)
-                    || reference(case, of_case).is_none()
-                {
-                    continue;
-                }
-                let sides = case.sides(of_case);
+            let own = case.head_joints.iter();
+            let own = own.filter(|own| head_joints.is_none_or(|only| only == **own));
+            for &head_joints in own.filter(|own| reference(case, **own).is_some()) {
+                let sides = case.sides(head_joints);
+                let blocks = sides[0].blocks().len();
                 let determined_by: Vec<String> = sides.iter().map(fingerprint).collect();
-                for step in ladder(sides[0].blocks().len(), externals) {
-                    planned.push(Planned {
-                        case,
-                        head_joints: of_case,
-                        blocks: sides[0].blocks().len(),
-                        determined_by: determined_by.clone(),
-                        step,
-                    });
-                }
+                planned.extend(ladder(blocks, externals).into_iter().map(|step| Planned {
+                    case,
+                    head_joints,
+                    blocks,
+                    determined_by: determined_by.clone(),
+                    step,
+                }));
             }
         }
         Self { planned }
     }
 
     /// Number of points of the chart.
-    pub fn len(&self) -> usize {
+    pub fn count(&self) -> usize {
         self.planned.len()
-    }
-
-    /// Whether there is nothing to draw.
-    pub fn is_empty(&self) -> bool {
-        self.planned.is_empty()
     }
 
     /// Runs every step on every scene that the journal does not know: once, then quick ones again
@@ -155,13 +147,21 @@ impl<'a> Chart<'a> {
             let first = run(0)?;
             let seconds = (0..MOST_RUNS).filter_map(run).map(|row| row.seconds);
             let mut seconds: Vec<f64> = seconds.collect();
-            Some(planned.entry(first.clone(), &mut seconds))
+            seconds.sort_by(f64::total_cmp);
+            Some(Measurement {
+                runs: seconds.len(),
+                reference: reference(planned.case, planned.head_joints),
+                loose: planned.step.loose,
+                row: Row {
+                    seconds: seconds[seconds.len() / 2],
+                    ..first.clone()
+                },
+            })
         });
         points.collect()
     }
 }
 
-/// An entry before it has run.
 struct Planned<'a> {
     case: &'a Case,
     head_joints: HeadJoints,
@@ -186,26 +186,10 @@ impl<'a> Planned<'a> {
         };
         Task::new(subject, self.step.method, self.step.settings)
     }
-
-    fn entry(&self, row: Row, seconds: &mut [f64]) -> Measurement {
-        seconds.sort_by(f64::total_cmp);
-        Measurement {
-            runs: seconds.len(),
-            reference: reference(self.case, self.head_joints),
-            loose: self.step.loose,
-            row: Row {
-                seconds: seconds[seconds.len() / 2],
-                ..row
-            },
-        }
-    }
 }
 
 /// The table as CSV: numbers with nine digits, empty where there is no answer.
-///
-/// # Errors
-/// Those of the CSV writer; none is expected in memory.
-pub fn csv(entries: &[Measurement]) -> Result<String, csv::Error> {
+pub fn csv(entries: &[Measurement]) -> String {
     let headings = [
         "case",
         "method",
@@ -229,17 +213,19 @@ pub fn csv(entries: &[Measurement]) -> Result<String, csv::Error> {
 
 fn line(entry: &Measurement) -> Vec<Value> {
     let known = entry.reference.as_ref();
-    let width = entry
-        .row
-        .bracket()
-        .map(|bracket| bracket.relative_width(entry.row.multiplier_unit));
-    let of_reference: [Value; 5] = [
-        known.map(|r| r.range.lower).into(),
-        known.map(|r| r.range.upper).into(),
-        known.map(|r| r.lowest.kind.name().to_owned()).into(),
-        known.map(|r| r.lowest.method.clone()).into(),
-        known.map(|r| r.lowest.source.clone()).into(),
-    ];
+    let bracket = entry.row.bracket();
+    let width = bracket.map(|bracket| bracket.relative_width(entry.row.multiplier_unit));
+    let of_reference = known.map_or(vec![Value::Nothing; 5], |known| {
+        let Reference {
+            kind,
+            method,
+            source,
+            ..
+        } = &known.lowest;
+        let ends = [known.range.lower, known.range.upper].map(Value::Number);
+        let words = [kind.name(), method, source].map(Value::from);
+        [ends.as_slice(), &words].concat()
+    });
     let row = |names| values(&entry.row, names);
     [
         row(&["case", "method"]),
@@ -248,7 +234,7 @@ fn line(entry: &Measurement) -> Vec<Value> {
         vec![entry.error().into(), width.into()],
         row(&["seconds"]),
         vec![Value::Count(entry.runs)],
-        of_reference.to_vec(),
+        of_reference,
         row(&["reason"]),
     ]
     .concat()

@@ -5,17 +5,14 @@
 //!                                      └────▶ summary.csv (a line a method and setting)
 //! ```
 
-mod front;
-mod highest;
 mod ladder;
 mod measurement;
 mod picture;
 mod reference;
 mod summary;
 
-pub use front::front;
 pub use ladder::ladder;
 pub use measurement::{Chart, Measurement, csv};
-pub use picture::picture;
+pub use picture::{front, picture};
 pub use reference::reference;
 pub use summary::{csv as summary_csv, summaries, table as summary_table};

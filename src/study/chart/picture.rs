@@ -1,16 +1,16 @@
-//! The picture: a plot a scene, time and error on logarithmic axes.
+//! The picture: a plot a scene, time and error on logarithmic axes, with the Pareto front of both.
 
 use indexmap::{IndexMap, IndexSet};
 
-use super::front::{FLOOR, front};
 use super::measurement::Measurement;
+use super::reference::DIGITS;
 use crate::answer::Bracket;
-use crate::method::{Look, METHODS, Mark, method_look};
+use crate::method::{Look, METHODS, method_look};
 use crate::number::short;
 use crate::picture::palette::{FRONT, INK, NO_ANSWER};
 use crate::picture::{
-    Band, Filling, LegendEntry, Line, Marks, Plot, PlotAxis, PlotPoint, Sample, Ticks, dashed_line,
-    plots, solid_line,
+    Filling, Line, Plot, PlotAxis, PlotPoint, Sample, Ticks, dashed_line, ends_of, plots,
+    solid_line,
 };
 use crate::run::{Partial, titled};
 
@@ -21,23 +21,16 @@ struct Plane {
     errors: [f64; 2],
 }
 
-/// Per cent in one.
 const PERCENT: f64 = 2.0;
 
 impl Plane {
     fn of(entries: &[Measurement]) -> Self {
-        let logs = || {
-            entries
-                .iter()
-                .map(|entry| entry.row.seconds.max(1e-9).log10())
-        };
+        let logs = entries.iter().map(|e| e.row.seconds.max(1e-9).log10());
         let errors = entries.iter().filter_map(Measurement::error);
         let largest = errors.fold(1e-2, f64::max).log10().ceil();
+        let [first, last] = ends_of(logs);
         Self {
-            seconds: [
-                logs().fold(f64::INFINITY, f64::min).floor(),
-                logs().fold(-9.0, f64::max).ceil().max(-8.0),
-            ],
+            seconds: [first.floor(), last.ceil().max(-8.0)],
             errors: [FLOOR.log10() + PERCENT - 0.5, largest + PERCENT + 0.9],
         }
     }
@@ -47,28 +40,10 @@ impl Plane {
         self.errors[1] - 0.7
     }
 
-    /// Where failures are marked.
-    fn failures(&self) -> f64 {
-        self.errors[1] - 0.35
-    }
-
     fn place(&self, entry: &Measurement) -> [f64; 2] {
-        let y = entry.error().map_or(self.failures(), of_error);
+        let failures = self.errors[1] - 0.35;
+        let y = entry.error().map_or(failures, of_error);
         [entry.row.seconds.max(1e-9).log10(), y]
-    }
-
-    fn time(&self) -> PlotAxis {
-        PlotAxis {
-            label: "CPU time, seconds".to_owned(),
-            ticks: Ticks::Decades(self.seconds, self.seconds[1] as i32),
-        }
-    }
-
-    fn error(&self) -> PlotAxis {
-        PlotAxis {
-            label: "error, %".to_owned(),
-            ticks: Ticks::Decades(self.errors, self.limit().floor() as i32),
-        }
     }
 }
 
@@ -83,47 +58,37 @@ pub fn picture(entries: &[Measurement], partial: Option<&Partial>) -> String {
     let looks = looks(entries);
     let plane = Plane::of(entries);
     let of_case = |case: &String| {
-        let own: Vec<&Measurement> = entries
-            .iter()
-            .filter(|e| e.row.scene_name() == *case)
-            .collect();
-        panel(&own, &looks, plane)
+        let own = entries.iter().filter(|e| e.row.scene_name() == *case);
+        panel(&own.collect::<Vec<_>>(), &looks, plane)
     };
     let panels: Vec<Plot> = cases.iter().map(of_case).collect();
-    plots(
-        &titled("Speed against accuracy", partial),
-        &panels,
-        &legend(&looks),
-    )
+    let title = titled("Speed against accuracy", partial);
+    plots(&title, &panels, &legend(&looks))
 }
 
 /// Every mark, line and shade of the plots.
-fn legend(looks: &IndexMap<&str, Look>) -> Vec<LegendEntry> {
+fn legend<'a>(looks: &IndexMap<&'a str, Look>) -> Vec<(Sample, &'a str)> {
     let methods = looks.iter();
-    let mut entries: Vec<LegendEntry> = methods
-        .map(|(name, look)| LegendEntry::new(Sample::Point(*look, Filling::Full), *name))
+    let mut entries: Vec<(Sample, &str)> = methods
+        .map(|(name, look)| (Sample::Point(*look, Filling::Full), *name))
         .collect();
-    let disc = |filling, words: &str| {
-        let look = Look {
-            colour: INK,
-            mark: Mark::Circle,
-        };
-        LegendEntry::new(Sample::Point(look, filling), words)
-    };
     entries.extend([
-        disc(Filling::Full, "not above the lowest state: safe"),
-        disc(Filling::Open, "above it"),
-        disc(Filling::Hollow, "loose setting"),
-        LegendEntry::new(Sample::Bar(INK), "from the better to the worse end"),
-        LegendEntry::new(
+        (
+            Sample::disc(Filling::Full),
+            "not above the lowest state: safe",
+        ),
+        (Sample::disc(Filling::Open), "above it"),
+        (Sample::disc(Filling::Hollow), "loose setting"),
+        (Sample::Bar(INK), "from the better to the worse end"),
+        (
             Sample::Line(solid_line(FRONT)),
             "front of what vouches for itself",
         ),
-        LegendEntry::new(
+        (
             Sample::Line(dashed_line(INK)),
             "floor: the references' digits",
         ),
-        LegendEntry::new(Sample::Shade(NO_ANSWER, 0.12), "no answer"),
+        (Sample::Shade(NO_ANSWER, 0.12), "no answer"),
     ]);
     entries
 }
@@ -150,40 +115,74 @@ fn panel(own: &[&Measurement], looks: &IndexMap<&str, Look>, plane: Plane) -> Pl
         let of_method = own.iter().filter(|entry| entry.row.method == name);
         let points = of_method.map(|entry| PlotPoint {
             at: plane.place(entry),
-            below: below(entry),
+            // Down to the better end; nothing for what is one number.
+            below: (entry.distances()).map_or(0.0, |[near, far]| of_error(far) - of_error(near)),
             filling: filling(entry),
             name: on_front(entry).then(|| entry.name()),
             tooltip: tooltip(entry),
         });
-        Marks {
-            look,
-            points: points.collect(),
-        }
+        (look, points.collect())
     });
     let [from, to] = plane.seconds;
+    let row = own.first().map(|entry| &entry.row);
+    let title = row.map_or(String::new(), |row| {
+        format!("{}, {} head joints", row.case, row.head_joints.name())
+    });
     let floor = of_error(0.0);
-    let line = |points, colour, dashed| Line {
-        points,
-        colour,
-        name: None,
-        dashed,
-    };
     Plot {
-        title: title(own),
+        title,
         about: about(own),
-        x: plane.time(),
-        y: plane.error(),
-        bands: vec![Band {
-            ends: [plane.limit(), plane.errors[1]],
-            colour: NO_ANSWER,
-        }],
+        x: PlotAxis {
+            label: "CPU time, seconds".to_owned(),
+            ticks: Ticks::Decades(plane.seconds, to as i32),
+        },
+        y: PlotAxis {
+            label: "error, %".to_owned(),
+            ticks: Ticks::Decades(plane.errors, plane.limit().floor() as i32),
+        },
+        band: Some(([plane.limit(), plane.errors[1]], NO_ANSWER)),
         lines: vec![
-            line(vec![[from, floor], [to, floor]], INK, true),
-            line(steps(&front, plane), FRONT, false),
+            Line {
+                points: vec![[from, floor], [to, floor]],
+                colour: INK,
+                dashed: true,
+                ..Line::default()
+            },
+            Line {
+                points: steps(&front, plane),
+                colour: FRONT,
+                ..Line::default()
+            },
         ],
         marks: marks.collect(),
         ..Plot::default()
     }
+}
+
+/// Errors below this count as it: the references have six digits.
+const FLOOR: f64 = DIGITS;
+
+/// How much smaller an error must be to be worth more time: the rest is noise of the clock.
+const BETTER: f64 = 0.9;
+
+/// Members of the front: of the entries that vouch for themselves, those that no other one beats in both
+/// time and error, fastest first.
+pub fn front<'a>(entries: &[&'a Measurement]) -> Vec<&'a Measurement> {
+    let mut answered: Vec<(&'a Measurement, f64)> = (entries.iter())
+        .filter(|entry| entry.vouches())
+        .filter_map(|entry| Some((*entry, entry.error()?)))
+        .collect();
+    answered.sort_by(|(a, x), (b, y)| a.row.seconds.total_cmp(&b.row.seconds).then(x.total_cmp(y)));
+    let mut best = f64::INFINITY;
+    answered.retain(|(_, error)| {
+        // What is exact to the references' digits cannot be beaten by more digits.
+        let better = *error < BETTER * best && best > FLOOR;
+        if better {
+            best = *error;
+        }
+        better
+    });
+    answered.into_iter().map(|(entry, _)| entry).collect()
 }
 
 fn filling(entry: &Measurement) -> Filling {
@@ -199,13 +198,6 @@ fn tooltip(entry: &Measurement) -> String {
     let error = entry.error().map_or("no answer".to_owned(), percent);
     let seconds = entry.row.seconds;
     format!("{}: {error}, {seconds:.1e} s", entry.name())
-}
-
-fn title(own: &[&Measurement]) -> String {
-    let row = own.first().map(|entry| &entry.row);
-    row.map_or(String::new(), |row| {
-        format!("{}, {} head joints", row.case, row.head_joints.name())
-    })
 }
 
 /// What the errors are measured against.
@@ -226,15 +218,6 @@ fn about(own: &[&Measurement]) -> String {
     }
 }
 
-/// From the error down to that of the better end, in decades; nothing for what is one number.
-fn below(entry: &Measurement) -> f64 {
-    match (entry.error(), entry.nearest()) {
-        (Some(error), Some(nearest)) => of_error(error) - of_error(nearest),
-        _ => 0.0,
-    }
-}
-
-/// The front as a staircase.
 fn steps(front: &[&Measurement], plane: Plane) -> Vec<[f64; 2]> {
     let mut steps: Vec<[f64; 2]> = Vec::new();
     for entry in front {

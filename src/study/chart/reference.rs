@@ -1,6 +1,5 @@
 //! The range that everything about a scene is measured against.
 
-use super::highest::highest;
 use crate::answer::{Bracket, magnitude};
 use crate::case::{Case, Quantity, Reference, SourceKind};
 use crate::method::{Kind, kind};
@@ -26,13 +25,6 @@ impl ReferenceRange {
             relative(answer.lower - lower),
             relative(answer.upper - upper),
         ]
-    }
-
-    /// Error of an answer: the larger of its distances, so that neither a wide bracket nor a single
-    /// number for a wide truth looks exact.
-    pub fn error(&self, answer: Bracket, unit: f64) -> f64 {
-        let [lower, upper] = self.distances(answer, unit);
-        lower.max(upper)
     }
 
     /// Whether an answer's lower end is not above the lowest state, to the digits of that.
@@ -97,6 +89,26 @@ fn lowest(case: &Case, head_joints: HeadJoints) -> Option<&Reference> {
     candidates.first().copied()
 }
 
+/// Case, setting and λ of the highest collapse states without dilatancy that another code found, which no
+/// case cites: `states` of `tests/reference/limit.py` (HiGHS, SciPy
+/// 1.17.1, 40 starts in contact and 20 open, seed 14), whose lowest are those that the cases cite. Six
+/// digits, as the cases have.
+const HIGHEST: [(&str, HeadJoints, f64); 5] = [
+    ("paper-1", HeadJoints::Contact, 0.642859),
+    ("paper-2", HeadJoints::Contact, 0.579317),
+    ("paper-2", HeadJoints::Open, 0.562907),
+    ("openings-3", HeadJoints::Contact, 0.402648),
+    ("openings-4", HeadJoints::Contact, 0.322823),
+];
+
+/// The highest state of a scene, where it is not the lowest.
+fn highest(case: &str, head_joints: HeadJoints) -> Option<f64> {
+    let known = HIGHEST
+        .iter()
+        .find(|(name, setting, _)| *name == case && *setting == head_joints);
+    known.map(|(_, _, lambda)| *lambda)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -112,17 +124,18 @@ mod tests {
             upper: 0.642859,
         };
         assert_eq!(known.range, range);
-        assert_eq!(known.error(range, 1.0), 0.0);
-        let lowest = known.error(Bracket::point(0.638982), 1.0);
+        let error = |answer| known.distances(answer, 1.0).into_iter().fold(0.0, f64::max);
+        assert_eq!(error(range), 0.0);
+        let lowest = error(Bracket::point(0.638982));
         assert!((lowest - 0.003877 / 0.638982).abs() < 1e-12, "{lowest}");
         let closed = Bracket {
             lower: 0.48712,
             upper: 0.94545,
         };
-        let error = known.error(closed, 1.0);
+        let far = error(closed);
         assert!(
-            (error - (0.94545 - 0.642859) / 0.638982).abs() < 1e-12,
-            "{error}"
+            (far - (0.94545 - 0.642859) / 0.638982).abs() < 1e-12,
+            "{far}"
         );
         assert!(known.is_safe(closed, 1.0) && !known.is_safe(Bracket::point(0.6429), 1.0));
         let open = reference(case, HeadJoints::Open).unwrap();

@@ -11,7 +11,6 @@ use crate::text::{Layout, grid, numbers, words};
 /// What one method with one setting is worth over all scenes that it ran on.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Summary {
-    /// Name of the method.
     pub method: String,
     /// What is not as by default.
     pub setting: String,
@@ -58,7 +57,6 @@ pub fn summaries(entries: &[Measurement]) -> Vec<Summary> {
     names.into_iter().map(summary).collect()
 }
 
-/// The summary as a table.
 pub fn table(summaries: &[Summary], layout: Layout) -> String {
     let columns = [
         words("method"),
@@ -88,8 +86,7 @@ pub fn table(summaries: &[Summary], layout: Layout) -> String {
     format!("{}\n{legend}", grid(layout, 0, &columns, &lines))
 }
 
-/// The summary as CSV.
-pub fn csv(summaries: &[Summary]) -> Result<String, csv::Error> {
+pub fn csv(summaries: &[Summary]) -> String {
     let headings = [
         "method",
         "setting",

@@ -1,19 +1,17 @@
 //! Curves of λ over one variable of a sweep, with bands for ranges and values from elsewhere.
 
-use super::known::of_overburden;
 use super::points::{SweepTable, Variable, VariableKind};
-use crate::case::find;
-use crate::method::{Look, Mark, method_look};
+use crate::case::{Geometry, Quantity, Reference, find, library};
+use crate::method::{Kind, Look, Mark, kind, method_look};
 use crate::number::{number, short};
 use crate::picture::palette::INK;
-use crate::picture::{Between, Filling, Line, Marks, Plot, PlotAxis, PlotPoint, Ticks};
+use crate::picture::{Filling, Line, Plot, PlotAxis, PlotPoint, Ticks};
 use crate::run::Value;
-use crate::scene::HeadJoints;
+use crate::scene::{HeadJoints, Wall};
 
 /// Relative width from which on a bracket is a band.
 const WIDE: f64 = 2e-3;
 
-/// How values from elsewhere look.
 pub const KNOWN: Look = Look {
     colour: INK,
     mark: Mark::Circle,
@@ -41,15 +39,12 @@ pub fn curves(
     };
     for method in table.distinct("method") {
         let colour = method_look(method, 0).colour;
-        let of_method = rows
-            .iter()
-            .filter(|row| table.words(row, "method") == method);
-        let pieces = pieces(table, x, of_method.copied());
+        let is_of = |row: &&&Vec<Value>| table.words(row, "method") == method;
+        let pieces = pieces(table, x, rows.iter().filter(is_of).copied());
         let last = pieces.len().saturating_sub(1);
         for (index, points) in pieces.into_iter().enumerate() {
-            let wide = points
-                .iter()
-                .any(|[_, low, high]| high - low > WIDE * high.abs().max(1e-3));
+            let is_wide = |[_, low, high]: &[f64; 3]| high - low > WIDE * high.abs().max(1e-3);
+            let wide = points.iter().any(is_wide);
             let line = |end: usize, name: bool, dashed: bool| Line {
                 points: points.iter().map(|point| [point[0], point[end]]).collect(),
                 colour,
@@ -59,11 +54,14 @@ pub fn curves(
             plot.lines.push(line(2, true, false));
             if wide {
                 plot.lines.push(line(1, false, true));
-                plot.ranges.push(Between { points, colour });
+                plot.ranges.push((points, colour));
             }
         }
     }
-    plot.marks.extend(known(table, scene, x, rows));
+    let known = known(table, scene, x, rows).unwrap_or_default();
+    if !known.is_empty() {
+        plot.marks.push((KNOWN, known));
+    }
     plot
 }
 
@@ -77,11 +75,8 @@ fn pieces<'a>(
     let place = |row: &[Value]| {
         let value = table.words(row, &x.name);
         let index = x.values.iter().position(|known| known == value)?;
-        Some(
-            numbers
-                .as_ref()
-                .map_or(index as f64, |numbers| numbers[index]),
-        )
+        let numbers = numbers.as_ref();
+        Some(numbers.map_or(index as f64, |numbers| numbers[index]))
     };
     let point = |row: &'a Vec<Value>| {
         let ends = table.number(row, "lower").zip(table.number(row, "upper"));
@@ -123,7 +118,6 @@ pub fn heading(scene: &str, chosen: &[(&str, &str)]) -> String {
     heading
 }
 
-/// A scene's name as case and head joints.
 fn split(scene: &str) -> (&str, HeadJoints) {
     match scene.strip_suffix("@open") {
         Some(case) => (case, HeadJoints::Open),
@@ -133,7 +127,12 @@ fn split(scene: &str) -> (&str, HeadJoints) {
 
 /// Values of others, where nothing but the overburden is changed, on a wall of a built-in case: a key of
 /// one value may change it as well, and so may a file that has the name of one.
-fn known(table: &SweepTable, scene: &str, x: &Variable, rows: &[&Vec<Value>]) -> Option<Marks> {
+fn known(
+    table: &SweepTable,
+    scene: &str,
+    x: &Variable,
+    rows: &[&Vec<Value>],
+) -> Option<Vec<PlotPoint>> {
     if x.kind != VariableKind::Overburden || table.keys().count() > 1 {
         return None;
     }
@@ -153,24 +152,82 @@ fn known(table: &SweepTable, scene: &str, x: &Variable, rows: &[&Vec<Value>]) ->
         return None;
     }
     let last = x.numbers()?.into_iter().fold(0.0, f64::max);
-    let points = of_overburden(case, head_joints).into_iter();
-    let points = points.filter(|point| point.overburden <= last);
-    let points: Vec<PlotPoint> = points
-        .map(|point| PlotPoint {
-            at: [point.overburden, point.lambda],
+    let mut points = of_overburden(case, head_joints);
+    points.retain(|point| point.at[0] <= last);
+    Some(points)
+}
+
+/// Multipliers that somebody else gives of this case under any overburden, for a setting of head
+/// joints: the values of all built-in cases that are the same wall. What is known of the closed form
+/// holds for both settings.
+fn of_overburden(case: &str, head_joints: HeadJoints) -> Vec<PlotPoint> {
+    let cases = find(case).unwrap_or_default();
+    let Some(base) = cases.first().and_then(|case| bare(&case.geometry)) else {
+        return Vec::new();
+    };
+    let mut points = Vec::new();
+    for case in library() {
+        let (Geometry::Wall(wall), true) =
+            (&case.geometry, bare(&case.geometry) == Some(base.clone()))
+        else {
+            continue;
+        };
+        let own = case
+            .references
+            .iter()
+            .filter(|r| is_multiplier(r, head_joints));
+        points.extend(own.map(|r| PlotPoint {
+            at: [wall.overburden, r.value],
             below: 0.0,
             filling: Filling::Open,
             name: None,
             tooltip: format!(
-                "{} {}: {}",
-                point.method,
-                number(point.lambda, 6),
-                point.source
+                "{} {}: {}: {}, {}",
+                r.method,
+                number(r.value, 6),
+                case.name,
+                r.kind.name(),
+                r.source
             ),
-        })
-        .collect();
-    (!points.is_empty()).then_some(Marks {
-        look: KNOWN,
-        points,
-    })
+        }));
+    }
+    points
+}
+
+/// A wall without what differs between the cases.
+fn bare(geometry: &Geometry) -> Option<Wall> {
+    match geometry {
+        Geometry::Wall(wall) => Some(Wall {
+            overburden: 0.0,
+            ..wall.clone()
+        }),
+        Geometry::Blocks(_) | Geometry::Arch(_) => None,
+    }
+}
+
+fn is_multiplier(reference: &Reference, head_joints: HeadJoints) -> bool {
+    let holds = reference.head_joints.is_none_or(|only| only == head_joints);
+    let of_lambda = matches!(
+        reference.quantity,
+        Quantity::Lambda | Quantity::Lower | Quantity::Upper
+    );
+    holds && of_lambda && kind(&reference.method) != Kind::Outside
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_overburdens_of_the_library_are_points_of_paper_1() {
+        let points = of_overburden("paper-1", HeadJoints::Open);
+        for at in [0.0, 0.25, 1.0, 10.0] {
+            assert!(points.iter().any(|point| point.at[0] == at), "{at}");
+        }
+        let associative = |p: &&PlotPoint| p.tooltip.starts_with("associative") && p.at[0] == 1.0;
+        assert_eq!(points.iter().find(associative).unwrap().at[1], 0.558296);
+        let stack = of_overburden("stack", HeadJoints::Open);
+        assert!(stack.iter().all(|point| point.at[0] == 0.0));
+        assert!(of_overburden("no-such", HeadJoints::Open).is_empty());
+    }
 }

@@ -8,7 +8,6 @@ use toml::{Spanned, Table, Value};
 
 use crate::case::{Complaint, Document, explain, listed, nearest, read_by_visitor};
 
-/// A whole file.
 #[derive(Debug, serde::Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct File {
@@ -23,29 +22,23 @@ pub(super) struct File {
     pub vary: Vec<BTreeMap<Spanned<String>, Spanned<Values>>>,
 }
 
-/// `case` in its three forms.
 #[derive(Debug)]
 pub(super) enum CaseSource {
-    /// Names or paths.
     Named(Vec<Spanned<String>>),
     /// A case written into the sweep.
     Inline(Table),
-    /// One name or path.
     One(String),
 }
 
-/// A list of words, or one word.
 #[derive(Debug)]
 pub(super) struct WordList(pub Vec<Spanned<String>>);
 
-/// One value of a key.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Scalar(pub Value);
 
 /// What a key runs through.
 #[derive(Debug)]
 pub(super) enum Values {
-    /// One by one.
     List(Vec<Spanned<Scalar>>),
     /// Evenly from one number to another.
     ValueRange(ValueRange),

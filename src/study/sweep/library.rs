@@ -2,8 +2,7 @@
 
 use std::path::Path;
 
-use super::Sweep;
-use super::name::stem;
+use super::plan::{Sweep, stem};
 use crate::case::{Complaint, listed, nearest};
 use crate::files::{Input, read_input};
 

@@ -10,13 +10,9 @@
 //! determines the answer. Charts and atlas make points in code and run them the same way.
 
 mod compare;
-mod csv_files;
 mod curves;
-mod fields;
 mod file;
-mod known;
 mod library;
-mod name;
 mod picture;
 mod plan;
 mod points;
@@ -25,10 +21,9 @@ mod shard;
 mod values;
 mod variants;
 
-pub use compare::{SweepCheck, compare};
-pub use csv_files::times_csv;
+pub use compare::compare;
 pub use library::embedded;
 pub use picture::{sweep_picture, sweep_pictures};
 pub use plan::Sweep;
-pub use points::{SweepTable, VariableKind};
+pub use points::{SweepTable, VariableKind, times_csv};
 pub use shard::{MOST_SHARDS, Shard, merge};

@@ -1,10 +1,12 @@
 //! Plots of a sweep: curves of λ, a plot a scene; fields of cells where two values vary much.
 
-use super::curves::{KNOWN, curves};
-use super::fields::fields;
+use super::curves::{KNOWN, curves, heading};
 use super::points::{SweepTable, Variable, VariableKind};
-use crate::picture::palette::INK;
-use crate::picture::{Filling, LegendEntry, Plot, Sample, dashed_line, plots};
+use crate::number::number;
+use crate::picture::palette::{INK, SCALE, tone_of};
+use crate::picture::{
+    Cells, Field, Filling, PictureCell, Plot, Sample, cells, dashed_line, ends_of, plots,
+};
 use crate::run::Value;
 
 /// Most plots of one sweep that anybody looks at.
@@ -18,33 +20,15 @@ const MANY: usize = 5;
 /// # Errors
 /// Why there is no plot: nothing varies, or too much.
 pub fn sweep_picture(table: &SweepTable) -> Result<String, String> {
-    Ok(match drawn(table)? {
-        Drawn::Fields(svg) => svg,
-        Drawn::Curves(title, panels) => plots(&title, &panels, &legend(&panels)),
-    })
+    Ok(drawn(table, true)?.concat())
 }
 
 /// The plots of a sweep, an SVG each.
 pub fn sweep_pictures(table: &SweepTable) -> Result<Vec<String>, String> {
-    let one = |panel: Plot| {
-        let panel = [panel];
-        plots("", &panel, &legend(&panel))
-    };
-    Ok(match drawn(table)? {
-        Drawn::Fields(svg) => vec![svg],
-        Drawn::Curves(_, panels) => panels.into_iter().map(one).collect(),
-    })
+    drawn(table, false)
 }
 
-/// What is drawn of a sweep.
-enum Drawn {
-    /// Fields of cells.
-    Fields(String),
-    /// Curves, with what stands above all of them.
-    Curves(String, Vec<Plot>),
-}
-
-fn drawn(table: &SweepTable) -> Result<Drawn, String> {
+fn drawn(table: &SweepTable, together: bool) -> Result<Vec<String>, String> {
     let variables = table.variables();
     let scenes = table.distinct("case");
     let Some(x) = abscissa(&variables) else {
@@ -59,13 +43,10 @@ fn drawn(table: &SweepTable) -> Result<Drawn, String> {
         && y.values.len() >= MANY
     {
         let title = format!("{title} and {}", y.label());
-        return Ok(Drawn::Fields(fields(table, &title, x, y)));
+        return Ok(vec![fields(table, &title, x, y)]);
     }
-    let count = others
-        .iter()
-        .map(|other| other.values.len())
-        .product::<usize>()
-        * scenes.len();
+    let counts = others.iter().map(|other| other.values.len());
+    let count = counts.product::<usize>() * scenes.len();
     if count > MOST_PLOTS {
         let names: Vec<&str> = variables.iter().map(|v| v.name.as_str()).collect();
         return Err(format!(
@@ -77,49 +58,99 @@ fn drawn(table: &SweepTable) -> Result<Drawn, String> {
     for scene in scenes {
         for chosen in combinations(&others) {
             let of_panel = |row: &&Vec<Value>| {
-                table.words(row, "case") == scene
-                    && chosen
-                        .iter()
-                        .all(|(name, value)| table.words(row, name) == *value)
+                let is = |(name, value): &(&str, &str)| table.words(row, name) == *value;
+                is(&("case", scene)) && chosen.iter().all(is)
             };
             let rows: Vec<&Vec<Value>> = table.rows.iter().filter(of_panel).collect();
-            if rows.is_empty() {
-                continue;
+            if !rows.is_empty() {
+                panels.push(curves(table, scene, &chosen, x, &rows));
             }
-            panels.push(curves(table, scene, &chosen, x, &rows));
         }
     }
-    Ok(Drawn::Curves(title, panels))
+    Ok(match together {
+        true => vec![plots(&title, &panels, &legend(&panels))],
+        false => panels
+            .chunks(1)
+            .map(|one| plots("", one, &legend(one)))
+            .collect(),
+    })
+}
+
+/// Fields of cells over two variables, a field a scene and method: the lower end of λ on one scale.
+fn fields(table: &SweepTable, title: &str, x: &Variable, y: &Variable) -> String {
+    let lower = |row: &Vec<Value>| table.number(row, "lower");
+    let [least, most] = ends_of(table.rows.iter().filter_map(lower));
+    let cell = |row: &Vec<Value>| {
+        let of = |variable: &Variable| {
+            let value = table.words(row, &variable.name);
+            variable.values.iter().position(|known| known == value)
+        };
+        let value = lower(row);
+        let share = value.map(|value| (value - least) / (most - least).max(f64::MIN_POSITIVE));
+        Some(PictureCell {
+            place: [of(x)?, of(y)?],
+            tone: tone_of(share),
+            word: value.map_or("-".to_owned(), |value| number(value, 4)),
+            tooltip: format!(
+                "{} to {}, {}",
+                table.cell(row, "lower").csv(),
+                table.cell(row, "upper").csv(),
+                table.words(row, "status")
+            ),
+        })
+    };
+    let mut fields = Vec::new();
+    for scene in table.distinct("case") {
+        for method in table.distinct("method") {
+            let is_own = |row: &&Vec<Value>| {
+                table.words(row, "case") == scene && table.words(row, "method") == method
+            };
+            fields.push(Field {
+                name: format!("{}: {method}", heading(scene, &[])),
+                cells: table.rows.iter().filter(is_own).filter_map(cell).collect(),
+            });
+        }
+    }
+    let label = format!("{} (to the right) × {} (upwards)", x.label(), y.label());
+    let scale = Sample::Scale(&SCALE, [least, most].map(|end| number(end, 4)));
+    cells(&Cells {
+        title: title.to_owned(),
+        legend: vec![(scale, "lower end of λ")],
+        x_label: &label,
+        xs: x.values.iter().map(String::as_str).collect(),
+        ys: y.values.iter().map(String::as_str).collect(),
+        fields,
+        words: "A cell has the lower end of the answer's range; a dash: no answer.",
+    })
 }
 
 /// What the marks of these curves mean.
-fn legend(panels: &[Plot]) -> Vec<LegendEntry> {
-    let known = panels.iter().any(|panel| !panel.marks.is_empty());
-    let mut entries = vec![LegendEntry::new(
+fn legend(panels: &[Plot]) -> Vec<(Sample, &'static str)> {
+    let is_known = panels.iter().any(|panel| !panel.marks.is_empty());
+    let shade = (
         Sample::Shade(INK, 0.22),
         "between the ends of a method's range",
-    )];
-    if known {
-        entries.push(LegendEntry::new(
-            Sample::Point(KNOWN, Filling::Open),
-            "published or by another code",
-        ));
-    }
-    entries.push(LegendEntry::new(
-        Sample::Line(dashed_line(INK)),
-        "lower end",
-    ));
-    entries
+    );
+    let known = (
+        Sample::Point(KNOWN, Filling::Open),
+        "published or by another code",
+    );
+    let line = (Sample::Line(dashed_line(INK)), "lower end");
+    [shade]
+        .into_iter()
+        .chain(is_known.then_some(known))
+        .chain([line])
+        .collect()
 }
 
 /// The variable with the most numbers: the overburden, where it has as many.
 fn abscissa(variables: &[Variable]) -> Option<&Variable> {
     let rank = |variable: &&Variable| {
-        let is_number = variable.numbers().is_some();
+        let is_overburden = variable.kind == VariableKind::Overburden;
         (
-            is_number,
+            variable.numbers().is_some(),
             variable.values.len(),
-            variable.kind == VariableKind::Overburden,
+            is_overburden,
         )
     };
     // Of equal ones the first.
@@ -132,12 +163,7 @@ fn combinations<'a>(variables: &[&'a Variable]) -> Vec<Vec<(&'a str, &'a str)>> 
     for variable in variables {
         let with = |before: Vec<(&'a str, &'a str)>| {
             let values = variable.values.iter();
-            let longer = values.map(move |value| {
-                let mut longer = before.clone();
-                longer.push((variable.name.as_str(), value.as_str()));
-                longer
-            });
-            longer.collect::<Vec<_>>()
+            values.map(move |value| [before.as_slice(), &[(&variable.name, value)]].concat())
         };
         all = all.into_iter().flat_map(with).collect();
     }

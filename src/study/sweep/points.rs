@@ -1,4 +1,5 @@
-//! A sweep's points as a table of what varies and what came out, from its rows or from `sweep.csv`.
+//! A sweep's points as a table of what varies and what came out, from its rows or from `sweep.csv`,
+//! and its files.
 
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -6,16 +7,21 @@ use std::path::Path;
 use indexmap::IndexSet;
 
 use crate::files::{Input, read_input};
-use crate::run::{PARTIAL_MARK, Value};
+use crate::run::{
+    COLUMNS, Column, ColumnKind, PARTIAL_MARK, Partial, Row, Value, csv as csv_of, values,
+};
 
 /// Columns of `sweep.csv` before those of what varies: the contract's without the time.
-pub(super) const ANSWER: [&str; 10] = [
+const ANSWER: [&str; 10] = [
     "case", "method", "status", "lower", "upper", "tan_beta", "c", "e", "residual", "reason",
 ];
 
 /// Columns of `sweep.csv` behind those of what varies: the scene's, and last the worst of what the
 /// methods say about each other.
-pub(super) const SCENE: [&str; 5] = ["blocks", "joints", "friction", "push", "verdict"];
+const SCENE: [&str; 5] = ["blocks", "joints", "friction", "push", "verdict"];
+
+/// Columns of `times.csv` behind the id and before those of what varies; the effort stands last.
+const TASK: [&str; 2] = ["case", "method"];
 
 /// A sweep's points.
 pub struct SweepTable {
@@ -29,38 +35,39 @@ pub struct SweepTable {
     pub partial: Option<String>,
 }
 
-/// Why a file is no sweep.
-#[derive(Debug, thiserror::Error)]
-pub enum SweepError {
-    /// It cannot be read.
-    #[error("cannot read {path}: {error}")]
-    Unreadable {
-        /// The file.
-        path: String,
-        /// Why.
-        error: csv::Error,
-    },
-    /// A column is missing.
-    #[error("{path}, line 1: there is no column `{column}`; a sweep's `sweep.csv` is expected")]
-    Column {
-        /// The file.
-        path: String,
-        /// Which column.
-        column: &'static str,
-    },
-}
-
 impl SweepTable {
+    /// The table of a sweep's rows, which is the same for the same rows. A parameter takes the place
+    /// of a scene's column of its name.
+    pub fn of(name: &str, rows: &[Row], partial: Option<&Partial>) -> Self {
+        let names = parameter_names(rows);
+        let scene = SCENE.into_iter().filter(|name| !names.contains(name));
+        let scene: Vec<&str> = scene.collect();
+        let columns = ANSWER.iter().chain(&names).chain(&scene);
+        let line = |row| {
+            let answer = values(row, &ANSWER);
+            [answer, parameters(row, &names), values(row, &scene)].concat()
+        };
+        Self {
+            name: name.to_owned(),
+            columns: columns.map(|name| (*name).to_owned()).collect(),
+            rows: rows.iter().map(line).collect(),
+            partial: partial.map(ToString::to_string),
+        }
+    }
+
+    /// `sweep.csv`.
+    pub fn csv(&self) -> String {
+        let headings = self.columns.iter().map(String::as_str);
+        csv_of(headings, self.rows.iter().cloned())
+    }
+
     /// Reads a sweep's table.
     ///
     /// # Errors
     /// A file that cannot be read, or that lacks a column.
-    pub fn read(path: &Path) -> Result<Self, SweepError> {
-        let shown = path.display().to_string();
-        let unreadable = |error| SweepError::Unreadable {
-            path: shown.clone(),
-            error,
-        };
+    pub fn read(path: &Path) -> Result<Self, String> {
+        let shown = path.display();
+        let unreadable = |error: csv::Error| format!("cannot read {shown}: {error}");
         let bytes = read_input(path, Input::Table).map_err(|error| unreadable(error.into()))?;
         let stem = path.file_stem().unwrap_or_default().to_string_lossy();
         let folder = path.parent().and_then(Path::file_name).unwrap_or_default();
@@ -71,8 +78,9 @@ impl SweepTable {
         let table = Self::parse(&name, &bytes).map_err(unreadable)?;
         for column in ["case", "method", "lower", "upper"] {
             if table.column(column).is_none() {
-                let path = shown;
-                return Err(SweepError::Column { path, column });
+                return Err(format!(
+                    "{shown}, line 1: there is no column `{column}`; a sweep's `sweep.csv` is expected"
+                ));
             }
         }
         Ok(table)
@@ -113,13 +121,11 @@ impl SweepTable {
         index.and_then(|at| row.get(at)).unwrap_or(&Value::Nothing)
     }
 
-    /// The words of a cell.
-    pub fn words<'a>(&self, row: &'a [Value], column: &str) -> &'a str {
+    pub(super) fn words<'a>(&self, row: &'a [Value], column: &str) -> &'a str {
         self.cell(row, column).words()
     }
 
-    /// A cell as a number.
-    pub fn number(&self, row: &[Value], column: &str) -> Option<f64> {
+    pub(super) fn number(&self, row: &[Value], column: &str) -> Option<f64> {
         self.cell(row, column).number()
     }
 
@@ -163,15 +169,40 @@ impl SweepTable {
     }
 }
 
+/// Names of the parameters of all rows, as they first come.
+fn parameter_names(rows: &[Row]) -> IndexSet<&str> {
+    let parameters = rows.iter().flat_map(|row| &row.parameters);
+    parameters.map(|(name, _)| name.as_str()).collect()
+}
+
+fn parameters(row: &Row, names: &IndexSet<&str>) -> Vec<Value> {
+    let value = |name: &&str| row.parameter(name).unwrap_or_default().into();
+    names.iter().map(value).collect()
+}
+
+/// `times.csv`: which task took how long, and its effort in counts.
+pub fn times_csv(rows: &[Row]) -> String {
+    let names = parameter_names(rows);
+    let effort = |column: &&Column| column.kind == ColumnKind::Effort;
+    let effort: Vec<&str> = (COLUMNS.iter().filter(effort))
+        .map(|column| column.name)
+        .collect();
+    let headings = ["id"].iter().chain(&TASK).chain(&names).chain(&effort);
+    let line = |row: &Row| {
+        let id = vec![row.id.as_str().into()];
+        let (task, effort) = (values(row, &TASK), values(row, &effort));
+        [id, task, parameters(row, &names), effort].concat()
+    };
+    csv_of(headings.copied(), rows.iter().map(line))
+}
+
 /// Keys of a case of which more is known than their names.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum VariableKind {
     /// The overburden ratio: what the paper's Fig. 7 runs through, so that values from elsewhere are
     /// known.
     Overburden,
-    /// The coefficient of friction.
     Friction,
-    /// Any other.
     Other,
 }
 
@@ -185,24 +216,20 @@ impl VariableKind {
     }
 }
 
-/// A key that varies.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Variable {
     pub name: String,
-    /// What is known of it.
     pub kind: VariableKind,
     /// Its values as written, in the order in which they first come.
     pub values: Vec<String>,
 }
 
 impl Variable {
-    /// The values as numbers, where all are.
     pub fn numbers(&self) -> Option<Vec<f64>> {
         let number = |value: &String| value.parse().ok().filter(|v: &f64| v.is_finite());
         self.values.iter().map(number).collect()
     }
 
-    /// What it is for people.
     pub fn label(&self) -> String {
         match self.kind {
             VariableKind::Overburden => "overburden ratio p/(γH)".to_owned(),

@@ -54,15 +54,11 @@ impl Shard {
             .collect()
     }
 
-    /// Name of the journal of this shard.
     pub fn journal(self) -> String {
         format!("shard-{}-of-{}.journal", self.index, self.count)
     }
 
     /// Writes the rows of this shard, whole, for [`merge`].
-    ///
-    /// # Errors
-    /// Any error of the file system.
     pub fn write(self, folder: &Path, rows: &[Row]) -> std::io::Result<PathBuf> {
         let text = lines(rows)?;
         let name = format!("shard-{}-of-{}.rows", self.index, self.count);

@@ -9,7 +9,6 @@ use super::file::{Scalar, ValueRange, Values};
 use crate::case::{Complaint, Document};
 use crate::number::nine_digits;
 
-/// Most values of one key.
 const MOST_VALUES: usize = 100_000;
 
 /// A value, and where it was written.

@@ -9,14 +9,13 @@ use rayon::prelude::*;
 use toml::{Spanned, Table};
 
 use super::file::File;
-use super::replace::{Rank, replace};
+use super::replace::{rank, replace};
 use super::values::{Placed, text, values};
 use crate::case::{Case, Complaint, Document, UnreadCase};
 use crate::method::Settings;
 use crate::run::Subject;
 use crate::scene::HeadJoints;
 
-/// Most combinations of one sweep.
 const MOST_VARIANTS: usize = 1_000_000;
 
 /// A case file before anything is replaced in it.
@@ -69,7 +68,6 @@ pub(super) struct Axis<'a> {
     pub length: usize,
 }
 
-/// A key with all its values.
 pub(super) struct Key<'a> {
     pub name: &'a str,
     span: ops::Range<usize>,
@@ -129,7 +127,6 @@ pub(super) fn axes<'a>(document: &Document, file: &'a File) -> Result<Vec<Axis<'
     Ok(axes)
 }
 
-/// One wall of the sweep.
 pub(super) struct Variant {
     pub case: Arc<Case>,
     /// Number of blocks with head joints in contact.
@@ -169,10 +166,6 @@ pub(super) fn variants(
     // Of several complaints always the first, whichever core is faster.
     read.collect::<Vec<_>>().into_iter().collect()
 }
-
-/// What can vary, for help lines.
-const VARIES: &str = "vary a key of the case, such as `overburden` or `\"unit.length\"`, a setting \
-                      such as `\"settings.starts\"`, `aspect` or `refine`";
 
 /// The values that one combination puts into the case.
 #[derive(Clone)]
@@ -221,19 +214,19 @@ impl<'a> Combination<'a> {
         settings: &mut Settings,
     ) -> Result<(Result<Case, Complaint>, Vec<String>), Complaint> {
         let mut table = base.table.clone();
-        for rank in [Rank::Plain, Rank::Aspect, Rank::Refine] {
-            for (key, (value, span)) in &self.0 {
-                let refused = |what: String, help: &str| {
-                    let title = format!("`{key}` cannot vary: {what}");
-                    document.complain(span.clone(), title, "here").help(help)
-                };
-                match key.strip_prefix("settings.") {
-                    Some(name) if rank == Rank::Plain => settings
-                        .set(name, &text(value))
-                        .map_err(|error| refused(error.to_string(), &error.advice()))?,
-                    None if rank == Rank::of(key) => replace(&mut table, key, value)
-                        .map_err(|error| refused(error.what, error.help.unwrap_or(VARIES)))?,
-                    _ => {}
+        let mut ranked = self.0.clone();
+        ranked.sort_by_key(|(key, _)| rank(key));
+        for (key, (value, span)) in ranked {
+            let refused = |what: String, help: &str| {
+                let title = format!("`{key}` cannot vary: {what}");
+                document.complain(span.clone(), title, "here").help(help)
+            };
+            match key.strip_prefix("settings.") {
+                Some(name) => settings
+                    .set(name, &text(value))
+                    .map_err(|error| refused(error.to_string(), &error.advice()))?,
+                None => {
+                    replace(&mut table, key, value).map_err(|(what, help)| refused(what, help))?
                 }
             }
         }
@@ -276,7 +269,6 @@ impl<'a> Combination<'a> {
     }
 }
 
-/// The settings of a file.
 pub(super) fn settings(document: &Document, file: &File) -> Result<Settings, Complaint> {
     let mut settings = Settings::default();
     let mut written: Vec<_> = file.settings.iter().collect();
