@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crate::case;
 use crate::files::write_whole;
+use crate::judge::governing;
 use crate::method::{Kind, METHODS, Method, MethodEntry, kind, methods};
 use crate::picture::{Options, View, figure};
 use crate::run::{CaseResult, Plan};
@@ -40,8 +41,8 @@ pub(super) fn draw(arguments: &DrawArguments) -> Result<u8, Stop> {
         .then(|| format_of(path))
         .transpose()?;
     let named = std::slice::from_ref(&arguments.case);
-    let (cases, mut plan) = arguments.plan.read(named, case::paper)?;
-    let [case] = cases.as_slice() else {
+    let (mut cases, mut plan) = arguments.plan.read(named, case::paper)?;
+    let [case] = cases.as_mut_slice() else {
         let text = format!(
             "error: `{}` stands for {} cases, and a drawing is of one\nhelp: name one case, and \
              methods after `--method`, separated by commas",
@@ -59,14 +60,11 @@ pub(super) fn draw(arguments: &DrawArguments) -> Result<u8, Stop> {
     let outside = outside.filter(|method| kind(method.name()) == Kind::Outside);
     let methods = methods().into_iter().chain(outside);
     plan.methods = methods.filter(wanted).collect();
-    // One setting a drawing: open head joints where the case has them, which the published
-    // mechanisms are of.
-    let open = case
-        .head_joints
-        .iter()
-        .find(|of_case| **of_case == HeadJoints::Open);
-    let one = open.unwrap_or(&case.head_joints[0]);
-    plan.head_joints = plan.head_joints.or(Some(*one));
+    // Side by side, open head joints where the case has them, which the published mechanisms are of.
+    let chosen = arguments.plan.names_head_joints();
+    if arguments.side_by_side && !chosen && case.head_joints.contains(&HeadJoints::Open) {
+        case.head_joints = vec![HeadJoints::Open];
+    }
     if to_file.is_some() {
         let folder = path
             .parent()
@@ -80,7 +78,7 @@ pub(super) fn draw(arguments: &DrawArguments) -> Result<u8, Stop> {
     let [result] = results.as_slice() else {
         return Err(Stop::bad_input("error: there is nothing to draw"));
     };
-    let views = views(result, &drawn);
+    let views = views(result, &drawn, chosen);
     let pictures = views.len() * if arguments.forces { 2 } else { 1 };
     let options = Options {
         forces: arguments.forces,
@@ -141,13 +139,18 @@ fn drawn(arguments: &DrawArguments, plan: &Plan) -> Vec<String> {
         .collect()
 }
 
-/// The answers of these methods, in this order, with the macro-block's crack.
-fn views<'a>(result: &'a CaseResult, methods: &[String]) -> Vec<View<'a>> {
+/// The answers of these methods, in this order, with the macro-block's crack: for `all` settings of the
+/// head joints, or for the one that governs.
+fn views<'a>(result: &'a CaseResult, methods: &[String], all: bool) -> Vec<View<'a>> {
+    let first = governing(&result.conclusions).map(|first| result.conclusions[first].head_joints);
+    let settings = result.scenes.iter().map(|(head_joints, _)| *head_joints);
+    let settings = settings.filter(|of| all || Some(*of) == first);
     let mut rows = result.rows.iter();
     let closed = rows.find(|row| row.kind() == Kind::ClosedForm);
     let macro_slope = closed.and_then(|row| Some(row.crack?.tan_beta));
-    let view = |name: &String| {
-        let row = result.rows.iter().find(|row| row.method == *name)?;
+    let view = |name: &String, head_joints: HeadJoints| {
+        let mut rows = result.rows.iter();
+        let row = rows.find(|row| row.method == *name && row.head_joints == head_joints)?;
         let (scene, row) = result.governing(row);
         Some(View {
             scene,
@@ -155,5 +158,7 @@ fn views<'a>(result: &'a CaseResult, methods: &[String]) -> Vec<View<'a>> {
             macro_slope,
         })
     };
-    methods.iter().filter_map(view).collect()
+    settings
+        .flat_map(|of| methods.iter().filter_map(move |name| view(name, of)))
+        .collect()
 }

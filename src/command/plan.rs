@@ -76,6 +76,10 @@ impl PlanArguments {
         Ok((cases, plan))
     }
 
+    pub fn names_head_joints(&self) -> bool {
+        self.head_joints.is_some()
+    }
+
     pub fn names_methods(&self) -> bool {
         !self.method.is_empty()
     }

@@ -1,4 +1,5 @@
-//! The conclusion about a wall that is pushed both ways, from those about its sides.
+//! The conclusion about a wall that is pushed both ways, from those about its sides; and which of several
+//! governs.
 
 use super::conclusion::{Basis, Conclusion, Floor};
 use crate::answer::is_same_multiplier;
@@ -9,12 +10,7 @@ use crate::answer::is_same_multiplier;
 /// # Panics
 /// Where there is no side.
 pub(crate) fn of_wall(mut sides: Vec<Conclusion>) -> Conclusion {
-    let mut first = 0;
-    for side in 1..sides.len() {
-        if governs(&sides[side], &sides[first]) {
-            first = side;
-        }
-    }
+    let first = governing(&sides).expect("there is a side");
     let mut conclusion = sides.swap_remove(first);
     if let Some(other) = sides.pop() {
         conclusion.floor = floor(&conclusion, &other);
@@ -23,7 +19,17 @@ pub(crate) fn of_wall(mut sides: Vec<Conclusion>) -> Conclusion {
     conclusion
 }
 
-/// Whether a side governs over another: of those with the same multiplier but for rounding neither does.
+/// The place of the conclusion that governs: the first of those that no other governs over. `None` where
+/// there are none.
+pub(crate) fn governing(conclusions: &[Conclusion]) -> Option<usize> {
+    let over = |first: usize, next: usize| match governs(&conclusions[next], &conclusions[first]) {
+        true => next,
+        false => first,
+    };
+    (0..conclusions.len()).reduce(over)
+}
+
+/// Whether a conclusion governs over another: of those with the same multiplier but for rounding neither does.
 fn governs(a: &Conclusion, b: &Conclusion) -> bool {
     match (a.collapse_known(), b.collapse_known()) {
         (Some(x), Some(y)) => x < y && !is_same_multiplier(x, y, b.multiplier_unit),

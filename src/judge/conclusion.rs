@@ -120,10 +120,10 @@ worded! {
     #[derive(Error)]
     Explanation {
         /// With dilatancy joints open as they slip, which takes more push than any state found.
-        #[error("explained by its dilatancy")]
+        #[error("its joints open as they slip")]
         Dilatancy = "dilatancy",
         /// States are verified up to there: which of them happens nobody knows of a real wall.
-        #[error("explained, because collapse states are verified up to there")]
+        #[error("other verified collapse states reach that value")]
         SeveralStates = "several-states",
     }
 }
@@ -231,7 +231,7 @@ impl fmt::Display for Difference {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (method, explanation) = (&self.method, self.explanation);
         let (Some(lambda), Some(relative)) = (self.associative, self.relative) else {
-            return write!(f, "{method} stands, which is {explanation}");
+            return write!(f, "{method} stands: {explanation}");
         };
         if relative.abs() <= ALIKE {
             return write!(f, "{method} gives the same");
@@ -239,10 +239,10 @@ impl fmt::Display for Difference {
         write!(f, "{method} gives {}", number(lambda, 5))?;
         if relative > 10.0 {
             // Beside a state at 0, say, a percentage says nothing.
-            write!(f, ", which is {explanation}")
+            write!(f, ": {explanation}")
         } else if relative > 0.0 {
             let above = percent(relative);
-            write!(f, ", which is {above} higher and {explanation}")
+            write!(f, ", {above} higher: {explanation}")
         } else {
             Ok(())
         }

@@ -16,7 +16,7 @@ mod references;
 mod sentence;
 
 pub use crate::mechanics::Recomputed;
-pub(crate) use both::of_wall;
+pub(crate) use both::{governing, of_wall};
 pub use check::{Check, Verdict};
 pub(crate) use conclude::conclude;
 pub use conclusion::{Basis, Conclusion, Difference, Doubt, Explanation, Floor};

@@ -73,11 +73,11 @@ pub(super) fn difference(difference: &Difference, reaction: &Reaction) -> String
         associative,
     } = difference;
     match (associative, relative) {
-        (None, _) => format!("{method} stands, which is {explanation}"),
+        (None, _) => format!("{method} stands: {explanation}"),
         (_, Some(relative)) if relative.abs() <= ALIKE => format!("{method} gives the same"),
         (Some(lambda), _) => {
             let bound = bound(reaction, *lambda);
-            format!("{method} proves {bound}, which is {explanation}")
+            format!("{method} proves {bound}: {explanation}")
         }
     }
 }

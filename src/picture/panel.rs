@@ -251,6 +251,13 @@ impl<'a> Panel<'a> {
             )],
             None => vec![format!("no multiplier: {status}")],
         };
+        if let ([lowest, ..], Some(bracket)) = (outcome.evidence.states(), outcome.bracket())
+            && bracket.lower < bracket.upper
+            && self.contents == Contents::Mechanism
+        {
+            let lambda = number(row.reads(lowest.lambda), 5);
+            lines.push(format!("drawn: the lowest state, {what} {lambda}"));
+        }
         if let Some(crack) = &row.crack {
             let about = if crack.sharp { "=" } else { "≈" };
             let mut slope = format!("tan β {about} {}", number(crack.tan_beta, 4));

@@ -10,6 +10,7 @@ use indexmap::IndexMap;
 
 use super::styles::{grid_column, of_status, of_verdict};
 use crate::answer::{Bracket, Status, magnitude};
+use crate::case::Reference;
 use crate::judge::{Verdict, comparisons};
 use crate::number::{number, short};
 use crate::record::fixed_width;
@@ -294,15 +295,27 @@ fn closing(results: &[CaseResult], layout: Layout) -> String {
     let failed = rows(results)
         .filter(|(_, row)| row.status() == Status::Failed)
         .count();
-    let values: usize = results
-        .iter()
-        .map(|result| result.case.references.len())
-        .sum();
+    let references = || {
+        let of = |result| move |reference| (result, reference);
+        let results = results.iter();
+        results.flat_map(move |result| result.case.references.iter().map(of(result)))
+    };
+    let compared = references().filter(|(result, reference): &(&CaseResult, &Reference)| {
+        let is_about = |only| reference.head_joints.is_none_or(|joints| joints == only);
+        let mut rows = result.rows.iter();
+        rows.any(|row| row.method == reference.method && is_about(row.head_joints))
+    });
+    let count = |count: usize, of: &str| match count {
+        1 => format!("1 {of}"),
+        _ => format!("{count} {of}s"),
+    };
     let words = format!(
-        "{} cases, {} results, {values} reference values, {} checks: {violated} violated, {failed} failed",
-        results.len(),
-        rows(results).count(),
-        checks().count(),
+        "{}, {}, {} of {} compared, {}: {violated} violated, {failed} failed",
+        count(results.len(), "case"),
+        count(rows(results).count(), "result"),
+        compared.count(),
+        count(references().count(), "reference value"),
+        count(checks().count(), "check"),
     );
     let style = of_verdict(if violated + failed > 0 {
         Verdict::Violated

@@ -1,5 +1,6 @@
 //! Results for people and for machines: table, CSV, JSON, files.
 
+mod governing;
 pub mod html;
 mod library;
 mod rows;

@@ -2,6 +2,7 @@
 
 use serde_json::{Value as Json, json};
 
+use super::governing::Governing;
 use super::terms::terms;
 use crate::answer::Outcome;
 use crate::external::{SceneFile, answers};
@@ -33,7 +34,8 @@ pub fn csv(results: &[CaseResult]) -> String {
 /// rotation in radians, counter-clockwise. `conclusion` has what all rows
 /// about the scene come to, the same in each of them: `difference` is how far λ_A is above the lowest
 /// state, relative to that, and `explained` whether nothing but that is to be explained.
-/// `tilt_degrees` is arctan λ where the live load is every weight sideways, `base_shear` what
+/// `in_short` is what the case comes to: the λ of the setting and side that governs, and in words what it
+/// means. `tilt_degrees` is arctan λ where the live load is every weight sideways, `base_shear` what
 /// the supports carry along x, in the direction of the push, and `base_shear_from_push` the part of it
 /// that is λ times the live load; `first_blocks` and `first_joints` move fastest in the `mechanism`. `thrust` has the lines of
 /// thrust of a row's forces, and the resultant on each level of bed joints: the force on what is above,
@@ -120,6 +122,8 @@ fn object(result: &CaseResult, row: &Row) -> Json {
     let mut conclusions = result.conclusions.iter();
     let of_row = conclusions.find(|conclusion| conclusion.head_joints == row.head_joints);
     object["conclusion"] = of_row.map(|of| conclusion(result, of)).into();
+    let governing = Governing::of(result).map(|governing| governing.json());
+    object["in_short"] = governing.into();
     if let Some((_, forces)) = evidence.forces() {
         object["thrust"] = way_of(&thrust(result.scene(row), forces));
     }

@@ -1,8 +1,9 @@
-//! A case for people: one line an answer, below it what is to be known of them in sentences, last what
-//! they all come to.
+//! A case for people: first what it comes to, then one line an answer, below it what is to be known of
+//! them in sentences, last what they all come to for each setting of the head joints.
 
 use anstyle::Style;
 
+use super::governing::Governing;
 use super::styles::{grid_column, of_verdict};
 use super::terms::terms;
 use crate::judge::Verdict;
@@ -36,6 +37,9 @@ pub fn case_table(result: &CaseResult, layout: Layout) -> String {
         bold(),
         &format!(": {}", result.case.title),
     );
+    if let Some(governing) = Governing::of(result) {
+        text.push_str(&layout.paragraph("in short  ", bold(), &governing.text()));
+    }
     text.push_str(&answers(result, layout));
     for note in record::notes(result) {
         text.push_str(&said(&note, layout));

@@ -78,9 +78,6 @@ fn weights_push(scene: &Scene) -> bool {
 
 impl fmt::Display for Terms {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let tilt = self
-            .tilt
-            .map(|tilt| format!("the ground may tilt by {tilt:.2} degrees"));
         let shear = self.base_shear.zip(self.push_shear).map(|(all, push)| {
             let [all, push] = [all, push].map(|shear| short(shear, 4));
             match all == push {
@@ -101,7 +98,7 @@ impl fmt::Display for Terms {
             let cracks = cracks.join(", ");
             format!("for the first 10 of the support's motion joints open by {cracks}")
         });
-        let all = [tilt, shear, self.mechanism.clone(), first, cracks];
+        let all = [shear, self.mechanism.clone(), first, cracks];
         let all: Vec<String> = all.into_iter().flatten().collect();
         f.write_str(&all.join("; "))
     }

@@ -34,4 +34,12 @@ worded! {
         /// Nothing: dry-laid, the state before pushing.
         Open = "open",
     }
+
+    /// How head joints are: `in contact` or `open`.
+    pub fn in_words(self) -> &'static str {
+        match self {
+            HeadJoints::Contact => "in contact",
+            HeadJoints::Open => "open",
+        }
+    }
 }

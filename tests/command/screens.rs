@@ -94,7 +94,7 @@ fn a_run_fits_and_its_numbers_are_those_of_the_csv() {
             }
         }
         let closing = "\nanswer\n  contact   λ = ";
-        assert!(screen.contains(closing) && screen.contains("The ground may tilt by"));
+        assert!(screen.contains(closing) && screen.contains("the ground tilt by"));
         assert_eq!(screen.contains("tan β"), width == 120, "{screen}");
     }
     // Lines of any length: the table of the record.
@@ -222,4 +222,63 @@ fn colours_change_nothing_else_and_are_for_terminals_alone() {
     let refused = trilith(folder.path(), &["run", "none-such", "--color", "always"]);
     let refused = text(&refused.stderr);
     assert!(refused.contains("\u{1b}[31merror:"), "{refused:?}");
+}
+
+/// The λ that governs stands first on the screen, with its head joints and its side, and it is that of the
+/// JSON: the smallest over both settings and both sides.
+#[test]
+fn what_governs_stands_first() {
+    let folder = tempfile::tempdir().unwrap();
+    let names = [
+        "paper-1",
+        "openings-3",
+        "buttress",
+        "battered-wall",
+        "gable",
+        "portal",
+        "triangle-both",
+        "slope-both",
+        "trilith",
+        "oppenheim-7",
+    ];
+    let methods = ["--starts", "1", "--method", "associative,interval"];
+    let run = |further: &[&str]| {
+        let all = [&["run"][..], &names, &methods, further].concat();
+        text(&trilith(folder.path(), &all).stdout)
+    };
+    let rows: Vec<serde_json::Value> = serde_json::from_str(&run(&["--format", "json"])).unwrap();
+    for width in ["80", "120"] {
+        let shown = run(&["--width", width]);
+        let mut seen = 0;
+        for name in names {
+            let begin = format!("{name}: ");
+            let mut cases = shown.split("\n\n").filter(|case| case.starts_with(&begin));
+            let case = cases.next().expect("the case is there");
+            let (first, _) = case.split_once("method ").expect("a table follows");
+            let words: Vec<&str> = first.split_whitespace().collect();
+            let of_case = |row: &&serde_json::Value| {
+                let row = row["case"].as_str().unwrap();
+                row == name || row.strip_suffix("@open") == Some(name)
+            };
+            let in_short = &rows.iter().find(of_case).unwrap()["in_short"];
+            let said = in_short["text"].as_str().unwrap();
+            let said: Vec<&str> = said.split_whitespace().collect();
+            assert!(words.ends_with(&said), "{words:?}\n{said:?}");
+            let states = rows
+                .iter()
+                .filter(of_case)
+                .filter(|row| row["method"] == "interval");
+            let least = states.filter_map(|row| row["lower"].as_f64());
+            let least = least.fold(f64::INFINITY, f64::min);
+            let lambda = in_short["lambda"].as_f64().unwrap();
+            // Where settings differ by rounding alone, the first of them governs.
+            assert!(
+                (lambda - least).abs() <= 1e-8 * least,
+                "{name}: {lambda} and {least}"
+            );
+            assert!(said.contains(&format!("{lambda:.5}").as_str()), "{said:?}");
+            seen += 1;
+        }
+        assert_eq!(seen, names.len());
+    }
 }

@@ -262,7 +262,7 @@ fn assert_says(case: &Case, words: &[&str]) {
     }
 }
 
-/// The closing line says tilt, base shear, mechanism and what moves first.
+/// What comes first says tilt, the answer base shear, mechanism and what moves first.
 #[test]
 fn answers_are_given_in_the_terms_of_engineers() {
     // A block of 2 x 1 on the ground slides at μ = 0.3: arctan 0.3 = 16.70 degrees.
@@ -277,7 +277,7 @@ fn answers_are_given_in_the_terms_of_engineers() {
     assert_says(
         &block("[[0, 0], [2, 0], [2, 1], [0, 1]]"),
         &[
-            "tilt by 16.70 degrees",
+            "the ground tilt by 16.6°",
             "base shear is 0.6",
             "the block slides to the right on the base",
             "A moves first",
@@ -287,7 +287,7 @@ fn answers_are_given_in_the_terms_of_engineers() {
     assert_says(
         &block("[[0, 0], [1, 0], [1, 5], [0, 5]]"),
         &[
-            "tilt by 11.31 degrees",
+            "the ground tilt by 11.3°",
             "base shear is 1",
             "rocks about the toe at (1, 0), on the base",
         ],

@@ -56,10 +56,10 @@ pub enum LimitFact {
     LooseWithoutMultiplier,
     /// The interval is what was found; these are the rigorous bounds.
     #[error(
-        "{MAY_HAVE_MISSED}; {} the associative multiplier",
+        "{MAY_HAVE_MISSED}{}",
         match .frictionless {
-            Some(lambda) => format!("proved bounds of them all are {} and", below(lambda.max(0.0), 5)),
-            None => "the proved bound of them all is".to_owned(),
+            Some(lambda) if *lambda > 0.0 => format!(", but none lies below {}", below(*lambda, 5)),
+            _ => ": no lower bound is proved".to_owned(),
         }
     )]
     FoundNoBounds {
@@ -131,15 +131,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_rounding_below_zero_is_written_as_zero() {
-        let found = LimitFact::FoundNoBounds {
-            frictionless: Some(-1e-12),
-        };
-        let text = found.to_string();
-        assert_eq!(
-            text,
-            "the search may have missed other collapse states; proved bounds of them all are 0.00000 and the \
-             associative multiplier"
-        );
+    fn a_bound_at_zero_is_none() {
+        let said = |frictionless| LimitFact::FoundNoBounds { frictionless }.to_string();
+        for nothing in [Some(-1e-12), Some(0.0), None] {
+            assert!(said(nothing).ends_with("no lower bound is proved"));
+        }
+        assert!(said(Some(0.25)).ends_with("none lies below 0.25000"));
     }
 }

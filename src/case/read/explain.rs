@@ -35,9 +35,41 @@ pub(crate) fn explain(document: &Document, error: &toml::de::Error) -> Complaint
     }
 }
 
-/// What people look for who have a wall with a door or a window.
-const OPENINGS: &[&str] = &[
-    "opening", "openings", "door", "doors", "window", "windows", "lintel", "lintels", "gap", "gaps",
+/// What people look for, by the words that they write, and how it is said here.
+const SAID_OTHERWISE: [(&[&str], &str); 5] = [
+    (
+        &[
+            "opening", "openings", "door", "doors", "window", "windows", "lintel", "lintels",
+            "gap", "gaps",
+        ],
+        "openings are gaps in the courses, `g` one unit wide; a lintel is a piece of its own length, as in \
+         `pieces = { L = { units = 3 } }` and `courses = [\"11gg11\", \"1hLh1\"]`",
+    ),
+    (
+        &["density", "unit_weight", "gamma", "rho", "mass"],
+        "λ depends on no density, only on how weights compare: `weight` in `unit` is that of one unit, and a \
+         heavier piece has its own, as in `pieces = { L = { units = 3, weight = 4.5 } }`",
+    ),
+    (
+        &[
+            "friction_angle",
+            "phi",
+            "mu",
+            "tan_phi",
+            "friction_coefficient",
+        ],
+        "`friction` is the tangent of the friction angle: for 33 degrees write `friction = 0.65`",
+    ),
+    (
+        &["a_g", "ag", "pga", "ground_acceleration", "seismic"],
+        "leave it out: λ is the horizontal acceleration in g at which the wall collapses, to be compared \
+         with the one that your code demands",
+    ),
+    (
+        &["wind", "wind_pressure", "wind_load"],
+        "a force is a `[[load]]` on a block, with `live = [1.0, 0.0]` in it and `live = \"loads\"` for the \
+         case: λ is then how often it may act; `trilith convert` writes a wall as blocks",
+    ),
 ];
 
 fn unknown_key(document: &Document, span: Range<usize>, message: &str) -> Complaint {
@@ -51,10 +83,8 @@ fn unknown_key(document: &Document, span: Range<usize>, message: &str) -> Compla
     }
     let help = if CASE_KEYS.contains(key) {
         format!("move `{key}` up, above the first line that begins with `[`")
-    } else if OPENINGS.contains(key) {
-        "openings are gaps in the courses, `g` one unit wide; a lintel is a piece of its own length, as in \
-         `pieces = { L = { units = 3 } }` and `courses = [\"11gg11\", \"1hLh1\"]`"
-            .into()
+    } else if let Some((_, help)) = SAID_OTHERWISE.iter().find(|(words, _)| words.contains(key)) {
+        (*help).to_owned()
     } else if let Some(near) = nearest(key, known.iter().copied()) {
         format!("did you mean `{near}`?")
     } else {

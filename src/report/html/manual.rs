@@ -13,6 +13,7 @@ use super::witnesses::witnesses;
 use crate::judge::{Check, Verdict};
 use crate::method::Settings;
 use crate::number::{nine_digits, short};
+use crate::report::governing::Governing;
 use crate::run::{CaseResult, Partial};
 
 /// The manual of these results as a page.
@@ -48,6 +49,7 @@ fn case(result: &CaseResult) -> Markup {
             h2 { (name) }
             @if title != name { p.title { (title) } }
             @if !source.is_empty() { p.small { "Source: " (source) } }
+            @if let Some(governing) = Governing::of(result) { p.headline { (governing.text()) } }
             p.small { (in_figures(result)) }
             div.drawings {
                 @if let Some(svg) = foremost(result) { figure.drawing { (PreEscaped(svg)) } }

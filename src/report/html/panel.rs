@@ -7,6 +7,7 @@ use crate::method::{Kind, entry};
 use crate::number::number;
 use crate::picture::{Options, View, common_size, figure, replay as drawn_replay};
 use crate::record::record;
+use crate::report::governing::Governing;
 use crate::report::terms::terms;
 use crate::run::{CaseResult, Row};
 use crate::scene::HeadJoints;
@@ -19,6 +20,7 @@ pub fn panel(result: &CaseResult) -> Markup {
     html! {
         @if result.case.title != result.case.name { p.title { (result.case.title) } }
         @if !result.case.source.is_empty() { p.small { "Source: " (result.case.source) } }
+        @if let Some(governing) = Governing::of(result) { p.headline { (governing.text()) } }
         @for conclusion in &result.conclusions {
             @if let Some(terms) = terms(result, conclusion) {
                 p.small { (conclusion.head_joints.name()) ": " (terms.to_string()) }

@@ -19,8 +19,8 @@ pub fn ranges(results: &[CaseResult]) -> Option<Markup> {
         html! {
             p { "Each plot shows the answers near enough to be told apart; the strip above it has the whole "
                 "range of the macro-block model, λ" sub { "low" } " to λ" sub { "upp" } ", where it applies. "
-                "The closed form claims to contain the true multiplier; its upper value is weak, so that "
-                "containing says little." }
+                "The closed form claims to contain the true multiplier, but its range is too wide to confirm "
+                "much." }
             div.plots {
                 @for (result, figure) in &figures {
                     figure { (PreEscaped(figure)) figcaption { (result.case.title) } }

@@ -82,7 +82,7 @@ fn legend<'a>(looks: &IndexMap<&'a str, Look>) -> Vec<(Sample, &'a str)> {
         (Sample::Bar(INK), "from the better to the worse end"),
         (
             Sample::Line(solid_line(FRONT)),
-            "front of what vouches for itself",
+            "best of what is proved or seen",
         ),
         (
             Sample::Line(dashed_line(INK)),

@@ -1,0 +1,192 @@
+//! What a case comes to in one plain line: of its settings of the head joints and sides of the push the
+//! one that governs, and what its λ means for the wall.
+
+use serde_json::json;
+
+use super::terms::{Terms, terms};
+use crate::answer::Bracket;
+use crate::judge::{Basis, Conclusion, governing};
+use crate::number::{above, below, number, short};
+use crate::run::{CaseResult, Value};
+use crate::scene::{HeadJoints, JointClass, Reaction, Sense};
+
+/// The conclusion that governs a case, and its answer in the terms of those who judge a wall.
+pub(crate) struct Governing<'a> {
+    conclusion: &'a Conclusion,
+    /// Whether its scene has head joints.
+    has_head_joints: bool,
+    terms: Option<Terms>,
+}
+
+impl<'a> Governing<'a> {
+    /// `None` where nothing ran.
+    pub fn of(result: &'a CaseResult) -> Option<Self> {
+        let conclusion = &result.conclusions[governing(&result.conclusions)?];
+        let scene = result.side(conclusion.head_joints, conclusion.push);
+        let mut joints = scene.joints().iter();
+        Some(Self {
+            conclusion,
+            has_head_joints: conclusion.head_joints == HeadJoints::Open
+                || joints.any(|joint| joint.class == JointClass::Head),
+            terms: terms(result, conclusion),
+        })
+    }
+
+    /// The whole in a few sentences: what to use and under which conditions, why that may be believed, what
+    /// it means for the wall, and what moves.
+    pub fn text(&self) -> String {
+        let about = self.conditions();
+        let about = match about.is_empty() {
+            true => String::new(),
+            false => format!(" ({about})"),
+        };
+        let first = format!("{}{about}.", self.lead());
+        let all = [Some(first), Some(self.why()), self.in_use(), self.moves()];
+        let all: Vec<String> = all.into_iter().flatten().collect();
+        all.join(" ")
+    }
+
+    /// What to use, in one clause without its conditions: `Use λ = 0.36542`.
+    fn lead(&self) -> String {
+        let of = self.conclusion;
+        let Some(bracket) = of.bracket else {
+            return match of.basis {
+                Basis::Falls => "It falls under its own weight".to_owned(),
+                Basis::Stands => "It stands, however hard it is pushed".to_owned(),
+                _ => "There is no λ to use".to_owned(),
+            };
+        };
+        if let Some(reaction) = &of.reaction {
+            return gives_way(reaction, of.basis, bracket);
+        }
+        let Bracket { lower, upper } = bracket;
+        match of.basis {
+            Basis::UpperBound => format!("λ is at most {}", above(upper, 5)),
+            Basis::Estimate => format!("λ may be {}", number(lower, 4)),
+            _ => format!("Use λ = {}", number(lower, 5)),
+        }
+    }
+
+    /// What it is about and what it is worth: `head joints in contact, pushed to the left; verified`.
+    fn conditions(&self) -> String {
+        let of = self.conclusion;
+        let joints = self
+            .has_head_joints
+            .then(|| format!("head joints {}", of.head_joints.in_words()));
+        let push = of
+            .other
+            .as_ref()
+            .map(|_| format!("pushed to the {}", of.push.name()));
+        let about: Vec<String> = [joints, push].into_iter().flatten().collect();
+        let worth = of.bracket.map(|_| of.status.name().to_owned());
+        let all = [Some(about.join(", ")), worth].into_iter().flatten();
+        let all: Vec<String> = all.filter(|words| !words.is_empty()).collect();
+        all.join("; ")
+    }
+
+    /// As data, with the text.
+    pub fn json(&self) -> serde_json::Value {
+        let of = self.conclusion;
+        let reads = |lambda: f64| of.reaction.as_ref().map_or(lambda, |of| of.at(lambda));
+        let lambda = of.collapse_known().map(reads);
+        json!({
+            "lambda": Value::from(lambda).json(),
+            "head_joints": of.head_joints.name(),
+            "push": of.push.name(),
+            "status": of.status.name(),
+            "text": self.text(),
+        })
+    }
+
+    fn why(&self) -> String {
+        let of = self.conclusion;
+        if !of.is_explained() {
+            return "Something speaks against it: see the answer.".to_owned();
+        }
+        let why = match (of.basis, &of.floor) {
+            (Basis::LowestState, floor) if of.reaction.is_some() => match floor {
+                Some(_) => {
+                    "A collapse there is verified, and the answer has what is proved of others."
+                }
+                None => {
+                    "A collapse there is verified; it may give way sooner, as no bound is proved."
+                }
+            },
+            (Basis::LowestState, Some(floor)) => {
+                return format!("A collapse there is verified. It is proved that {floor}.");
+            }
+            (Basis::LowestState, None) => {
+                "A collapse there is verified; one below may exist, as no lower bound is proved."
+            }
+            (Basis::UpperBound, _) => {
+                "That is proved; no collapse is verified: the method `interval` looks for the λ to use."
+            }
+            (Basis::Observed, _) => "There the simulation collapsed; nothing is proved.",
+            (Basis::Estimate, _) => "Nothing is proved.",
+            (Basis::Falls, _) => "The answer names what moves first.",
+            (Basis::Stands, _) => "That is proved.",
+            (Basis::NoneFound, _) => {
+                "No collapse state was found, which does not prove that none exists."
+            }
+            (Basis::Nothing, _) => "No method has an answer.",
+        };
+        why.to_owned()
+    }
+
+    /// The λ as an acceleration and as a tilt of the ground, rounded to the safe side of the digits that
+    /// are shown.
+    fn in_use(&self) -> Option<String> {
+        let of = self.conclusion;
+        // Only where the push is a tilt of the ground.
+        self.terms.as_ref()?.tilt?;
+        let lambda = (1e5 * of.collapse_known()?).round() / 1e5;
+        let tilt = lambda.atan().to_degrees();
+        Some(match of.basis {
+            Basis::Estimate => return None,
+            Basis::UpperBound => {
+                let (g, tilt) = (above(lambda, 3), above(tilt, 1));
+                format!(
+                    "It collapses at {g} g, or where the ground tilts by {tilt}°, at the latest."
+                )
+            }
+            _ if lambda <= 0.0 => "It may fall without a push.".to_owned(),
+            _ => {
+                let (g, tilt) = (below(lambda, 3), below(tilt, 1));
+                format!("It may be shaken with up to {g} g, or the ground tilt by {tilt}°.")
+            }
+        })
+    }
+
+    fn moves(&self) -> Option<String> {
+        let words = self.terms.as_ref()?.mechanism.as_ref()?;
+        // The answer describes the parts one by one.
+        let (words, _) = words.split_once(':').unwrap_or((words, ""));
+        Some(format!("Then {words}."))
+    }
+}
+
+/// At which reaction a support's wall gives way, with its part of the weight.
+fn gives_way(reaction: &Reaction, basis: Basis, bracket: Bracket) -> String {
+    let Reaction {
+        support, weight, ..
+    } = reaction;
+    let of_weight = |at: f64| short(100.0 * at / weight, 1);
+    if basis == Basis::UpperBound {
+        let at = reaction.at(bracket.upper);
+        let (least, at) = match reaction.sense {
+            Sense::Away => ("at least", below(at, 5)),
+            Sense::Against => ("at most", above(at, 5)),
+        };
+        return format!("{support} carries {least} {at}");
+    }
+    let at = reaction.at(bracket.lower);
+    let way = match reaction.sense {
+        Sense::Away => "fallen",
+        Sense::Against => "risen",
+    };
+    format!(
+        "It gives way where the reaction of {support} has {way} to {} ({} % of the weight)",
+        number(at, 5),
+        of_weight(at)
+    )
+}
