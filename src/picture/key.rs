@@ -59,7 +59,8 @@ pub fn entries(held: &[Held], scale: f64) -> Vec<(Sample, String)> {
     let of_friction: Vec<&str> = frictions.iter().map(String::as_str).collect();
     let of_friction = format!("joint with friction {}", of_friction.join(", "));
     let length = round_below(LENGTH / scale);
-    let words = format!("{} units of length", short(length, 9));
+    let units = if length == 1.0 { "unit" } else { "units" };
+    let words = format!("{} {units} of length", short(length, 9));
     let (of_force, pixels) = force.clone().unwrap_or_default();
     let of_force = format!("contact force of {of_force}, on the block that it points into");
     let of_thrust = "line of thrust, or resultants on the courses";

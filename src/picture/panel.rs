@@ -251,12 +251,12 @@ impl<'a> Panel<'a> {
             )],
             None => vec![format!("no multiplier: {status}")],
         };
-        if let ([lowest, ..], Some(bracket)) = (outcome.evidence.states(), outcome.bracket())
-            && bracket.lower < bracket.upper
-            && self.contents == Contents::Mechanism
-        {
+        if let [lowest, ..] = outcome.evidence.states() {
             let lambda = number(row.reads(lowest.lambda), 5);
-            lines.push(format!("drawn: the lowest state, {what} {lambda}"));
+            // Where the answer is that one number, nothing else could be drawn.
+            if !lines[0].contains(&format!("{what} {lambda},")) {
+                lines.push(format!("drawn: the lowest state, {what} {lambda}"));
+            }
         }
         if let Some(crack) = &row.crack {
             let about = if crack.sharp { "=" } else { "≈" };
@@ -285,9 +285,12 @@ fn joints(view: &View) -> String {
     let head_joints = view.row.head_joints;
     let open = view.scene.left_out();
     if head_joints == HeadJoints::Contact && open > 0 {
-        format!("contact head joints, {open} of them open")
+        format!(
+            "head joints {}, {open} of them open",
+            head_joints.in_words()
+        )
     } else if view.scene.coursing().is_some() || head_joints == HeadJoints::Open {
-        format!("{} head joints", head_joints.name())
+        format!("head joints {}", head_joints.in_words())
     } else {
         String::new()
     }

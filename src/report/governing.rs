@@ -4,7 +4,7 @@
 use serde_json::json;
 
 use super::terms::{Terms, terms};
-use crate::answer::Bracket;
+use crate::answer::{Bracket, is_same_multiplier};
 use crate::judge::{Basis, Conclusion, governing};
 use crate::number::{above, below, number, short};
 use crate::run::{CaseResult, Value};
@@ -73,10 +73,15 @@ impl<'a> Governing<'a> {
         let joints = self
             .has_head_joints
             .then(|| format!("head joints {}", of.head_joints.in_words()));
-        let push = of
-            .other
-            .as_ref()
-            .map(|_| format!("pushed to the {}", of.push.name()));
+        let push = of.other.as_ref().map(|other| {
+            let both = of.collapse_known().zip(other.collapse_known());
+            match both {
+                Some((one, other)) if is_same_multiplier(one, other, of.multiplier_unit) => {
+                    "pushed to either side".to_owned()
+                }
+                _ => format!("pushed to the {}", of.push.name()),
+            }
+        });
         let about: Vec<String> = [joints, push].into_iter().flatten().collect();
         let worth = of.bracket.map(|_| of.status.name().to_owned());
         let all = [Some(about.join(", ")), worth].into_iter().flatten();

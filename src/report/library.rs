@@ -309,8 +309,8 @@ fn closing(results: &[CaseResult], layout: Layout) -> String {
         1 => format!("1 {of}"),
         _ => format!("{count} {of}s"),
     };
-    let words = format!(
-        "{}, {}, {} of {} compared, {}: {violated} violated, {failed} failed",
+    let counts = format!(
+        "{}, {}, {} of {} compared, {}:",
         count(results.len(), "case"),
         count(rows(results).count(), "result"),
         compared.count(),
@@ -322,5 +322,7 @@ fn closing(results: &[CaseResult], layout: Layout) -> String {
     } else {
         Verdict::Holds
     });
-    format!("\n{}", layout.paragraph(&words, style, ""))
+    let ends = format!("{violated} violated, {failed} failed");
+    let counts = layout.paragraph("", Style::new(), &counts);
+    format!("\n{counts}{}", layout.paragraph(&ends, style, ""))
 }

@@ -34,7 +34,9 @@ worded! {
         /// Nothing: dry-laid, the state before pushing.
         Open = "open",
     }
+}
 
+impl HeadJoints {
     /// How head joints are: `in contact` or `open`.
     pub fn in_words(self) -> &'static str {
         match self {
