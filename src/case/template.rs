@@ -124,6 +124,37 @@ mod tests {
     }
 
     #[test]
+    fn remarks_about_single_courses_joints_and_blocks_are_true() {
+        let mut text = Template::Wall.text("garden");
+        for key in [
+            "heights",
+            "open_head_joints",
+            "joints",
+            "          { between",
+        ] {
+            let remark = format!("# {key}");
+            assert!(text.contains(&remark), "{key}");
+            text = text.replace(&remark, key);
+        }
+        let scene = read(&text).scene(HeadJoints::Contact);
+        let rough = |friction: f64| {
+            let mut joints = scene.joints().iter();
+            joints.any(|joint| joint.friction == friction)
+        };
+        assert!(rough(0.3) && rough(0.4));
+        assert_eq!(scene.left_out(), 2);
+        let text = Template::Blocks.text("garden");
+        let (head, joint) = text.split_once("# [[joint]]\n").unwrap();
+        let (joint, _) = joint.split_once("\n\n").unwrap();
+        let joint = joint.replace("# ", "");
+        let block = "specific_weight = 2.0\nfriction = 0.5\n";
+        let head = head.replace("# specific_weight = 2.0", block);
+        let scene = read(&format!("{head}[[joint]]\n{joint}")).scene(HeadJoints::Contact);
+        assert_eq!(scene.left_out(), 1);
+        assert_eq!(scene.joints()[2].friction, 0.5);
+    }
+
+    #[test]
     fn remarks_about_loads_are_true() {
         let text = Template::Arch.text("garden");
         let (head, load) = text.split_once("# [[load]]\n").unwrap();

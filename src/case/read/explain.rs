@@ -19,9 +19,22 @@ pub(crate) fn explain(document: &Document, error: &toml::de::Error) -> Complaint
         missing_key(span, key.trim_matches('`')).in_document(document)
     } else if message.starts_with("unknown field ") {
         unknown_key(document, span, message)
-    } else if message == "duplicate field `joint`" {
+    } else if message.starts_with("invalid length ") {
         document
-            .complain(span, "`joint` beside `joints`", "the two are one key")
+            .complain(span, "not as many as belong here", "here")
+            .help(format!("write two names, as in `{}`", example("between")))
+    } else if message == "duplicate field `joint`" {
+        // The reader does not say where.
+        let place = document
+            .text
+            .find("[[joint]]")
+            .map(|at| at..at + "[[joint]]".len());
+        document
+            .complain(
+                place.unwrap_or(span),
+                "`joint` beside `joints`",
+                "the two are one key",
+            )
             .help("write all joints as `[[joint]]`, or all of them in `joints = [...]`")
     } else if message == "duplicate key" {
         let title = format!("the key `{}` is written twice", document.at(span.clone()));
@@ -210,6 +223,10 @@ fn list_help(document: &Document, at: usize) -> String {
         "corners" | "along" | "supports" | "between" | "heights" | "open_head_joints"
         | "joints" => {
             format!("write `{}`", example(key))
+        }
+        // Of the weights, in a table of its own.
+        "live" if line_of(&document.text, at).is_some_and(|(_, line)| line.contains('{')) => {
+            "write `live = { weight = [1, 0.3] }`".into()
         }
         "at" | "dead" | "live" => format!("write `{key} = [1.0, 0.0]`"),
         "block" | "support" | "load" | "joint" => {

@@ -27,7 +27,8 @@ pub(super) fn geometry(
     }) = keys.iter().find(|key| !key.forms.contains(&form))
     {
         let title = format!("`{name}` beside {}", form.name());
-        let label = format!("goes with {}", forms[0].name());
+        let goes: Vec<&str> = forms.iter().map(|form| form.name()).collect();
+        let label = format!("goes with {}", goes.join(" or "));
         return Err(Complaint::at(span.clone(), title, label).help(format!(
             "remove `{name}`: a case is either a coursed wall, or blocks, or an arch"
         )));

@@ -69,7 +69,7 @@ fn heights(file: &CaseFile, laid: &PlacedCourses, wall: &Wall) -> Result<Vec<f64
         }));
     }
     let height = |value: &Spanned<Number>| {
-        let height = positive("heights", value)?;
+        let height = positive("height", value)?;
         let ratio = wall.unit_length / height;
         if ratio > MOST_SLENDER || ratio < 1.0 / MOST_SLENDER {
             return Err(too_slender(value, ratio));
