@@ -115,15 +115,17 @@ fn stated_error(scene: &Scene, state: &CollapseState, ceiling: &Mechanism) -> Op
 
 /// |t| ≤ c0 + (1+α) μ n̄ − α μ n, a slightly contractant law through (n̄, μ n̄).
 fn substitute_law(scene: &Scene, frozen: &[f64], alpha: f64, cohesion: f64) -> Vec<FrictionLaw> {
-    let c0 = cohesion * frozen.iter().copied().fold(0.0, f64::max);
-    let laws = scene
-        .joints()
-        .iter()
-        .zip(frozen)
-        .map(|(joint, n)| FrictionLaw {
-            slope: -alpha * joint.friction,
-            intercept: c0 + (1.0 + alpha) * joint.friction * n,
-        });
+    // What guides a support is no joint between stones: its forces may be any, and it carries no shear.
+    let contacts = scene.contacts().len();
+    let c0 = cohesion * frozen[..contacts].iter().copied().fold(0.0, f64::max);
+    let joints = scene.joints().iter().zip(frozen).enumerate();
+    let laws = joints.map(|(index, (joint, n))| FrictionLaw {
+        slope: -alpha * joint.friction,
+        intercept: match index < contacts {
+            true => c0 + (1.0 + alpha) * joint.friction * n,
+            false => 0.0,
+        },
+    });
     laws.collect()
 }
 
