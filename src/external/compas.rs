@@ -19,10 +19,16 @@ pub(crate) fn compas(
         .map(|block| block.weight / block.shape.area())
         .collect();
     let deepest = depths.iter().copied().fold(0.0, f64::max);
+    let still = scene.still_supports();
     let blocks = assembly.blocks.iter().zip(&depths);
-    let blocks = blocks.map(|(block, depth)| (block.name.as_str(), &block.shape, *depth, false));
-    let supports = assembly.supports.iter();
-    let supports = supports.map(|support| (support.name.as_str(), &support.shape, deepest, true));
+    let blocks = blocks.map(|(block, depth)| (block.name.clone(), &block.shape, *depth, false));
+    // Supports that move are the scene's last blocks.
+    let moving = scene.blocks().iter().enumerate().skip(depths.len());
+    let moving = moving.map(|(index, block)| (scene.block_name(index), &block.shape));
+    let supports = still.iter();
+    let supports = supports.map(|(index, shape)| (assembly.supports[*index].name.clone(), shape));
+    let supports = moving.chain(supports);
+    let supports = supports.map(|(name, shape)| (name, shape, deepest, true));
     let (mut elements, mut children) = (Map::new(), Vec::new());
     let mut nodes = Map::new();
     for (node, (name, shape, depth, is_support)) in blocks.chain(supports).enumerate() {
@@ -56,7 +62,7 @@ pub(crate) fn compas(
             "default_node_attributes": {"x": 0.0, "y": 0.0, "z": 0.0, "element": null},
             "default_edge_attributes": {"modifiers": null, "contacts": null},
             "node": nodes,
-            "edge": edges(scene, &depths, forces),
+            "edge": edges(scene, &still, (&depths, deepest), forces),
             "max_node": most,
         },
     });
@@ -114,12 +120,32 @@ fn mesh(shape: &Polygon, depth: f64) -> Value {
 
 /// The contacts of all joints, from the body that the normal points away from to the one that it
 /// points into.
-fn edges(scene: &Scene, depths: &[f64], forces: Option<&[JointForce]>) -> Value {
+fn edges(
+    scene: &Scene,
+    still: &[(usize, Polygon)],
+    (depths, deepest): (&[f64], f64),
+    forces: Option<&[JointForce]>,
+) -> Value {
     let mut edges: Map<String, Value> = Map::new();
-    for (place, joint) in scene.joints().iter().enumerate() {
+    let depth = |block: usize| depths.get(block).copied().unwrap_or(deepest);
+    for (place, joint) in scene.contacts().iter().enumerate() {
         let (from, depth) = match joint.from {
-            Side::Block(block) => (block, depths[block].min(depths[joint.to])),
-            Side::Support(support) => (depths.len() + support, depths[joint.to]),
+            Side::Block(block) => (block, depth(block).min(depth(joint.to))),
+            Side::Support(support) => {
+                // Of the parts that it may be in, the one below the joint's middle.
+                let middle = nalgebra::center(&joint.ends[0], &joint.ends[1]).x;
+                let off = |part: &Polygon| {
+                    let (low, high) = part.bounds();
+                    (low.x - middle).max(middle - high.x)
+                };
+                let parts = still
+                    .iter()
+                    .enumerate()
+                    .filter(|(_, part)| part.0 == support);
+                let nearest = parts.min_by(|a, b| off(&a.1.1).total_cmp(&off(&b.1.1)));
+                let part = nearest.map_or(0, |(part, _)| part);
+                (scene.blocks().len() + part, depth(joint.to))
+            }
         };
         let force = forces.and_then(|forces| forces.get(place));
         let made = contact(place, joint, depth, force);

@@ -34,7 +34,7 @@ pub fn dxf(scene: &Scene, mechanism: Option<&Mechanism>, thrust: Option<&Thrust>
         };
         drawing.polyline(layer, block.shape.corners(), true);
     }
-    for support in scene.still_supports() {
+    for (_, support) in scene.still_supports() {
         drawing.polyline("support", support.corners(), true);
     }
     for (index, block) in scene.blocks().iter().enumerate() {

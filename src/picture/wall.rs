@@ -17,7 +17,7 @@ pub fn line_width(scene: &Scene, frame: &Frame) -> f64 {
 pub fn supports(svg: &mut Svg, scene: &Scene, frame: &Frame, [low, high]: [Point; 2]) {
     let mut shapes = Path::default();
     let mut edges = Path::default();
-    for support in scene.still_supports() {
+    for (_, support) in scene.still_supports() {
         let seen = clipped(&support, low, high);
         let points: Vec<Pixel> = seen.iter().map(|&corner| frame.at(corner)).collect();
         shapes.add(&points, true);

@@ -158,18 +158,20 @@ impl Scene {
         self.joints.iter().find(is_pin).map(|joint| joint.ends[0])
     }
 
-    /// What stands still of every support: all of it, or the ground beside the parts that move.
-    pub(crate) fn still_supports(&self) -> Vec<Polygon> {
+    /// What stands still of every support, and which one that is: all of it, or the ground beside the parts
+    /// that move.
+    pub(crate) fn still_supports(&self) -> Vec<(usize, Polygon)> {
         let still = |(index, support): (usize, &Polygon)| {
             let guides = self.joints.iter().filter(|joint| {
                 joint.class == JointClass::Guide && joint.from == Side::Support(index)
             });
             let mut moving: Vec<usize> = guides.map(|joint| joint.to).collect();
             moving.dedup();
-            match moving.is_empty() {
+            let parts = match moving.is_empty() {
                 true => vec![support.clone()],
                 false => beside(support, moving.iter().map(|&to| &self.blocks[to].shape)),
-            }
+            };
+            parts.into_iter().map(move |part| (index, part))
         };
         self.supports.iter().enumerate().flat_map(still).collect()
     }

@@ -245,3 +245,35 @@ fn a_model_that_is_written_is_read_as_the_same_blocks() {
         "{said}"
     );
 }
+
+/// The ground that units sink with is a support of its own between what stays, and moves in the model.
+#[test]
+fn a_support_that_moves_is_one_of_the_model() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let wall = "unit = { length = 1, height = 1, weight = 1 }\ncourses = [\"1111\", \"h111h\"]\n\
+                friction = 0.65\n[[move]]\nunits = \"2-3\"\ndirection = [0, -1]\nmoves = \"away\"\n";
+    std::fs::write(folder.path().join("a.toml"), wall).expect("it can be written");
+    let export = ["export", "a.toml", "--compas", "a.json"];
+    let (status, said) = trilith(folder.path(), &export);
+    assert_eq!(status, Some(0), "{said}");
+    let text = std::fs::read_to_string(folder.path().join("a.json")).expect("it is written");
+    let scene = read(&text)
+        .expect("a model")
+        .case
+        .scene(HeadJoints::Contact);
+    let own = Case::read("a.toml", wall.as_bytes()).expect("a case");
+    let own = own.scene(HeadJoints::Contact);
+    assert_eq!((scene.blocks().len(), scene.supports().len()), (9, 3));
+    assert_eq!(scene.joints().len(), own.joints().len() - 2);
+    let model: Value = serde_json::from_str(&text).expect("JSON");
+    let graph = &model["data"]["graph"];
+    let sinks = graph["node"]["9"]["displacement"][2].as_f64();
+    assert!(sinks.is_some_and(|moved| moved < 0.0), "{graph}");
+    // Units 2 and 3 stand on it, 1 and 4 on what stays.
+    let on = |node: &str| {
+        graph["edge"][node]
+            .as_object()
+            .map_or(0, |edges| edges.len())
+    };
+    assert_eq!([on("9"), on("10"), on("11")], [2, 1, 1]);
+}
