@@ -15,8 +15,10 @@ pub(super) fn best(of: &Conclusion, reaction: &Reaction) -> String {
     let found = of.bracket.map_or_else(String::new, |bracket| {
         let share = short(100.0 * reaction.at(bracket.lower) / reaction.weight, 2);
         let (one, other) = (reads(bracket.lower), reads(bracket.upper));
+        // Friction can hold back a support that slides along its joint.
+        let pull = if one.starts_with('-') { "a pull, " } else { "" };
         match (one == other, reaction.sense) {
-            (true, _) => format!("{one} ({share} % of the weight)"),
+            (true, _) => format!("{one} ({pull}{share} % of the weight)"),
             (false, Sense::Away) => format!("{other} - {one}"),
             (false, Sense::Against) => format!("{one} - {other}"),
         }

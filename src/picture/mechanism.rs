@@ -3,7 +3,7 @@
 
 use super::frame::{Displacement, Frame};
 use super::key::Held;
-use super::palette::{BLOCK_LINE, LARGEST, OPENING, PARTS, SCALE, SLIDING, STILL, WHITE};
+use super::palette::{BLOCK_LINE, LARGEST, OPENING, PARTS, SCALE, SLIDING, STILL, SUPPORT, WHITE};
 use super::svg::{Path, Pixel, Svg, style};
 use super::tints::tints;
 use super::wall::line_width;
@@ -46,10 +46,23 @@ impl<'a> DrawnMechanism<'a> {
             .then(|| tints(scene, parts, PARTS.len() + 1))
             .flatten();
         let by_displacement = tints.is_none();
-        let groups = match tints {
+        let mut groups = match tints {
             Some(tints) => of_parts(&moved, &tints),
             None => of_displacement(&moved),
         };
+        let supports = (0..scene.blocks().len()).filter(|&block| scene.is_moving_support(block));
+        let supports: Vec<usize> = supports.collect();
+        for group in &mut groups {
+            group.blocks.retain(|block| !supports.contains(block));
+        }
+        groups.retain(|group| !group.blocks.is_empty());
+        if !supports.is_empty() {
+            groups.push(Group {
+                fill: SUPPORT,
+                words: "support: moves".to_owned(),
+                blocks: supports,
+            });
+        }
         Self {
             mechanism,
             displacement: Displacement::new(scene, mechanism),
@@ -77,6 +90,7 @@ impl<'a> DrawnMechanism<'a> {
         };
         let groups = self.groups.iter().map(|group| match group.fill {
             STILL => Held::Still,
+            SUPPORT => Held::Support,
             _ if self.by_displacement => Held::Scale,
             tint => Held::Tint(tint),
         });

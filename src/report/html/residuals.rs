@@ -17,6 +17,9 @@ fn put_forward(row: &Row) -> Vec<PutForward> {
     let residuals = row.residuals.iter().enumerate();
     let described = residuals.map(|(index, of)| {
         let (lambda, residuals) = by_name(of);
+        // Where a support moves, its reaction.
+        let lambda = lambda
+            .map(|lambda| (row.reaction.as_ref()).map_or(lambda, |reaction| reaction.at(lambda)));
         let cells = [
             TableCell::text(&row.method),
             TableCell::text(row.head_joints.name()),
