@@ -167,6 +167,21 @@ fn closed(layer: &str, handle: &str, corners: &[(f64, f64)]) -> String {
     format!("0\nPOLYLINE\n5\n{handle}\n8\n{layer}\n66\n1\n70\n1\n{vertices}0\nSEQEND\n8\n{layer}\n")
 }
 
+/// The ground that units sink with is an outline of its own beside what stays, so that the drawing is the wall.
+#[test]
+fn a_wall_whose_units_sink_comes_back() {
+    let moves = "[[move]]\nunits = \"2-3\"\ndirection = [0, -1]\nmoves = \"away\"\n";
+    let sinks = coursed(&format!("{WALL}{moves}")).scene(HeadJoints::Contact);
+    let drawn = dxf(&sinks, None, None);
+    let read = Case::from_drawing("a.dxf", drawn.as_bytes(), &options());
+    let read = read.unwrap_or_else(|complaint| panic!("{complaint}")).case;
+    let scene = read.scene(HeadJoints::Contact);
+    let ends = scene.supports().iter().map(|support| support.bounds());
+    let sinking = ends.filter(|(low, high)| (low.x, high.x) == (0.5, 1.5));
+    assert_eq!((scene.supports().len(), sinking.count()), (3, 1));
+    assert!((associative(&read) - associative(&coursed(WALL))).abs() < 1e-9);
+}
+
 fn refused(text: &str) -> String {
     let read = Case::from_drawing("a.dxf", text.as_bytes(), &options());
     let complaint = read.expect_err("it is refused");

@@ -1,10 +1,11 @@
 //! Supports that move, against elementary statics: the reaction at which they give way.
 
-use trilith::answer::Status;
+use trilith::answer::{Certificate, Status};
 use trilith::case::{self, Case};
+use trilith::inside::{Refusal, prove};
 use trilith::method::{Settings, methods};
 use trilith::run::{Row, answer};
-use trilith::scene::HeadJoints;
+use trilith::scene::{HeadJoints, Scene};
 
 /// The answer of a method for a case in this text.
 fn solved(text: &str, method: &str) -> Row {
@@ -59,15 +60,139 @@ fn a_push_may_act_all_the_while() {
 #[test]
 fn a_support_may_turn() {
     let reaction = 1.0 / (2.5f64.powi(2) + 0.25).sqrt();
-    let turning = format!("{BEAM}about = [1, 1]\n");
-    gives_way_at(&turning, reaction);
-    let pushover = solved(&turning, "pushover");
-    assert_eq!(pushover.status(), Status::NotApplicable);
-    assert!(
-        pushover.reason().contains("none that turns"),
-        "{}",
-        pushover.reason()
-    );
+    gives_way_at(&format!("{BEAM}about = [1, 1]\n"), reaction);
+}
+
+/// compas_pr2d's arch of 12 trapezoids (rise 4, span 10, thickness 0.5) that act at the mean of their corners,
+/// or else at their centroids; the left springing moves along its joint's normal. The weight is 1.
+fn arch_of_trapezoids(friction: f64, mean: bool, moves: &str) -> String {
+    let (radius, low): (f64, f64) = (5.125, -1.125);
+    let at = |joint: usize, radius: f64| {
+        let half = (5.0 / 5.125f64).asin();
+        let angle = half * (1.0 - joint as f64 / 6.0);
+        [radius * angle.sin(), low + radius * angle.cos()]
+    };
+    let [inner, outer] = [at(12, radius), at(12, radius + 0.5)];
+    let along = [2.0 * (outer[0] - inner[0]), 2.0 * (outer[1] - inner[1])];
+    let away = [along[1], -along[0]].map(|part| -part);
+    let beyond = |[x, y]: [f64; 2], by: [f64; 2]| [x + by[0], y + by[1]];
+    let ground = |name: &str, corners: [[f64; 2]; 4]| {
+        format!("[[support]]\nname = \"{name}\"\ncorners = {corners:?}\n")
+    };
+    let mut text = format!("friction = {friction}\n[blocks]\n");
+    for joint in 0..12 {
+        let corners = [
+            at(joint, radius),
+            at(joint, radius + 0.5),
+            at(joint + 1, radius + 0.5),
+            at(joint + 1, radius),
+        ];
+        let middle = [0, 1].map(|k| corners.iter().map(|corner| corner[k]).sum::<f64>() / 4.0);
+        text += &format!(
+            "[[block]]\nname = \"v{joint}\"\nweight = {}\ncorners = {corners:?}\n",
+            1.0 / 12.0
+        );
+        text += &match mean {
+            true => format!("centre = {middle:?}\n"),
+            false => String::new(),
+        };
+    }
+    let mirrored = |[x, y]: [f64; 2]| [-x, y];
+    let left = [inner, outer, beyond(outer, away), beyond(inner, away)];
+    let right = [left[3], left[2], left[1], left[0]].map(mirrored);
+    text += &(ground("left", left) + &ground("right", right));
+    text + &format!("[[move]]\nsupport = \"left\"\ndirection = {away:?}\nmoves = \"{moves}\"\n")
+}
+
+/// Values of science.md, section 10, by another form of the problem: power for 0.4 of motion and weights of 9.81.
+/// The first is the notebook's own, 26.159042627806343.
+#[test]
+fn the_arch_of_compas_pr2d_gives_way_as_by_others() {
+    for (friction, mean, moves, power) in [
+        (0.3, true, "against", 26.159_042_628),
+        (3.0, true, "against", 26.160_520_922),
+        (0.3, false, "against", 26.156_295),
+        (0.3, true, "away", 25.150_463),
+    ] {
+        let reaction = power / 0.4 / (12.0 * 9.81);
+        gives_way_at(&arch_of_trapezoids(friction, mean, moves), reaction);
+    }
+}
+
+/// What `bound` proves and the scene that it is about.
+fn certified(text: &str) -> (Scene, Row, Certificate) {
+    let case = Case::read("a.toml", text.as_bytes()).unwrap_or_else(|e| panic!("{e}"));
+    let row = solved(text, "bound");
+    let (_, outcome) = row.sides().next().expect("it ran");
+    let certificate = outcome.evidence.certificate();
+    let certificate = certificate.unwrap_or_else(|| panic!("{text}{}", row.reason()));
+    let certificate = Certificate::clone(certificate);
+    (case.scene(HeadJoints::Contact), row, certificate)
+}
+
+const TWO: &str =
+    "[[move]]\nsupport = \"left\"\ndirection = [-1, -1]\nrate = 0.3\nmoves = \"away\"\n";
+
+/// Supports that sink, rise, turn and move as one are proved to give way no earlier than where states are found.
+#[test]
+fn no_state_of_a_support_that_moves_lies_before_what_is_proved() {
+    let turns = format!("{BEAM}about = [1, 1]\n");
+    let two = format!("{BEAM}{TWO}");
+    let arch = |moves| arch_of_trapezoids(0.3, true, moves);
+    let texts = [BEAM.into(), turns, two, arch("away"), arch("against")];
+    let raised = texts[..3]
+        .iter()
+        .map(|text| text.replace("away", "against"));
+    for text in texts.iter().cloned().chain(raised) {
+        let (scene, row, certificate) = certified(&text);
+        let proved = prove(&scene, &certificate).unwrap_or_else(|e| panic!("{e}"));
+        let found = row.bracket().expect("it gives way");
+        assert_eq!(row.status(), Status::Verified, "{text}{found:?}");
+        let states = solved(&text, "interval");
+        let (_, outcome) = states.sides().next().expect("it ran");
+        let first = outcome.bracket().expect("it gives way").lower;
+        assert!(
+            proved.lower <= first && first - proved.lower < 1e-5,
+            "{text}"
+        );
+    }
+}
+
+/// Neither another motion of the support nor another number is what was proved.
+#[test]
+fn a_changed_certificate_of_a_support_proves_nothing() {
+    let (scene, _, certificate) = certified(BEAM);
+    let refused = |change: &dyn Fn(&mut Certificate)| {
+        let mut changed = certificate.clone();
+        change(&mut changed);
+        prove(&scene, &changed).expect_err("it is changed")
+    };
+    let less = |refusal| matches!(refusal, Refusal::Less { .. });
+    let support = scene.blocks().len() - 1;
+    // The last row of equilibrium is the support's own.
+    let row = certificate.slices[0].balance.len() / (3 * support + 1) * 3 * support;
+    assert!(less(refused(&|c| c.slices[0].balance[row] += 1.0)));
+    assert!(less(refused(&|c| c.slices[0].sigma += 1.0)));
+    assert!(less(refused(&|c| c.lower *= 1.001)));
+    assert!(matches!(
+        refused(&|c| c.opening.iter_mut().for_each(|v| *v = -*v)),
+        Refusal::Locks { .. }
+    ));
+    assert_eq!(refused(&|c| c.opening.push(0.0)), Refusal::Size);
+    for other in [
+        BEAM.replace("away", "against"),
+        BEAM.replace("[0, -1]", "[0.1, -1]"),
+        format!("{BEAM}about = [1, 1]\n"),
+        format!("{BEAM}pushed = 0.1\n"),
+        format!("{BEAM}{TWO}"),
+    ] {
+        let (other, _, own) = certified(&other);
+        assert_eq!(prove(&other, &certificate), Err(Refusal::OtherScene));
+        let mut stolen = certificate.clone();
+        stolen.scene.clone_from(&own.scene);
+        let proved = prove(&other, &stolen);
+        assert!(proved.is_err(), "{proved:?}");
+    }
 }
 
 /// Of two props that sink alike the outer one bears all: moments about the edge at (1, 1), 2 W / 5.
