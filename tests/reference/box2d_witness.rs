@@ -53,6 +53,15 @@ struct Arguments {
 
 fn main() {
     let arguments = Arguments::parse();
+    let given = &arguments;
+    let hertz = given.hertz.unwrap_or(1.0);
+    let substeps = f64::from(given.substeps);
+    let positive = |value: f64| value.is_finite() && value > 0.0;
+    let numbers = [given.rate, given.size, given.tolerance, hertz, substeps];
+    if !numbers.into_iter().all(positive) {
+        eprintln!("every setting is a number above 0");
+        std::process::exit(2);
+    }
     let scene: scene::Scene = match serde_json::from_reader(std::io::stdin().lock()) {
         Ok(scene) => scene,
         Err(error) => {
