@@ -21,3 +21,12 @@ fn record_of_paper_3() {
 fn pushover_of_paper_3() {
     paper_3("paper-3.pushover", |method| method == "pushover");
 }
+
+#[test]
+#[ignore = "pushovers of tens of seconds unoptimised"]
+fn records_of_slow_cases() {
+    for name in common::SLOW {
+        let path = format!("cases/published/{name}.toml");
+        common::assert_record(common::read(Path::new(&path)), name, |_| true);
+    }
+}

@@ -12,6 +12,9 @@ use trilith::run::{CaseResult, Plan};
 /// Walls of more blocks than this have their records in ignored tests: they take minutes unoptimised.
 const QUICK: usize = 300;
 
+/// Smaller cases whose pushovers take tens of seconds unoptimised.
+pub const SLOW: [&str; 2] = ["lact3-wall", "vertical-cuts-stands"];
+
 /// The one case of a file.
 pub fn read(path: &Path) -> Case {
     let argument = path.to_str().expect("paths of cases are UTF-8");
@@ -23,7 +26,7 @@ pub fn read(path: &Path) -> Case {
 /// Whether the case belongs to the long records.
 pub fn is_long(case: &Case) -> bool {
     let blocks = |head| case.scene(head).blocks().len();
-    case.head_joints.iter().any(|&head| blocks(head) > QUICK)
+    SLOW.contains(&case.name.as_str()) || case.head_joints.iter().any(|&head| blocks(head) > QUICK)
 }
 
 /// Runs the methods that `wanted` names, compares the record with the snapshot `name`, and asserts
