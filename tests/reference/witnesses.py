@@ -37,7 +37,7 @@ SCENES = """paper-1 paper-1@open paper-2 paper-2@open openings-3 openings-3@open
     overburden-1 overburden-1@open english-bond english-bond@open flemish-bond flemish-bond@open
     header-bond header-bond@open running-third running-third@open stack-bond stack-bond@open
     slippery-base@open battered-wall gable@open rubble-bent@open rubble-cut house-front@open
-    paper-3@open paper-3""".split()
+    paper-3@open""".split()
 SMALL = "oppenheim-7 battered-wall stack-bond@open".split()
 # The first setting of an engine is the one that the table of witnesses has.
 ENGINES = {
@@ -46,6 +46,8 @@ ENGINES = {
     "lmgc90": ["--tolerance 1e-3", "--tolerance 1e-4", "--tolerance 1e-2", "--tolerance 1e-1"],
 }
 METHODS = ["associative", "interval", *ENGINES]
+# A sweep of its contacts takes 2.1 ms; paper-2 needs 1.3 million of them, and they grow with the square of the courses.
+NOT_RUN = {("paper-3@open", "lmgc90"): "not asked: it would take about 17 hours of CPU"}
 ENGINE_COLUMNS = "engine setting case reference lower upper error outside seconds reason".split()
 TABLE_COLUMNS = "case method status lower upper stated_error seconds remark".split()
 
@@ -169,6 +171,9 @@ def table(options):
     order = [(case, method) for case in SCENES for method in METHODS]
 
     def told(case, method):
+        if (case, method) in NOT_RUN:
+            nothing = dict.fromkeys(TABLE_COLUMNS, "") | {"status": "not run", "seconds": "0"}
+            return nothing | {"case": case, "method": method, "remark": NOT_RUN[case, method]}
         row = Runner(options).row(case, method, ENGINES.get(method, [""])[0])
         found = {name: row[name] for name in TABLE_COLUMNS if name in row}
         return found | {"case": case, "remark": "" if row["lower"] else row["reason"]}
