@@ -4,6 +4,8 @@
     python3 -m pip install compas-lmgc90==0.1.11        (Linux; LMGC90 is bundled)
     trilith run paper-1 --external lmgc90="python3 tests/reference/lmgc90.py --tolerance 1e-3"
 
+Walls of more than ten courses take longer than the 60 s that trilith gives: a file of methods can give more.
+
 Reads a scene on standard input and writes a bracket of λ on standard output: the last load under which the blocks
 come to rest, and the first under which they run away. Each outline becomes a prism, or several triangular ones of one
 body where it is not convex; only what shares a joint of the scene touches, with that joint's friction, so that open
@@ -94,20 +96,24 @@ def beyond(simulation, settings, lower, above, upper, width):
 
 def in_a_fork(simulation, multiplier, settings):
     """What `hold` says of a load from here on, where everything is left as it is; counts go on."""
+    outcome, simulation.counts = forked(lambda: [hold(simulation, multiplier, settings), simulation.counts])
+    return outcome
+
+
+def forked(work):
+    """What is computed by a process of its own, which LMGC90 may end as it does."""
     read, write = os.pipe()
     if os.fork() == 0:
         ctypes.CDLL(None).prctl(1, signal.SIGKILL)  # no fork outlives its parent
-        outcome = hold(simulation, multiplier, settings)
-        os.write(write, json.dumps([outcome, simulation.counts]).encode())
+        os.write(write, json.dumps(work()).encode())
         os._exit(0)
     os.close(write)
     with os.fdopen(read) as file:
         text = file.read()
     _, status = os.wait()
     if not text:
-        raise Refused(f"LMGC90 ended with status {status}")
-    outcome, simulation.counts = json.loads(text)
-    return outcome
+        raise Refused(f"it ended with status {os.waitstatus_to_exitcode(status)}")
+    return json.loads(text)
 
 
 def answer(scene, settings):
@@ -152,10 +158,24 @@ def main():
     screen = os.dup(1)
     os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # LMGC90 writes of its progress
     try:
-        result = answer(json.load(sys.stdin), settings)
+        result = forked(lambda: told(settings))
     except Refused as why:
         result = {"kind": "not-applicable", "reason": f"LMGC90: {why}"}
+    if "error" in result:
+        sys.exit(result["error"])
     os.write(screen, json.dumps(result).encode())
+
+
+def told(settings):
+    """The answer to the scene on standard input, or what was wrong with it."""
+    try:
+        return answer(json.load(sys.stdin), settings)
+    except Refused as why:
+        return {"kind": "not-applicable", "reason": f"LMGC90: {why}"}
+    except ImportError as why:
+        return {"error": f"{why}: install it by `python3 -m pip install compas-lmgc90==0.1.11`"}
+    except (json.JSONDecodeError, KeyError, TypeError) as why:
+        return {"error": f"no scene on standard input, as `trilith export` writes it: {why!r}"}
 
 
 if __name__ == "__main__":
