@@ -39,8 +39,9 @@ pub(super) const FORMAT: &str = r#"A sweep file names a case and says what varie
   [[vary]]                 # tables multiply; keys of one table vary together
   friction = [0.4, 0.65]
   "unit.length" = [3.0, 4.0]      # a key within a table stands in quotes;
-                                  # "settings.starts" is one too, and an item of a list
-                                  # counts from 1: "joints.1.friction", "live.weight.2"
+                                  # "settings.starts" is one too, and items
+                                  # of a list are counted from 1, as in
+                                  # "joints.1.friction", "live.weight.2"
 
 `aspect` varies the length of the unit over its height, at constant height.
 `refine = [1, 2]` cuts each unit of a bond into n by n: the wall keeps its size

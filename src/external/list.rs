@@ -77,6 +77,9 @@ fn of_argument(name: &str, command: &str) -> Result<External, (String, String)> 
 }
 
 /// Reads the text of a file of methods, whose folder is where they run.
+///
+/// # Errors
+/// The first mistake of the file.
 pub fn parse(path: &str, text: &str) -> Result<Vec<External>, Complaint> {
     let document = Document {
         path: path.to_owned(),

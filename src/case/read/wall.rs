@@ -71,7 +71,7 @@ fn heights(file: &CaseFile, laid: &PlacedCourses, wall: &Wall) -> Result<Vec<f64
     let height = |value: &Spanned<Number>| {
         let height = positive("height", value)?;
         let ratio = wall.unit_length / height;
-        if ratio > MOST_SLENDER || ratio < 1.0 / MOST_SLENDER {
+        if !(1.0 / MOST_SLENDER..=MOST_SLENDER).contains(&ratio) {
             return Err(too_slender(value, ratio));
         }
         Ok(height)
