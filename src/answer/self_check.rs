@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::bracket::Bracket;
 use crate::number::number;
+use crate::text::worded;
 
 /// A self-check that ran: a figure, and what it must not exceed.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -47,15 +48,17 @@ pub enum Checked {
     },
 }
 
-/// What differs in a pushover that must agree with the first.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
-pub enum Repetition {
-    /// Half the substep.
-    HalfSubstep,
-    /// Left and right exchanged.
-    Mirrored,
-    /// Neither kinetic damping nor extrapolation.
-    Undamped,
+worded! {
+    /// What differs in a pushover that must agree with the first.
+    #[derive(Serialize, Deserialize)]
+    Repetition {
+        /// Half the substep.
+        HalfSubstep = "with half the substep",
+        /// Left and right exchanged.
+        Mirrored = "on the mirrored scene",
+        /// Neither kinetic damping nor extrapolation.
+        Undamped = "without damping",
+    }
 }
 
 /// One of the pushovers over which an answer is a range.
@@ -111,26 +114,17 @@ impl fmt::Display for SelfCheck {
                 answer: Ok(Bracket { lower, upper }),
             } => write!(
                 f,
-                "{with} the pushover gives {} to {}, which is {value:.1e} of λ away, and at most {limit:.0e} \
+                "{} the pushover gives {} to {}, which is {value:.1e} of λ away, and at most {limit:.0e} \
                  is allowed",
+                with.name(),
                 number(*lower, 5),
                 number(*upper, 5)
             ),
             Checked::Repetition {
                 with,
                 answer: Err(reason),
-            } => write!(f, "{with} the pushover has no answer: {reason}"),
+            } => write!(f, "{} the pushover has no answer: {reason}", with.name()),
         }
-    }
-}
-
-impl fmt::Display for Repetition {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Repetition::HalfSubstep => "with half the substep",
-            Repetition::Mirrored => "on the mirrored scene",
-            Repetition::Undamped => "without damping",
-        })
     }
 }
 

@@ -68,26 +68,34 @@ fn widths(scene: &Scene, mechanism: &Mechanism, beyond: [f64; 2]) -> Option<(f64
     (e > 0.0).then_some((c.min(e), e))
 }
 
-/// Crack slope at two thresholds (fractions of the largest corner velocity), the finer one
-/// reported; `None` where the scene is no wall of units and halves, where nothing moves at its top
-/// edge, and where the top slides and nothing there turns.
-pub fn crack_slope(scene: &Scene, mechanism: &Mechanism, thresholds: [f64; 2]) -> Option<Crack> {
+/// The crack of these widths, and whether they are sharp; `None` where the scene is no wall of units and
+/// halves, where nothing moves at its top edge, and where the top slides and nothing there turns.
+fn crack(
+    scene: &Scene,
+    mechanism: &Mechanism,
+    widths: impl FnOnce(f64) -> Option<((f64, f64), bool)>,
+) -> Option<Crack> {
     let wall = scene.coursing().filter(|wall| wall.halves)?;
     if slides(scene, mechanism, wall.height) {
         return None;
     }
-    let at = |threshold| widths(scene, mechanism, [threshold * mechanism.fastest(scene); 2]);
-    let (c, e) = at(thresholds[0])?;
-    let again = at(thresholds[1]);
-    let same = |(c2, e2): (f64, f64)| {
-        let tolerance = 1e-6 * wall.height;
-        (c2 - c).abs() < tolerance && (e2 - e).abs() < tolerance
-    };
+    let ((c, e), sharp) = widths(wall.height)?;
     Some(Crack {
         c: Some(c),
         e: Some(e),
         tan_beta: ((c + e) / 2.0 - wall.overlap) / wall.height,
-        sharp: again.is_some_and(same),
+        sharp,
+    })
+}
+
+/// Crack slope at two thresholds (fractions of the largest corner velocity), the finer one reported.
+pub fn crack_slope(scene: &Scene, mechanism: &Mechanism, thresholds: [f64; 2]) -> Option<Crack> {
+    crack(scene, mechanism, |height| {
+        let at = |threshold| widths(scene, mechanism, [threshold * mechanism.fastest(scene); 2]);
+        let (c, e) = at(thresholds[0])?;
+        let near = |a: f64, b: f64| (a - b).abs() < 1e-6 * height;
+        let same = |(c2, e2): (f64, f64)| near(c2, c) && near(e2, e);
+        Some(((c, e), at(thresholds[1]).is_some_and(same)))
     })
 }
 
@@ -96,29 +104,22 @@ pub fn crack_slope(scene: &Scene, mechanism: &Mechanism, thresholds: [f64; 2]) -
 /// ratios, and no threshold. Not sharp where that gap is narrower than a factor of 10, or not twice
 /// as wide as the next one, or where what moves is not in one piece.
 pub fn crack_slope_by_gap(scene: &Scene, mechanism: &Mechanism) -> Option<Crack> {
-    let wall = scene.coursing().filter(|wall| wall.halves)?;
-    if slides(scene, mechanism, wall.height) {
-        return None;
-    }
-    let fastest = mechanism.fastest(scene);
-    let top = top_blocks(scene);
-    let first = top.first()?.0;
-    let speeds = |reference| -> Vec<f64> {
-        let speed = |&(block, _): &(usize, f64)| mechanism.speed(scene, block, reference);
-        top.iter().map(|block| speed(block) / fastest).collect()
-    };
-    let (own, relative) = (speeds(None), speeds(Some(first)));
-    let gaps = [widest_gap(&own), widest_gap(&relative)];
-    let limits = gaps.map(|(limit, _)| limit);
-    let (c, e) = widths(scene, mechanism, limits.map(|limit| limit * fastest))?;
-    // Moving first, then still; and against the first block the other way round.
-    let one_piece =
-        own.is_sorted_by_key(|&v| v <= limits[0]) && relative.is_sorted_by_key(|&v| v > limits[1]);
-    Some(Crack {
-        c: Some(c),
-        e: Some(e),
-        tan_beta: ((c + e) / 2.0 - wall.overlap) / wall.height,
-        sharp: one_piece && gaps.iter().all(|&(_, clear)| clear),
+    crack(scene, mechanism, |_| {
+        let fastest = mechanism.fastest(scene);
+        let top = top_blocks(scene);
+        let first = top.first()?.0;
+        let speeds = |reference| -> Vec<f64> {
+            let speed = |&(block, _): &(usize, f64)| mechanism.speed(scene, block, reference);
+            top.iter().map(|block| speed(block) / fastest).collect()
+        };
+        let (own, relative) = (speeds(None), speeds(Some(first)));
+        let gaps = [widest_gap(&own), widest_gap(&relative)];
+        let limits = gaps.map(|(limit, _)| limit);
+        let found = widths(scene, mechanism, limits.map(|limit| limit * fastest))?;
+        // Moving first, then still; and against the first block the other way round.
+        let one_piece = own.is_sorted_by_key(|&v| v <= limits[0])
+            && relative.is_sorted_by_key(|&v| v > limits[1]);
+        Some((found, one_piece && gaps.iter().all(|&(_, clear)| clear)))
     })
 }
 

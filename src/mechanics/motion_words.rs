@@ -25,7 +25,6 @@ const CARRIED: f64 = 1e-6;
 /// Sizes of what moves beyond which a centre of rotation is so far away that nothing turns.
 const FAR: f64 = 20.0;
 
-/// What a rigid motion is.
 enum RigidMotion {
     /// Without turning, along a velocity.
     Slides(Vector),

@@ -32,11 +32,8 @@ fn the_papers_walls_pass_every_check() {
                     && check.passed()
             };
             let checks = outcome.evidence.checks();
-            assert_eq!(
-                checks.iter().filter(agrees).count(),
-                1,
-                "{repeated} {checks:?}"
-            );
+            let count = checks.iter().filter(agrees).count();
+            assert_eq!(count, 1, "{repeated:?} {checks:?}");
         }
     }
 }

@@ -3,9 +3,9 @@
 use std::fmt;
 
 use serde::{Deserialize, Serialize};
-use thiserror::Error;
 
 use crate::answer::bracket::is_same_multiplier;
+use crate::text::worded;
 
 /// How every start of a search for collapse states ended, in the order in which they ran.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -19,43 +19,25 @@ pub struct SearchFacts {
     pub multiplier_unit: f64,
 }
 
-/// Why a start gave no state.
-#[derive(Clone, Copy, Debug, Error, PartialEq, Eq, Serialize, Deserialize)]
-pub enum SearchFailure {
-    /// The gap stayed open.
-    #[error("did not close the gap between forces and mechanism")]
-    GapOpen,
-    /// A program with frozen capacities has no force state.
-    #[error("met a linear program without a force state")]
-    Infeasible,
-    /// A program is unbounded.
-    #[error("met a linear program without a limit of λ")]
-    Unbounded,
-    /// The solver gave up on a program.
-    #[error("met a linear program that the solver gave up")]
-    Unsolved,
-    /// The state found for a part of the scene is none of the whole scene.
-    #[error("reached a state of a part that is none of the whole scene")]
-    PartOnly,
-    /// The state found leaves residuals that prove nothing.
-    #[error("reached a state that is not proved")]
-    Unproved,
-    /// All states of the mechanism lie below λ = 0, where a push begins.
-    #[error("reached a mechanism whose states lie below λ = 0, where a push begins")]
-    BelowZero,
-}
-
-impl SearchFailure {
-    /// Every failure, in the order in which they are counted.
-    pub const ALL: [SearchFailure; 7] = [
-        SearchFailure::GapOpen,
-        SearchFailure::Infeasible,
-        SearchFailure::Unbounded,
-        SearchFailure::Unsolved,
-        SearchFailure::PartOnly,
-        SearchFailure::Unproved,
-        SearchFailure::BelowZero,
-    ];
+worded! {
+    /// Why a start gave no state; in the order in which they are counted, each with what is said of it.
+    #[derive(Serialize, Deserialize)]
+    SearchFailure {
+        /// The gap stayed open.
+        GapOpen = "did not close the gap between forces and mechanism",
+        /// A program with frozen capacities has no force state.
+        Infeasible = "met a linear program without a force state",
+        /// A program is unbounded.
+        Unbounded = "met a linear program without a limit of λ",
+        /// The solver gave up on a program.
+        Unsolved = "met a linear program that the solver gave up",
+        /// The state found for a part of the scene is none of the whole scene.
+        PartOnly = "reached a state of a part that is none of the whole scene",
+        /// The state found leaves residuals that prove nothing.
+        Unproved = "reached a state that is not proved",
+        /// All states of the mechanism lie below λ = 0, where a push begins.
+        BelowZero = "reached a mechanism whose states lie below λ = 0, where a push begins",
+    }
 }
 
 /// How far the starts of a search cover the states that there are.
@@ -140,7 +122,7 @@ impl fmt::Display for SearchFacts {
         for failure in SearchFailure::ALL {
             let count = self.failed(failure);
             if count > 0 {
-                write!(f, "; {} {failure}", counted(count, "start"))?;
+                write!(f, "; {} {}", counted(count, "start"), failure.name())?;
             }
         }
         Ok(())
