@@ -537,7 +537,12 @@ fn there_and_back(case: &Case, head_joints: HeadJoints) -> [Case; 2] {
     case.head_joints = vec![head_joints];
     case.pushes.truncate(1);
     case.references.clear();
-    let text = dxf(&case.scene(head_joints), None, None);
+    let text = dxf(
+        &case.scene(head_joints),
+        &case.geometry.assembly(),
+        None,
+        None,
+    );
     let options = DrawingOptions {
         friction: Some(0.0),
         head_joints: vec![head_joints],
@@ -592,7 +597,7 @@ fn a_support_that_moves_is_drawn_once() {
     let mut count = 0;
     for case in library.filter(moving) {
         let scene = &case.scene(HeadJoints::Open);
-        let text = dxf(scene, None, None);
+        let text = dxf(scene, &case.geometry.assembly(), None, None);
         let drawn = Case::from_drawing("a.dxf", text.as_bytes(), &options());
         let drawn = drawn.unwrap_or_else(|complaint| panic!("{}: {complaint}", case.name));
         let blocks = drawn.case.scene(HeadJoints::Open).blocks().len();
@@ -639,7 +644,12 @@ fn the_exported_mechanism_is_no_wall() {
         .evidence
         .forces()
         .map(|(_, forces)| trilith::inside::thrust(&scene, forces));
-    let text = dxf(&scene, outcome.evidence.mechanism(), thrust.as_ref());
+    let text = dxf(
+        &scene,
+        &case.geometry.assembly(),
+        outcome.evidence.mechanism(),
+        thrust.as_ref(),
+    );
     for layer in ["blocks", "support", "names", "mechanism", "resultants"] {
         assert!(text.contains(&format!("\n8\n{layer}\n")), "{layer}");
     }
@@ -743,4 +753,28 @@ fn gaps_of_rubble_are_closed_in_their_middle() {
         let error = (found / expected - 1.0).abs();
         assert!(error < within, "{name}: {found} {expected}");
     }
+}
+
+/// Handles and layers come out as they went in, also by way of a case file.
+#[test]
+fn handles_and_layers_come_back() {
+    let upper = [(0.0, 1.0), (2.0, 1.0), (2.0, 2.0), (0.0, 2.0)];
+    let text = with(&closed("Pietre, grosse", "2B7", &upper));
+    let read = Case::from_drawing("a.dxf", text.as_bytes(), &options());
+    let read = read.unwrap_or_else(|complaint| panic!("{complaint}"));
+    let files = read.case.as_blocks("a.csv");
+    let beside = |_: &str| Ok(files.csv.clone().into_bytes());
+    let case = Case::read_with("a.toml", files.toml.as_bytes(), &beside);
+    let case = case.unwrap_or_else(|complaint| panic!("{complaint}"));
+    let assembly = case.geometry.assembly();
+    let text = dxf(&case.scene(HeadJoints::Contact), &assembly, None, None);
+    assert!(
+        text.contains("0\nPOLYLINE\n5\n2B7\n8\nPietre, grosse\n"),
+        "{text}"
+    );
+    let again = Case::from_drawing("a.dxf", text.as_bytes(), &options());
+    let again = again.unwrap_or_else(|complaint| panic!("{complaint}"));
+    let layers = again.case.geometry.assembly().layers;
+    assert_eq!(layers["2B7"], "Pietre, grosse");
+    assert_eq!(layers["A1"], "support");
 }

@@ -249,5 +249,8 @@ fn assembled(drawn: &[Drawn], fixed: &[bool], options: &DrawingOptions) -> Assem
         tolerance: TOUCHING,
         radial: false,
         named_joints: Vec::new(),
+        layers: (drawn.iter().filter(|body| !body.path.layer.is_empty()))
+            .map(|body| (body.name.clone(), printable(&body.path.layer)))
+            .collect(),
     }
 }
