@@ -102,12 +102,21 @@ impl Case {
 
 /// A row a corner, blocks first.
 fn corners(assembly: &Assembly) -> String {
-    let mut text = String::from("block,x,y,weight\n");
+    let has_layers = !assembly.layers.is_empty();
+    let mut text = String::from(match has_layers {
+        true => "block,x,y,weight,layer\n",
+        false => "block,x,y,weight\n",
+    });
     let mut body = |name: &str, shape: &Polygon, weight: &str| {
+        let layer = assembly.layers.get(name).map_or("", String::as_str);
+        let layer = match has_layers {
+            true => format!(",{}", cell(layer)),
+            false => String::new(),
+        };
         for Point { coords } in shape.corners() {
             let _ = writeln!(
                 text,
-                "{},{:?},{:?},{weight}",
+                "{},{:?},{:?},{weight}{layer}",
                 cell(name),
                 coords.x,
                 coords.y

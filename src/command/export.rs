@@ -107,13 +107,15 @@ fn with_answer(case: &Case, method: &str, is_dxf: bool) -> Result<String, Stop> 
     let (scene, evidence) = (result.scene(row), &row.outcome.evidence);
     let forces = evidence.forces().map(|(_, forces)| forces);
     let mechanism = evidence.mechanism();
+    let assembly = case.geometry.assembly();
     Ok(match is_dxf {
         true => dxf(
             scene,
+            &assembly,
             mechanism,
             forces.map(|forces| thrust(scene, forces)).as_ref(),
         ),
-        false => external::compas(scene, &case.geometry.assembly(), mechanism, forces),
+        false => external::compas(scene, &assembly, mechanism, forces),
     })
 }
 

@@ -69,6 +69,7 @@ impl Arch {
             tolerance: TOUCHING,
             radial: true,
             named_joints: Vec::new(),
+            layers: Default::default(),
         })
     }
 

@@ -1,5 +1,7 @@
 //! Named blocks of any shape on named supports: explicit scenes, and what generators make.
 
+use std::collections::BTreeMap;
+
 use super::block::{Block, Load};
 use super::friction::Friction;
 use super::joints::{NamedJoint, TOUCHING};
@@ -98,6 +100,8 @@ pub struct Assembly {
     pub radial: bool,
     /// Joints that have a class or a friction of their own, or are open.
     pub named_joints: Vec<NamedJoint>,
+    /// The layers of bodies in the drawing that they come from, by their names.
+    pub layers: BTreeMap<String, String>,
 }
 
 impl Assembly {

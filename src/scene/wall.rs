@@ -215,6 +215,7 @@ impl Wall {
             tolerance: TOUCHING,
             radial: false,
             named_joints: self.own.joints.clone(),
+            layers: Default::default(),
         };
         if !(self.own.beds.is_empty() && self.own.open.is_empty()) {
             assembly.named_joints = self.named_joints(&assembly)?;

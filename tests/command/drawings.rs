@@ -113,9 +113,8 @@ fn noise_is_healed_and_listed() {
             "{name}"
         );
         assert!(
-            remarks
-                .iter()
-                .any(|remark| remark.starts_with("moved 144 corners"))
+            remarks.iter().any(|remark| remark.starts_with("moved ")
+                && remark.contains("so that neighbours touch"))
         );
         let found = associative(&case);
         assert!(
@@ -196,7 +195,7 @@ fn refused(text: &str) -> String {
 fn what_is_no_outline_is_named() {
     Case::from_drawing("a.dxf", with("").as_bytes(), &options())
         .expect("it is a block on the ground");
-    for kind in ["SPLINE", "HATCH", "ELLIPSE", "REGION", "3DFACE", "SOLID"] {
+    for kind in ["SPLINE", "ELLIPSE", "REGION", "3DFACE", "SOLID"] {
         let shown = refused(&with(&format!("0\n{kind}\n5\n2F\n8\nfill\n")));
         assert!(
             shown.contains(&format!("{kind} is no outline of a block")),
@@ -229,10 +228,10 @@ fn what_is_no_outline_is_named() {
 #[test]
 fn what_is_no_outline_is_named_in_one_list() {
     let shown = refused(&with(
-        "0\nHATCH\n5\n2F\n8\nfill\n0\nSPLINE\n5\n30\n8\nstones\n0\nHATCH\n5\n31\n8\nfill\n",
+        "0\nSOLID\n5\n2F\n8\nfill\n0\nSPLINE\n5\n30\n8\nstones\n0\nSOLID\n5\n31\n8\nfill\n",
     ));
-    assert!(shown.contains("HATCH is no outline"), "{shown}");
-    let all = "2 HATCH on layer `fill`, 1 SPLINE on layer `stones`";
+    assert!(shown.contains("SOLID is no outline"), "{shown}");
+    let all = "2 SOLID on layer `fill`, 1 SPLINE on layer `stones`";
     assert!(shown.contains(all), "{shown}");
 }
 
@@ -254,12 +253,12 @@ fn gaps_and_overlaps_are_refused_with_their_place() {
             healed
                 .remarks
                 .iter()
-                .any(|remark| remark.contains("`2B` at (0, "))
+                .any(|remark| remark.contains("corners of 2 outlines"))
         );
     }
     let shown = refused(&with(&above(1.02)));
     assert!(shown.contains("a gap of 2.000e-2"), "{shown}");
-    assert!(shown.contains("at (1.0000, 1.0000)"), "{shown}");
+    assert!(shown.contains("at (1.0000, 1.0100)"), "{shown}");
     assert!(shown.contains("`2B` (layer `upper`"), "{shown}");
     assert!(shown.contains("`tolerance` of 0.01"), "{shown}");
     let shown = refused(&with(&above(0.9)));
@@ -329,7 +328,7 @@ fn gaps_of_mortar_are_closed_in_their_middle() {
                 (found - expected).abs() < most.max(1e-5),
                 "{gap}: {found} {expected}"
             );
-            let said = |remark: &String| remark.contains("closed gaps");
+            let said = |remark: &String| remark.contains("so that neighbours touch");
             assert!(closed.remarks.iter().any(said), "{:?}", closed.remarks);
         }
     }
@@ -553,7 +552,12 @@ fn there_and_back(case: &Case, head_joints: HeadJoints) -> [Case; 2] {
     case.head_joints = vec![head_joints];
     case.pushes.truncate(1);
     case.references.clear();
-    let text = dxf(&case.scene(head_joints), None, None);
+    let text = dxf(
+        &case.scene(head_joints),
+        &case.geometry.assembly(),
+        None,
+        None,
+    );
     let options = DrawingOptions {
         friction: Some(0.0),
         head_joints: vec![head_joints],
@@ -608,7 +612,7 @@ fn a_support_that_moves_is_drawn_once() {
     let mut count = 0;
     for case in library.filter(moving) {
         let scene = &case.scene(HeadJoints::Open);
-        let text = dxf(scene, None, None);
+        let text = dxf(scene, &case.geometry.assembly(), None, None);
         let drawn = Case::from_drawing("a.dxf", text.as_bytes(), &options());
         let drawn = drawn.unwrap_or_else(|complaint| panic!("{}: {complaint}", case.name));
         let blocks = drawn.case.scene(HeadJoints::Open).blocks().len();
@@ -655,11 +659,137 @@ fn the_exported_mechanism_is_no_wall() {
         .evidence
         .forces()
         .map(|(_, forces)| trilith::inside::thrust(&scene, forces));
-    let text = dxf(&scene, outcome.evidence.mechanism(), thrust.as_ref());
+    let text = dxf(
+        &scene,
+        &case.geometry.assembly(),
+        outcome.evidence.mechanism(),
+        thrust.as_ref(),
+    );
     for layer in ["blocks", "support", "names", "mechanism", "resultants"] {
         assert!(text.contains(&format!("\n8\n{layer}\n")), "{layer}");
     }
     let read = Case::from_drawing("a.dxf", text.as_bytes(), &options());
     let read = read.unwrap_or_else(|complaint| panic!("{complaint}"));
     assert_eq!(read.case.scene(HeadJoints::Contact).blocks().len(), 14);
+}
+
+/// A wall as published and surveyed drawings have it: the multiplier of the wall that is drawn plainly.
+/// Each file is of `tests/drawings/surveyed.py`: an outline that runs on past its start, one of R10
+/// without tables and handles, the planes of x and z and of y and z, a plane of its own behind which it
+/// is drawn, joint lines alone (also with an opening), stones twice with corners off by a millimetre,
+/// and all that is beside the wall on sheets or hidden.
+#[test]
+fn walls_are_read_as_they_are_drawn() {
+    let expected = associative(&coursed(WALL));
+    for (name, said) in [
+        ("runs-on.dxf", ""),
+        ("release-10.dxf", ""),
+        ("plane-xz.dxf", "vertical plane of space: x is to the right"),
+        ("plane-yz.dxf", "vertical plane of space: y is to the right"),
+        (
+            "from-behind.dxf",
+            "vertical plane of space: x is to the right",
+        ),
+        ("joint-lines.dxf", "14 cells between"),
+        ("twice-off.dxf", "draws the outline of"),
+        ("frozen-off-invisible.dxf", "marked invisible"),
+        ("survey-grid.dxf", "shifted by"),
+        ("sheet.dxf", "left aside: TEXT, HATCH, DIMENSION"),
+        ("sheet.dxf", "1 entity in paper space"),
+    ] {
+        let Imported { case, remarks } = drawing(name);
+        let remarks = remarks.join("\n");
+        assert!(remarks.contains(said), "{name}: {remarks}");
+        let Geometry::Blocks(assembly) = &case.geometry else {
+            panic!("a drawing is of blocks");
+        };
+        assert_eq!(assembly.blocks.len(), 14, "{name}: {remarks}");
+        let found = associative(&case);
+        assert!(
+            (found - expected).abs() < 1e-6 * expected,
+            "{name}: {found} {expected}"
+        );
+    }
+}
+
+/// Cells between joint lines that an outline on a layer `openings` takes out.
+#[test]
+fn openings_between_joint_lines_are_left_out() {
+    let Imported { case, remarks } = drawing("joint-lines-opening.dxf");
+    let remarks = remarks.join("\n");
+    assert!(remarks.contains("1 openings"), "{remarks}");
+    assert_eq!(
+        case.scene(HeadJoints::Contact).blocks().len(),
+        12,
+        "{remarks}"
+    );
+}
+
+/// An outline within another is called a hole.
+#[test]
+fn holes_are_refused_by_name() {
+    let hole = [(0.5, 0.25), (1.5, 0.25), (1.5, 0.75), (0.5, 0.75)];
+    let shown = refused(&with(&closed("stones", "2B", &hole)));
+    assert!(shown.contains("`2B` (layer `stones`"), "{shown}");
+    assert!(shown.contains("a hole"), "{shown}");
+}
+
+/// Lines in space that lie in no plane of a wall.
+#[test]
+fn drawings_in_no_plane_are_refused() {
+    let line = "0\nLINE\n5\n30\n8\nstones\n10\n0\n20\n1\n30\n0\n11\n1\n21\n2\n31\n3\n";
+    let shown = refused(&with(line));
+    assert!(shown.contains("neither in the plane of x and y"), "{shown}");
+    assert!(shown.contains("handle 30"), "{shown}");
+}
+
+/// Rubble of 30 stones with 40 gaps of 0.2 to 15 mm, their beds bent and their heads at all angles
+/// (`tests/drawings/surveyed.py`): with the outer faces where they are, λ_A is that of the touching
+/// original to 1e-4; where the drawing is of the mortar's inner faces all about, to 1 % for 10 mm.
+#[test]
+fn gaps_of_rubble_are_closed_in_their_middle() {
+    let expected = associative(&drawing("rubble-0.dxf").case);
+    for (name, gap, within) in [
+        ("rubble-0.2.dxf", 3e-4, 1e-4),
+        ("rubble-5.dxf", 6e-3, 1e-4),
+        ("rubble-15.dxf", 18e-3, 1e-4),
+        ("rubble-10-all-about.dxf", 12e-3, 1e-2),
+        ("rubble-10-noise.dxf", 14e-3, 1e-2),
+    ] {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/drawings");
+        let bytes = std::fs::read(path.join(name)).expect("the drawing is there");
+        let options = DrawingOptions {
+            gap: Some(gap),
+            ..options()
+        };
+        let read = Case::from_drawing(name, &bytes, &options);
+        let read = read.unwrap_or_else(|complaint| panic!("{name}: {complaint}"));
+        let found = associative(&read.case);
+        let error = (found / expected - 1.0).abs();
+        assert!(error < within, "{name}: {found} {expected}");
+    }
+}
+
+/// Handles and layers come out as they went in, also by way of a case file.
+#[test]
+fn handles_and_layers_come_back() {
+    let upper = [(0.0, 1.0), (2.0, 1.0), (2.0, 2.0), (0.0, 2.0)];
+    let text = with(&closed("Pietre, grosse", "2B7", &upper));
+    let read = Case::from_drawing("a.dxf", text.as_bytes(), &options());
+    let read = read.unwrap_or_else(|complaint| panic!("{complaint}"));
+    let files = read.case.as_blocks("a.csv");
+    let beside = |_: &str| Ok(files.csv.clone().into_bytes());
+    let case = Case::read_with("a.toml", files.toml.as_bytes(), &beside);
+    let case = case.unwrap_or_else(|complaint| panic!("{complaint}"));
+    let assembly = case.geometry.assembly();
+    let text = dxf(&case.scene(HeadJoints::Contact), &assembly, None, None);
+    assert!(
+        text.contains("0\nPOLYLINE\n5\n2B7\n8\nPietre, grosse\n"),
+        "{text}"
+    );
+    let again = Case::from_drawing("a.dxf", text.as_bytes(), &options());
+    let again = again.unwrap_or_else(|complaint| panic!("{complaint}"));
+    let layers = again.case.geometry.assembly().layers;
+    assert_eq!(layers["2B7"], "Pietre, grosse");
+    assert_eq!(layers["A1"], "support");
 }

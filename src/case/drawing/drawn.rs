@@ -5,17 +5,25 @@ use std::collections::BTreeMap;
 use indexmap::IndexMap;
 
 use super::curves::Chords;
-use super::entities::{file, handle_and_layer};
+use super::entities::file;
 use super::groups::{AT_THE_END, groups};
+use super::heal::{holds, to_segment};
 use super::options::DrawingOptions;
 use super::outlines::outlines;
-use super::paths::{Path, Paths};
+use super::paths::{Path, Paths, complain, same};
+use super::plane::flatten;
 use crate::case::complaint::{Complaint, Document};
 use crate::case::printable::printable;
 use crate::scene::{Point, Polygon, PolygonError, TOUCHING, bounds};
 
 /// A drawing this many times its own size away from the origin stands on a survey grid.
 const FAR: f64 = 100.0;
+
+/// Layers of outlines that are openings between stones.
+const OPENINGS: [&str; 2] = ["opening", "openings"];
+
+/// The outline of an opening may be drawn as far off, as a part of its size.
+const ON_THE_OUTLINE: f64 = 0.01;
 
 /// Most blocks of a drawing.
 const MOST_BLOCKS: usize = 100_000;
@@ -53,9 +61,10 @@ pub(super) fn drawn(
     for (what, count) in &paths.unseen {
         let entities = if *count == 1 { "entity" } else { "entities" };
         remarks.push(format!(
-            "left out, as nobody sees it: {count} {entities} {what}"
+            "left out, as nobody sees it in the drawing: {count} {entities} {what}"
         ));
     }
+    flatten(&mut paths.found, remarks)?;
     let metres = options.metres.or(file.metres);
     match metres {
         Some(metres) => remarks.push(format!(
@@ -73,12 +82,13 @@ pub(super) fn drawn(
     }
     let scale = metres.unwrap_or(1.0);
     let per_metre = whole_if_near(1.0 / scale);
-    let mut closed = outlines(paths.found, options.tolerance.max(TOUCHING))?;
+    let mut closed = outlines(paths.found, options.tolerance.max(TOUCHING), remarks)?;
     if let Some(path) = closed.get(MOST_BLOCKS) {
         let title = format!("more than {MOST_BLOCKS} outlines");
         return Err(complain(path, &title).help("leave out layers: `without` names them"));
     }
     remarks.extend(brought_near(&mut closed));
+    without_openings(&mut closed, remarks);
     let mut names = std::collections::HashSet::new();
     let mut drawn = Vec::new();
     for (index, mut path) in closed.into_iter().enumerate() {
@@ -130,6 +140,37 @@ fn brought_near(outlines: &mut [Path]) -> Option<String> {
     ))
 }
 
+/// Takes out the outlines of openings and what lies within them, and says so.
+fn without_openings(outlines: &mut Vec<Path>, remarks: &mut Vec<String>) {
+    let is_opening = |path: &Path| OPENINGS.iter().any(|layer| same(layer, &path.layer));
+    let all = std::mem::take(outlines).into_iter();
+    let (openings, stones): (Vec<Path>, Vec<Path>) = all.partition(is_opening);
+    let within = |path: &Path| openings.iter().any(|opening| is_within(path, opening));
+    let (inside, stones): (Vec<Path>, Vec<Path>) = stones.into_iter().partition(within);
+    if !openings.is_empty() {
+        remarks.push(format!(
+            "left out: {} openings, on a layer of that name, and {} outlines within them",
+            openings.len(),
+            inside.len()
+        ));
+    }
+    *outlines = stones;
+}
+
+/// Whether an outline lies in an opening: the middles of its edges do, or stand on its outline.
+fn is_within(path: &Path, opening: &Path) -> bool {
+    let points = &path.points;
+    let mut middles =
+        (0..points.len()).map(|k| nalgebra::center(&points[k], &points[(k + 1) % points.len()]));
+    let (low, high) = bounds(&opening.points);
+    let near = ON_THE_OUTLINE * (high - low).norm();
+    let corners = &opening.points;
+    middles.all(|p| {
+        let mut edges = (0..corners.len()).map(|k| (corners[k], corners[(k + 1) % corners.len()]));
+        holds(corners, p) || edges.any(|(from, to)| to_segment(p, from, to) <= near)
+    })
+}
+
 fn whole_if_near(number: f64) -> f64 {
     let whole = number.round();
     if (number - whole).abs() < 1e-9 * whole {
@@ -168,10 +209,4 @@ pub(super) fn shape(path: &Path) -> Result<Polygon, Complaint> {
         };
         complain(path, &title).help("draw it again, or leave its layer out: `without` names it")
     })
-}
-
-/// What is wrong with an outline, at its place in the drawing.
-pub(super) fn complain(path: &Path, title: &str) -> Complaint {
-    let whose = handle_and_layer(&path.handle, &path.layer);
-    Complaint::at(path.place.clone(), title, format!("{}: {whose}", path.kind))
 }

@@ -4,6 +4,7 @@ use std::collections::HashMap;
 use std::ops::Range;
 
 use super::groups::{AT_THE_END, Group};
+use super::placing::Spatial;
 use crate::case::complaint::Complaint;
 use crate::scene::Vector;
 
@@ -23,7 +24,7 @@ pub(super) struct Entity<'a> {
 /// What an INSERT puts into the drawing.
 pub(super) struct BlockOfEntities<'a> {
     /// The point that comes to lie where the INSERT is.
-    pub base: Vector,
+    pub base: Spatial,
     pub entities: Vec<Entity<'a>>,
 }
 
@@ -77,6 +78,15 @@ impl<'a> Entity<'a> {
     pub fn pair(&self, code: i32) -> Result<Vector, Complaint> {
         let (x, y) = (self.number(code, 0.0)?, self.number(code + 10, 0.0)?);
         Ok(Vector::new(x, y))
+    }
+
+    /// As [`pair`](Self::pair), with the number for z.
+    ///
+    /// # Errors
+    /// A value that is no finite number.
+    pub fn triple(&self, code: i32) -> Result<Spatial, Complaint> {
+        let flat = self.pair(code)?;
+        Ok(Spatial::new(flat.x, flat.y, self.number(code + 20, 0.0)?))
     }
 
     /// The whole number of a group, 0 where there is none or no such number.
@@ -179,7 +189,7 @@ fn blocks<'a>(groups: &'a [Group<'a>]) -> Result<HashMap<String, BlockOfEntities
         match (entity.kind, &mut open) {
             ("BLOCK", _) => {
                 let block = BlockOfEntities {
-                    base: entity.pair(10)?,
+                    base: entity.triple(10)?,
                     entities: Vec::new(),
                 };
                 open = Some((entity.text(2).to_lowercase(), block));

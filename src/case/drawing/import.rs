@@ -3,10 +3,11 @@
 use std::collections::BTreeMap;
 
 use super::compas;
-use super::drawn::{Drawn, complain, drawn, shape};
+use super::drawn::{Drawn, drawn};
 use super::groups::document;
-use super::heal::heal;
+use super::heal::{heal, to_segment};
 use super::options::DrawingOptions;
+use super::paths::complain;
 use super::sound::{beyond, sound};
 use super::supports::supports;
 use crate::case::complaint::{Complaint, Document};
@@ -16,10 +17,14 @@ use crate::case::name::plain;
 use crate::case::printable::printable;
 use crate::scene::{
     Assembly, Forces, NamedBlock, Point, Polygon, Support, TOUCHING, close_pairs, extent,
+    signed_area,
 };
 
 /// An outline keeps at least this part of its area.
 const LEAST_LEFT: f64 = 0.5;
+
+/// What is said of one that does not.
+const SWALLOWED: &str = "closing the gaps beside it would swallow this outline, or turn it over";
 
 /// A case from a drawing, and what was done to get it.
 #[derive(Clone, Debug)]
@@ -101,24 +106,25 @@ fn assembly(
         compas::drawn(document, options, remarks)?
     } else {
         let mut drawn = drawn(document, options, remarks)?;
-        drawn_once(&mut drawn, remarks);
+        drawn_once(&mut drawn, options, remarks);
         let fixed = supports(&mut drawn, options, remarks)?;
         (drawn, fixed)
     };
     if options.tolerance > 0.0 || options.gap.is_some() {
-        healed(&mut drawn, options, remarks)?;
+        healed(&mut drawn, &fixed, options, remarks)?;
     }
     let assembly = assembled(&drawn, &fixed, options);
     sound(&drawn, &fixed, &assembly, options)?;
     Ok(assembly)
 }
 
-/// Leaves out what is drawn a second time, and says so.
-fn drawn_once(drawn: &mut Vec<Drawn>, remarks: &mut Vec<String>) {
+/// Leaves out what is drawn a second time, with corners off by no more than the tolerance, and says so.
+fn drawn_once(drawn: &mut Vec<Drawn>, options: &DrawingOptions, remarks: &mut Vec<String>) {
     let shapes: Vec<&Polygon> = drawn.iter().map(|d| &d.shape).collect();
-    let twice: BTreeMap<usize, usize> = close_pairs(TOUCHING, &shapes, &[])
+    let tolerance = options.tolerance.max(TOUCHING);
+    let twice: BTreeMap<usize, usize> = close_pairs(tolerance, &shapes, &[])
         .into_iter()
-        .filter(|&(one, other)| same_outline(shapes[one], shapes[other]))
+        .filter(|&(one, other)| same_outline(shapes[one], shapes[other], tolerance))
         .map(|(one, other)| (one.max(other), one.min(other)))
         .collect();
     for (again, first) in &twice {
@@ -131,95 +137,91 @@ fn drawn_once(drawn: &mut Vec<Drawn>, remarks: &mut Vec<String>) {
     drawn.retain(|_| !twice.contains_key(&body.next().expect("bodies are counted")));
 }
 
-/// Whether every corner of one outline is a corner of the other.
-fn same_outline(one: &Polygon, other: &Polygon) -> bool {
-    let near = TOUCHING * extent(one);
-    let on = |p: &Point| other.corners().iter().any(|q| (p - q).norm() <= near);
-    one.corners().len() == other.corners().len() && one.corners().iter().all(on)
+/// Whether the corners of each outline lie on the other.
+fn same_outline(one: &Polygon, other: &Polygon, tolerance: f64) -> bool {
+    let near = tolerance * extent(one).min(extent(other));
+    let all_on = |one: &Polygon, other: &Polygon| {
+        let mut corners = one.corners().iter();
+        corners.all(|p| to_outline(*p, other.corners()) <= near)
+    };
+    all_on(one, other) && all_on(other, one)
 }
 
-/// Lays edges that nearly touch on common lines, and says what was moved.
+/// Closes the gaps within reach, and says how far corners were moved.
 fn healed(
     drawn: &mut [Drawn],
+    fixed: &[bool],
     options: &DrawingOptions,
     remarks: &mut Vec<String>,
 ) -> Result<(), Complaint> {
     let shapes: Vec<Polygon> = drawn.iter().map(|d| d.shape.clone()).collect();
     let reach = options.reach();
-    let (corners, moved) = heal(&shapes, reach);
-    for m in &moved {
-        let part = (m.to - m.from).norm() / extent(&shapes[m.body]);
-        if part > 2.0 * reach.part || (m.to - m.from).norm() > 2.0 * reach.width {
-            let path = &drawn[m.body].path;
+    let Some(outlines) = heal(&shapes, fixed, reach) else {
+        // Bodies lie in each other, which is refused as it is drawn.
+        return Ok(());
+    };
+    let (mut ways, mut bodies) = (Vec::new(), 0);
+    for (body, corners) in outlines.iter().enumerate() {
+        let (old, size) = (&shapes[body], extent(&shapes[body]));
+        if old.corners() == corners.as_slice() {
+            continue;
+        }
+        let path = &drawn[body].path;
+        if corners.len() < 3 || signed_area(corners) < LEAST_LEFT * old.area() {
+            return Err(complain(path, SWALLOWED).help(beyond(options)));
+        }
+        let farthest = 2.0 * reach.width.min(reach.part * size);
+        let far = |p: &&Point, others: &[Point]| to_outline(**p, others) > farthest;
+        let left = old.corners().iter().find(|p| far(p, corners));
+        if let Some(at) = left.or_else(|| corners.iter().find(|p| far(p, old.corners()))) {
+            let (x, y) = (at.x, at.y);
+            let part = 100.0 * farthest / size;
             let title = format!(
-                "a corner at ({}, {}) would have to move by {:.2} % of its block to touch its neighbours",
-                m.from.x,
-                m.from.y,
-                100.0 * part
+                "a corner at ({x:.4}, {y:.4}) would have to move by more than {part:.2} % of its block to \
+                 touch its neighbours"
             );
             return Err(complain(path, &title).help(beyond(options)));
         }
-    }
-    for (body, corners) in corners.iter().enumerate() {
-        if shapes[body].corners() != corners.as_slice() {
-            let mut path = drawn[body].path.clone();
-            let left = signed_area(corners) / shapes[body].area();
-            if left < LEAST_LEFT {
-                let title =
-                    "closing the gaps beside it would swallow this outline, or turn it over";
-                return Err(complain(&path, title).help(beyond(options)));
-            }
-            path.points.clone_from(corners);
-            drawn[body].shape = shape(&path)?;
-        }
-    }
-    if options.gap.is_some() {
-        remarks.extend(how_far(&shapes, &corners));
-    } else if !moved.is_empty() {
-        let mut bodies: Vec<usize> = moved.iter().map(|m| m.body).collect();
-        bodies.dedup();
-        remarks.push(format!(
-            "moved {} corners of {} outlines, so that edges within {} of a block's extent touch:",
-            moved.len(),
-            bodies.len(),
-            options.tolerance
-        ));
-        remarks.extend(moved.iter().map(|m| {
-            let way = m.to - m.from;
-            format!(
-                "  `{}` at ({}, {}) by ({:.3e}, {:.3e})",
-                drawn[m.body].name, m.from.x, m.from.y, way.x, way.y
+        let moved = old.corners().iter().map(|p| {
+            let near = corners.iter().map(|new| (new - p).norm());
+            let near = near.fold(f64::INFINITY, f64::min);
+            // Where a joint became straight, no corner is left.
+            (
+                if near > farthest {
+                    to_outline(*p, corners)
+                } else {
+                    near
+                },
+                body,
             )
-        }));
+        });
+        let before = ways.len();
+        ways.extend(moved.filter(|(way, _)| *way > 0.0));
+        bodies += usize::from(ways.len() > before);
+        let Ok(closed) = Polygon::new(corners.clone()) else {
+            return Err(complain(path, SWALLOWED).help(beyond(options)));
+        };
+        drawn[body].shape = closed;
+    }
+    ways.sort_by(|a, b| a.0.total_cmp(&b.0));
+    if let Some((farthest, body)) = ways.last() {
+        let (count, median) = (ways.len(), ways[ways.len() / 2].0);
+        let name = &drawn[*body].name;
+        remarks.push(format!(
+            "moved {count} corners of {bodies} outlines so that neighbours touch, half of them by at most \
+             {median:.3e}, the farthest, of `{name}`, by {farthest:.3e}"
+        ));
     }
     Ok(())
 }
 
-/// How far the corners of outlines went, each measured to the nearest corner that its outline has now.
-fn how_far(shapes: &[Polygon], corners: &[Vec<Point>]) -> Option<String> {
-    let way = |old: &Point, new: &[Point]| {
-        let all = new.iter().map(|new| (new - old).norm());
-        all.fold(f64::INFINITY, f64::min)
-    };
-    let bodies = shapes.iter().zip(corners);
-    let ways = bodies.flat_map(|(shape, new)| shape.corners().iter().map(move |old| way(old, new)));
-    let mut ways: Vec<f64> = ways.filter(|way| *way > 0.0).collect();
-    ways.sort_by(f64::total_cmp);
-    let (median, largest) = (ways.get(ways.len() / 2)?, ways.last()?);
-    Some(format!(
-        "closed gaps: {} corners moved, half of them by at most {median:.3e}, the farthest by {largest:.3e}",
-        ways.len()
-    ))
-}
-
-/// The area within corners, positive where they run counter-clockwise.
-fn signed_area(corners: &[Point]) -> f64 {
+/// How far a point is from an outline.
+fn to_outline(p: Point, corners: &[Point]) -> f64 {
     let next = corners.iter().cycle().skip(1);
-    let twice = corners
-        .iter()
-        .zip(next)
-        .map(|(a, b)| a.coords.perp(&b.coords));
-    twice.sum::<f64>() / 2.0
+    let edges = corners.iter().zip(next);
+    edges
+        .map(|(from, to)| to_segment(p, *from, *to))
+        .fold(f64::INFINITY, f64::min)
 }
 
 fn assembled(drawn: &[Drawn], fixed: &[bool], options: &DrawingOptions) -> Assembly {
@@ -247,5 +249,8 @@ fn assembled(drawn: &[Drawn], fixed: &[bool], options: &DrawingOptions) -> Assem
         tolerance: TOUCHING,
         radial: false,
         named_joints: Vec::new(),
+        layers: (drawn.iter().filter(|body| !body.path.layer.is_empty()))
+            .map(|body| (body.name.clone(), printable(&body.path.layer)))
+            .collect(),
     }
 }

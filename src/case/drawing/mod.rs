@@ -1,10 +1,11 @@
 //! Walls as they are drawn: from a DXF, or a model of COMPAS, to a case.
 //!
 //! ```text
-//! text ── groups ──▶ entities ── paths ──▶ closed outlines ── heal ──▶ blocks and supports
+//! text ── groups ──▶ entities ── paths ── plane ──▶ closed outlines ── heal ──▶ blocks and supports
 //! JSON ── compas ─────────────────────────▶
 //! ```
 
+mod cells;
 mod compas;
 mod curves;
 mod drawn;
@@ -16,6 +17,7 @@ mod options;
 mod outlines;
 mod paths;
 mod placing;
+mod plane;
 mod sound;
 mod supports;
 

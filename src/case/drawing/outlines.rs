@@ -1,32 +1,31 @@
 //! From paths to closed outlines: lines and arcs joined end to end.
 
-use super::entities::handle_and_layer;
-use super::paths::Path;
+use super::cells::cells;
+use super::heal::to_segment;
+use super::paths::{Path, leads_nowhere};
 use crate::case::complaint::Complaint;
 use crate::scene::Point;
 
 /// Most lines and arcs that are joined.
 const MOST_OPEN: usize = 50_000;
 
-/// The closed outlines among the paths, and those that open paths of one layer add up to. Ends join
-/// within `tolerance` times the shorter path's length.
+/// The closed outlines among the paths, and those that open paths of one layer add up to; where they add
+/// up to none, the cells between them. Ends join within `tolerance` times the shorter path's length.
 ///
 /// # Errors
 /// A path whose end leads nowhere.
-pub(super) fn outlines(paths: Vec<Path>, tolerance: f64) -> Result<Vec<Path>, Complaint> {
+pub(super) fn outlines(
+    paths: Vec<Path>,
+    tolerance: f64,
+    remarks: &mut Vec<String>,
+) -> Result<Vec<Path>, Complaint> {
     let (mut closed, mut open) = (Vec::new(), Vec::new());
     for mut path in paths {
         path.points.dedup();
-        let ends_meet = path.points.len() > 3 && {
-            let first = path.points[0];
-            let shortest = edges(&path).filter(|length| *length > 0.0);
-            let shortest = shortest.fold(f64::INFINITY, f64::min);
-            (path.points[path.points.len() - 1] - first).norm() <= tolerance * shortest
-        };
-        if ends_meet {
-            path.points.pop();
+        if ends(&mut path.points, tolerance) {
+            path.closed = true;
         }
-        if path.closed || ends_meet {
+        if path.closed {
             closed.push(path);
         } else if path.points.len() > 1 {
             open.push(path);
@@ -38,14 +37,57 @@ pub(super) fn outlines(paths: Vec<Path>, tolerance: f64) -> Result<Vec<Path>, Co
         return Err(complaint.help("draw each block as one closed polyline"));
     }
     let mut used = vec![false; open.len()];
-    for first in 0..open.len() {
-        if !used[first] {
-            closed.push(chain(&open, &mut used, first, tolerance)?);
+    let chained: Result<Vec<Path>, Complaint> = (0..open.len())
+        .filter_map(|first| (!used[first]).then(|| chain(&open, &mut used, first, tolerance)))
+        .collect();
+    match chained {
+        Ok(chained) => closed.extend(chained),
+        Err(_) => {
+            let shares = |path: &Path| open.iter().any(|other| other.layer == path.layer);
+            let (shared, whole) = closed.into_iter().partition(shares);
+            closed = whole;
+            let lines = [open, shared].concat();
+            let shortest = lines.iter().flat_map(edges).filter(|length| *length > 0.0);
+            let near = tolerance * shortest.fold(f64::INFINITY, f64::min);
+            let cells = cells(&lines, near)?;
+            remarks.push(format!(
+                "{} cells between {} lines are taken for stones; a closed outline on a layer `openings` \
+                 says which are none",
+                cells.len(),
+                lines.len()
+            ));
+            closed.extend(cells);
         }
     }
     // In the order of the drawing.
     closed.sort_by_key(|path| path.place.start);
     Ok(closed)
+}
+
+/// Whether points come back to where they began; what is drawn beyond, along the edges that are there, is
+/// cut off.
+fn ends(points: &mut Vec<Point>, tolerance: f64) -> bool {
+    let Some(&first) = points.first() else {
+        return false;
+    };
+    let lengths = points.windows(2).map(|pair| (pair[1] - pair[0]).norm());
+    let shortest = lengths
+        .filter(|length| *length > 0.0)
+        .fold(f64::INFINITY, f64::min);
+    let near = tolerance * shortest;
+    let comes_back = |k: &usize| to_segment(first, points[k - 1], points[*k]) <= near;
+    let Some(end) = (3..points.len()).find(comes_back) else {
+        return false;
+    };
+    let is_drawn = |p: &Point| {
+        let mut edges = points[..end].windows(2);
+        edges.any(|edge| to_segment(*p, edge[0], edge[1]) <= near)
+    };
+    let is_end = points[end..].iter().all(is_drawn);
+    if is_end {
+        points.truncate(end);
+    }
+    is_end
 }
 
 /// The lengths of a path's edges.
@@ -101,14 +143,4 @@ fn chain(
         outline.points.extend(&points[1..]);
         (last, count) = (next, count + 1);
     }
-}
-
-fn leads_nowhere(path: &Path, end: Point) -> Complaint {
-    let title = format!("a {} that closes no outline", path.kind);
-    let whose = handle_and_layer(&path.handle, &path.layer);
-    let label = format!("{whose}: nothing goes on from ({}, {})", end.x, end.y);
-    Complaint::at(path.place.clone(), title, label).help(
-        "draw each block as one closed polyline, or as lines and arcs that meet; leave the layers of other \
-         lines out: `without` names them",
-    )
 }

@@ -5,10 +5,11 @@ use std::f64::consts::TAU;
 use std::ops::Range;
 
 use indexmap::IndexMap;
+use nalgebra::Matrix3;
 
 use super::curves::Chords;
-use super::entities::{Entity, File, number};
-use super::placing::Placing;
+use super::entities::{Entity, File, handle_and_layer, number};
+use super::placing::{Placing, Spatial};
 use crate::case::complaint::Complaint;
 use crate::scene::{Point, Vector};
 
@@ -21,13 +22,16 @@ pub(super) struct Path {
     pub kind: String,
     pub layer: String,
     pub place: Range<usize>,
-    /// Ends and corners; the first one once, where it is closed.
+    /// Ends and corners; the first one once, where it is closed. In space as they are read, then in the
+    /// plane of the wall.
+    pub in_space: Vec<Spatial>,
     pub points: Vec<Point>,
     pub closed: bool,
 }
 
 /// What is drawn beside outlines and says nothing about them.
-const LEFT_ASIDE: [&str; 16] = [
+const LEFT_ASIDE: [&str; 17] = [
+    "HATCH",
     "TEXT",
     "MTEXT",
     "DIMENSION",
@@ -48,6 +52,10 @@ const LEFT_ASIDE: [&str; 16] = [
 
 /// Layers of an exported drawing that are no walls.
 const OWN_LAYERS: [&str; 4] = ["names", "mechanism", "thrust", "resultants"];
+
+/// Flags of a POLYLINE: one in space; a fitted curve or a mesh.
+const IN_SPACE: i64 = 8;
+const CURVED: i64 = 2 | 4 | 16 | 64;
 
 /// Deepest INSERT in INSERT.
 const DEEPEST: usize = 16;
@@ -90,7 +98,7 @@ impl<'a> Paths<'a> {
         self.entities(
             &self.file.entities,
             &Inside {
-                placing: Placing::AS_DRAWN,
+                placing: Placing::as_drawn(),
                 handle: "",
                 layer: None,
                 depth: 0,
@@ -122,6 +130,9 @@ impl<'a> Paths<'a> {
         for entity in entities {
             // Entities of paper space are about sheets.
             if entity.flags(67) == 1 {
+                if entity.kind != "VIEWPORT" {
+                    *self.unseen.entry("in paper space".to_owned()).or_default() += 1;
+                }
                 continue;
             }
             let layer = match (entity.layer(), inside.layer) {
@@ -164,16 +175,36 @@ impl<'a> Paths<'a> {
         inside: &Inside,
     ) -> Result<(), Complaint> {
         let chords = self.chords;
+        let flat = |points: Vec<Vector>, height: f64| -> Result<Vec<Spatial>, Complaint> {
+            let axes = axes(entity)?;
+            let laid = points
+                .into_iter()
+                .map(|p| axes * Spatial::new(p.x, p.y, height));
+            Ok(laid.collect())
+        };
+        let height = entity.number(30, 0.0)?;
         let (points, closed) = match entity.kind {
-            "LINE" => (vec![entity.pair(10)?, entity.pair(11)?], false),
-            "ARC" => (arc(entity, chords)?, false),
+            // Releases before 11 call one in space a 3DLINE.
+            "LINE" | "3DLINE" => (vec![entity.triple(10)?, entity.triple(11)?], false),
+            "ARC" => (flat(arc(entity, chords)?, height)?, false),
             "CIRCLE" => {
                 let mut points = round(entity, chords, 0.0, TAU)?;
                 points.pop();
-                (points, true)
+                (flat(points, height)?, true)
             }
-            "LWPOLYLINE" => light_polyline(entity, chords)?,
-            "POLYLINE" => polyline(entity, layer, chords)?,
+            "LWPOLYLINE" => {
+                let (points, closed) = light_polyline(entity, chords)?;
+                (flat(points, entity.number(38, 0.0)?)?, closed)
+            }
+            "POLYLINE" if entity.flags(70) & (IN_SPACE | CURVED) == IN_SPACE => {
+                let vertices = entity.vertices.iter().filter(|v| v.kind == "VERTEX");
+                let points = vertices.map(|vertex| vertex.triple(10));
+                (points.collect::<Result<_, _>>()?, entity.flags(70) & 1 == 1)
+            }
+            "POLYLINE" => {
+                let (points, closed) = polyline(entity, layer, chords)?;
+                (flat(points, height)?, closed)
+            }
             "INSERT" => return self.insert(entity, layer, inside),
             kind if LEFT_ASIDE.contains(&kind) => {
                 if !self.left_aside.contains(&kind) {
@@ -184,9 +215,6 @@ impl<'a> Paths<'a> {
             kind => {
                 let help = match kind {
                     "SPLINE" | "ELLIPSE" => "draw the curve as a polyline with arcs, or flatten it",
-                    "HATCH" => {
-                        "put hatches on a layer of their own and leave it out: `without` names it"
-                    }
                     _ => {
                         "draw blocks as closed polylines, or leave its layer out: `without` names it"
                     }
@@ -198,17 +226,15 @@ impl<'a> Paths<'a> {
                 return Ok(());
             }
         };
-        let mirrored = mirrored(entity, layer)?;
-        let to = |p: Vector| {
-            let p = if mirrored { Vector::new(-p.x, p.y) } else { p };
-            Point::from(inside.placing.point(p))
-        };
         self.found.push(Path {
             handle: chained(inside.handle, entity.text(5)),
             kind: entity.kind.to_owned(),
             layer: layer.to_owned(),
             place: entity.place.clone(),
-            points: points.into_iter().map(to).collect(),
+            in_space: (points.into_iter())
+                .map(|p| inside.placing.point(p))
+                .collect(),
+            points: Vec::new(),
             closed,
         });
         Ok(())
@@ -230,28 +256,25 @@ impl<'a> Paths<'a> {
             let what = format!("INSERTs in one another, more than {DEEPEST} deep");
             return Err(entity.complain(layer, &what).help("explode them"));
         }
-        let mirrored = if mirrored(entity, layer)? { -1.0 } else { 1.0 };
-        let (x, y) = (entity.number(41, 1.0)?, entity.number(42, 1.0)?);
+        let [x, y, z] = [41, 42, 43].map(|code| entity.number(code, 1.0));
+        let scale = Matrix3::from_diagonal(&Spatial::new(x?, y?, z?));
         let (sin, cos) = entity.number(50, 0.0)?.to_radians().sin_cos();
+        let turned = axes(entity)? * Matrix3::new(cos, -sin, 0.0, sin, cos, 0.0, 0.0, 0.0, 1.0);
         let [columns, rows] = [70, 71].map(|code| entity.flags(code).max(1));
         if columns.saturating_mul(rows) > MOST_COPIES {
             let what = format!("an INSERT of {columns} by {rows} copies");
             return Err(entity.complain(layer, &what).help("insert fewer copies"));
         }
         let (wide, high) = (entity.number(44, 0.0)?, entity.number(45, 0.0)?);
-        let turned =
-            |v: Vector| Vector::new(mirrored * (cos * v.x - sin * v.y), sin * v.x + cos * v.y);
-        let mut at = entity.pair(10)?;
-        at.x *= mirrored;
+        let at = axes(entity)? * entity.triple(10)?;
         let own = chained(inside.handle, entity.text(5));
         for (row, column) in (0..rows).flat_map(|row| (0..columns).map(move |column| (row, column)))
         {
-            let linear = [turned(Vector::new(x, 0.0)), turned(Vector::new(0.0, y))];
-            let step = turned(Vector::new(wide * column as f64, high * row as f64));
-            let base = linear[0] * block.base.x + linear[1] * block.base.y;
+            let linear = turned * scale;
+            let step = turned * Spatial::new(wide * column as f64, high * row as f64, 0.0);
             let placing = Placing {
-                columns: linear,
-                shift: at + step - base,
+                linear,
+                shift: at + step - linear * block.base,
             };
             let copy = match (columns, rows) {
                 (1, 1) => own.clone(),
@@ -271,17 +294,16 @@ impl<'a> Paths<'a> {
     }
 }
 
-/// Whether an entity is drawn from behind: its direction of extrusion points away. Lines are not:
-/// their ends are given in the plane itself.
-fn mirrored(entity: &Entity, layer: &str) -> Result<bool, Complaint> {
-    let (x, y) = (entity.number(210, 0.0), entity.number(220, 0.0));
-    let z = entity.number(230, 1.0)?;
-    if x?.abs().max(y?.abs()) > 1e-6 {
-        let what = "an outline that does not lie in the plane of x and y";
-        let complaint = entity.complain(layer, what);
-        return Err(complaint.help("draw the elevation in the plane of x and y"));
-    }
-    Ok(z < 0.0 && entity.kind != "LINE")
+/// The axes that an entity's coordinates are along: what is drawn from behind, or in a plane of its own,
+/// says so by its direction of extrusion.
+fn axes(entity: &Entity) -> Result<Matrix3<f64>, Complaint> {
+    let [x, y, z] =
+        [(210, 0.0), (220, 0.0), (230, 1.0)].map(|(code, unsaid)| entity.number(code, unsaid));
+    let normal = Spatial::new(x?, y?, z?);
+    Ok(match normal.norm() > 0.0 {
+        true => Placing::in_plane(normal),
+        false => Matrix3::identity(),
+    })
 }
 
 fn arc(entity: &Entity, chords: Chords) -> Result<Vec<Vector>, Complaint> {
@@ -319,7 +341,7 @@ fn polyline(
     chords: Chords,
 ) -> Result<(Vec<Vector>, bool), Complaint> {
     let flags = entity.flags(70);
-    if flags & (2 | 4 | 16 | 64) != 0 {
+    if flags & CURVED != 0 {
         let what = "a POLYLINE that is a fitted curve or a mesh";
         let complaint = entity.complain(layer, what);
         return Err(complaint.help("draw the outline as a polyline with arcs"));
@@ -345,4 +367,21 @@ fn chained(before: &str, handle: &str) -> String {
         (before, "") => before.to_owned(),
         (before, handle) => format!("{before}.{handle}"),
     }
+}
+
+/// What is wrong with an outline, at its place in the drawing.
+pub(super) fn complain(path: &Path, title: &str) -> Complaint {
+    let whose = handle_and_layer(&path.handle, &path.layer);
+    Complaint::at(path.place.clone(), title, format!("{}: {whose}", path.kind))
+}
+
+/// A path of which nothing goes on from an end.
+pub(super) fn leads_nowhere(path: &Path, end: Point) -> Complaint {
+    let title = format!("a {} that closes no outline", path.kind);
+    let whose = handle_and_layer(&path.handle, &path.layer);
+    let label = format!("{whose}: nothing goes on from ({}, {})", end.x, end.y);
+    Complaint::at(path.place.clone(), title, label).help(
+        "draw each block as one closed polyline, or as lines and arcs that meet; leave the layers of other \
+         lines out: `without` names them",
+    )
 }

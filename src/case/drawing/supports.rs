@@ -1,8 +1,9 @@
 //! Which outlines of a drawing never move.
 
-use super::drawn::{Drawn, complain, shape};
+use super::drawn::{Drawn, shape};
 use super::groups::AT_THE_END;
 use super::options::DrawingOptions;
+use super::paths::complain;
 use super::paths::same;
 use crate::case::complaint::Complaint;
 use crate::case::suggestion::listed;
@@ -100,6 +101,7 @@ fn ground(drawn: &[Drawn], options: &DrawingOptions) -> Result<Option<Drawn>, Co
     };
     let beside = 0.1 * (high.x - low.x);
     let mut path = first.path.clone();
+    (path.handle, path.layer) = (String::new(), SUPPORT_LAYERS[0].to_owned());
     let (left, right) = (low.x - beside, high.x + beside);
     path.points = [
         (left, low.y - beside),

@@ -46,6 +46,11 @@ pub(super) fn assembly(
         tolerance,
         radial: table.and_then(|table| table.radial).unwrap_or(false),
         named_joints: Vec::new(),
+        layers: bodies
+            .iter()
+            .filter(|body| !body.layer.is_empty())
+            .map(|body| (body.outline.name.clone(), body.layer.clone()))
+            .collect(),
     };
     let (mut of_block, mut of_support) = (Vec::new(), Vec::new());
     for body in &bodies {

@@ -19,6 +19,8 @@ pub type ReadFile<'a> = &'a dyn Fn(&str) -> Result<Vec<u8>, String>;
 /// A block or a support.
 pub(super) struct Body {
     pub outline: Outline,
+    /// The layer of the drawing that it comes from; empty where none is said.
+    pub layer: String,
     /// The weight and its place, where it is given.
     pub weight: Option<(f64, Place)>,
     /// Weight over area and thickness, where that is given.
@@ -69,9 +71,15 @@ pub(super) fn bodies(
     if let Some(csv) = csv {
         let (blocks, found) = outlines(&csv_beside(document, csv, read_file)?)?;
         warnings.extend(found);
-        for CsvBlock { outline, weight } in blocks {
+        for CsvBlock {
+            outline,
+            weight,
+            layer,
+        } in blocks
+        {
             bodies.push(Body {
                 outline,
+                layer,
                 weight,
                 specific_weight: None,
                 friction: None,
@@ -223,6 +231,7 @@ fn add(
     match (&body.corners, bodies.named(name)) {
         (Some(corners), None) => bodies.push(Body {
             outline: inline_outline(document, written, corners.get_ref())?,
+            layer: String::new(),
             weight,
             specific_weight,
             friction,

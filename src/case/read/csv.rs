@@ -9,18 +9,20 @@ use super::spreadsheet::{Cell, Decimals, Row, Separator, Table, first_texts, tab
 use crate::case::complaint::{Complaint, Document, Place};
 use crate::scene::Point;
 
-const COLUMNS: [&str; 4] = ["block", "x", "y", "weight"];
+const COLUMNS: [&str; 5] = ["block", "x", "y", "weight", "layer"];
 
 /// The columns that must be there.
 const NEEDED: usize = 3;
 
 const ROWS: &str = "write a header `block,x,y`, then one corner a row, such as `A,0,1.75`; a fourth \
-                    column `weight` may follow";
+                    column `weight` and one of drawings, `layer`, may follow";
 
 /// An outline, and the weight that its rows give it.
 pub(super) struct CsvBlock {
     pub outline: Outline,
     pub weight: Option<(f64, Place)>,
+    /// The layer of the drawing that it comes from; empty where none is said.
+    pub layer: String,
 }
 
 /// The outlines of a CSV, in the order of their first rows, and warnings about it. Rows of a block
@@ -56,6 +58,7 @@ pub(super) fn outlines(document: &Document) -> Result<(Vec<CsvBlock>, Vec<Compla
                         places: Vec::new(),
                     },
                     weight: None,
+                    layer: corner.layer.to_owned(),
                 });
                 blocks.last_mut().expect("it was pushed")
             }
@@ -102,7 +105,7 @@ fn left_aside(document: &Document, table: &Table) -> Vec<Complaint> {
     };
     let title = format!("columns that are not read: {}", first_texts(&table.others));
     let warning = document.complain(first.place.clone(), title, "left aside");
-    let help = "the columns that count are `block`, `x`, `y` and `weight`";
+    let help = "the columns that count are `block`, `x`, `y`, `weight` and `layer`";
     vec![warning.help(help).into_warning()]
 }
 
@@ -111,6 +114,7 @@ struct Corner<'a> {
     name: &'a str,
     point: Point,
     weight: Option<(f64, &'a Cell<'a>)>,
+    layer: &'a str,
 }
 
 fn corner<'a>(
@@ -178,6 +182,7 @@ fn corner<'a>(
             Some(cell) => Some((number(cell, SMALLEST, "weight")?, cell)),
             None => None,
         },
+        layer: cell(4).map_or("", |cell| &cell.text),
     })
 }
 

@@ -15,7 +15,11 @@ use crate::case::suggestion::{listed, nearest};
 pub(crate) fn explain(document: &Document, error: &toml::de::Error) -> Complaint {
     let message = error.message();
     let span = error.span().unwrap_or(0..0);
-    if let Some(key) = message.strip_prefix("missing field ") {
+    if message == "missing field `weight`" && key_of_line(document, span.start) == "live" {
+        document
+            .complain(span, "a live load of nothing", "no `weight` in here")
+            .help("write `live = { weight = [1, 0.3] }`")
+    } else if let Some(key) = message.strip_prefix("missing field ") {
         missing_key(span, key.trim_matches('`')).in_document(document)
     } else if message.starts_with("unknown field ") {
         unknown_key(document, span, message)
@@ -49,7 +53,7 @@ pub(crate) fn explain(document: &Document, error: &toml::de::Error) -> Complaint
 }
 
 /// What people look for, by the words that they write, and how it is said here.
-const SAID_OTHERWISE: [(&[&str], &str); 5] = [
+const SAID_OTHERWISE: [(&[&str], &str); 6] = [
     (
         &[
             "opening", "openings", "door", "doors", "window", "windows", "lintel", "lintels",
@@ -77,6 +81,10 @@ const SAID_OTHERWISE: [(&[&str], &str); 5] = [
         &["a_g", "ag", "pga", "ground_acceleration", "seismic"],
         "leave it out: λ is the horizontal acceleration in g at which the wall collapses, to be compared \
          with the one that your code demands",
+    ),
+    (
+        &["vertical", "vertical_acceleration", "uplift", "av", "a_v"],
+        "write `live = { weight = [1, 0.3] }`: 0.3 of every weight upwards as it pushes",
     ),
     (
         &["wind", "wind_pressure", "wind_load"],

@@ -49,6 +49,7 @@ pub(super) fn drawn(
             kind: "block".to_owned(),
             layer: String::new(),
             place: solid.place,
+            in_space: Vec::new(),
             points,
             closed: true,
         };
