@@ -170,8 +170,9 @@ fn closed(layer: &str, handle: &str, corners: &[(f64, f64)]) -> String {
 #[test]
 fn a_wall_whose_units_sink_comes_back() {
     let moves = "[[move]]\nunits = \"2-3\"\ndirection = [0, -1]\nmoves = \"away\"\n";
-    let sinks = coursed(&format!("{WALL}{moves}")).scene(HeadJoints::Contact);
-    let drawn = dxf(&sinks, None, None);
+    let sinks = coursed(&format!("{WALL}{moves}"));
+    let assembly = sinks.geometry.assembly();
+    let drawn = dxf(&sinks.scene(HeadJoints::Contact), &assembly, None, None);
     let read = Case::from_drawing("a.dxf", drawn.as_bytes(), &options());
     let read = read.unwrap_or_else(|complaint| panic!("{complaint}")).case;
     let scene = read.scene(HeadJoints::Contact);
