@@ -37,9 +37,11 @@ pub(super) fn outlines(
         return Err(complaint.help("draw each block as one closed polyline"));
     }
     let mut used = vec![false; open.len()];
-    let chained: Result<Vec<Path>, Complaint> = (0..open.len())
-        .filter_map(|first| (!used[first]).then(|| chain(&open, &mut used, first, tolerance)))
-        .collect();
+    let chains = std::iter::from_fn(|| {
+        let first = used.iter().position(|used| !used)?;
+        Some(chain(&open, &mut used, first, tolerance))
+    });
+    let chained: Result<Vec<Path>, Complaint> = chains.collect();
     match chained {
         Ok(chained) => closed.extend(chained),
         Err(_) => {
