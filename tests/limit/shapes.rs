@@ -371,13 +371,13 @@ fn tables_are_read_however_they_are_saved() {
     let with_remark = plain.lines().map(|line| format!("{line},old\n"));
     let case = read(
         toml,
-        &with_remark.collect::<String>().replace("y,old", "y,layer"),
+        &with_remark.collect::<String>().replace("y,old", "y,note"),
     );
     assert_eq!(case.scene(HeadJoints::Contact), expected);
     assert!(
         case.warnings[0]
             .to_string()
-            .contains("columns that are not read: `layer`")
+            .contains("columns that are not read: `note`")
     );
 }
 

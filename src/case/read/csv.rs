@@ -14,8 +14,8 @@ const COLUMNS: [&str; 5] = ["block", "x", "y", "weight", "layer"];
 /// The columns that must be there.
 const NEEDED: usize = 3;
 
-const ROWS: &str = "write a header `block,x,y`, then one corner a row, such as `A,0,1.75`; a fourth \
-                    column `weight` and one of drawings, `layer`, may follow";
+const ROWS: &str = "write a header `block,x,y`, then one corner a row, such as `A,0,1.75`; columns \
+                    `weight` and `layer` may follow";
 
 /// An outline, and the weight that its rows give it.
 pub(super) struct CsvBlock {
