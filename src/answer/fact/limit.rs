@@ -58,7 +58,7 @@ pub enum LimitFact {
     #[error(
         "{MAY_HAVE_MISSED}{}",
         match .frictionless {
-            Some(lambda) if *lambda > 0.0 => format!(", but none lies below {}", below(*lambda, 5)),
+            Some(lambda) if *lambda >= 1e-5 => format!(", but none lies below {}", below(*lambda, 5)),
             _ => ": no lower bound is proved".to_owned(),
         }
     )]
@@ -133,7 +133,7 @@ mod tests {
     #[test]
     fn a_bound_at_zero_is_none() {
         let said = |frictionless| LimitFact::FoundNoBounds { frictionless }.to_string();
-        for nothing in [Some(-1e-12), Some(0.0), None] {
+        for nothing in [Some(-1e-12), Some(1e-12), None] {
             assert!(said(nothing).ends_with("no lower bound is proved"));
         }
         assert!(said(Some(0.25)).ends_with("none lies below 0.25000"));
