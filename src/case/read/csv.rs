@@ -15,7 +15,7 @@ const COLUMNS: [&str; 5] = ["block", "x", "y", "weight", "layer"];
 const NEEDED: usize = 3;
 
 const ROWS: &str = "write a header `block,x,y`, then one corner a row, such as `A,0,1.75`; a fourth \
-                    column `weight` and one of drawings, `layer`, may follow";
+                    column `weight` may follow";
 
 /// An outline, and the weight that its rows give it.
 pub(super) struct CsvBlock {
