@@ -81,14 +81,14 @@ pub fn balances(scene: &Scene, forces: &[JointForce], loads: Vec<Wrench>) -> Vec
             (joint.ends[1], joint.normal * force.normal[1]),
             (joint.ends[0], tangential),
         ];
-        for (point, part) in parts {
-            for (block, sign) in joint.blocks() {
-                let (arm, force) = (point - scene.blocks()[block].shape.centroid(), part * sign);
-                let parts = [force.x, force.y, arm.perp(&force)];
-                sums[block]
-                    .iter_mut()
-                    .zip(parts)
-                    .for_each(|(sum, part)| *sum += part);
+        for (block, sign) in joint.blocks() {
+            let centroid = scene.blocks()[block].shape.centroid();
+            let sum = &mut sums[block];
+            for (point, part) in parts {
+                let (arm, force) = (point - centroid, part * sign);
+                sum[0] += force.x;
+                sum[1] += force.y;
+                sum[2] += arm.perp(&force);
             }
         }
     }
