@@ -255,7 +255,11 @@ impl<'a> Panel<'a> {
             let lambda = number(row.reads(lowest.lambda), 5);
             // Where the answer is that one number, nothing else could be drawn.
             if !lines[0].contains(&format!("{what} {lambda},")) {
-                lines.push(format!("drawn: the lowest state, {what} {lambda}"));
+                let which = row
+                    .reaction
+                    .as_ref()
+                    .map_or("lowest state", |_| "state reached first");
+                lines.push(format!("drawn: the {which}, {what} {lambda}"));
             }
         }
         if let Some(crack) = &row.crack {
