@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use resvg::tiny_skia::{Pixmap, Transform};
-use resvg::usvg::{self, Options, Tree, fontdb::Database};
+use resvg::usvg::{Options, Tree, fontdb::Database};
 use svg2pdf::{ConversionOptions, PageOptions};
 
 /// Pixels of a PNG for one of the drawing: it is sharp in print at a drawing's own size.
@@ -61,8 +61,7 @@ pub fn pdf(svg: &str) -> Result<Vec<u8>, String> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::path::Path;
-    use super::super::svg::{Anchor, Svg, style};
+    use super::super::svg::{Anchor, Path, Svg, style};
     use super::*;
 
     /// With text where the machine has a font, else a refusal that names those that would do.

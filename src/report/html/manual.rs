@@ -49,7 +49,7 @@ fn case(result: &CaseResult) -> Markup {
             h2 { (name) }
             @if title != name { p.title { (title) } }
             @if !source.is_empty() { p.small { "Source: " (source) } }
-            @if let Some(governing) = Governing::of(result) { p.headline { (governing.text()) } }
+            @if let Some(governing) = Governing::of(result) { p.answer { b { "In short: " } (governing.text()) } }
             p.small { (in_figures(result)) }
             div.drawings {
                 @if let Some(svg) = foremost(result) { figure.drawing { (PreEscaped(svg)) } }

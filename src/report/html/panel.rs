@@ -20,7 +20,7 @@ pub fn panel(result: &CaseResult) -> Markup {
     html! {
         @if result.case.title != result.case.name { p.title { (result.case.title) } }
         @if !result.case.source.is_empty() { p.small { "Source: " (result.case.source) } }
-        @if let Some(governing) = Governing::of(result) { p.headline { (governing.text()) } }
+        @if let Some(governing) = Governing::of(result) { p.answer { b { "In short: " } (governing.text()) } }
         @for conclusion in &result.conclusions {
             @if let Some(terms) = terms(result, conclusion) {
                 p.small { (conclusion.head_joints.name()) ": " (terms.to_string()) }
