@@ -15,6 +15,8 @@ pub(crate) struct Governing<'a> {
     conclusion: &'a Conclusion,
     /// Whether its scene has head joints.
     has_head_joints: bool,
+    /// Other settings and sides without a verified collapse, which may be weaker.
+    unanswered: Vec<String>,
     terms: Option<Terms>,
 }
 
@@ -24,10 +26,21 @@ impl<'a> Governing<'a> {
         let conclusion = &result.conclusions[governing(&result.conclusions)?];
         let scene = result.side(conclusion.head_joints, conclusion.push);
         let mut joints = scene.joints().iter();
+        let all = result.conclusions.iter();
+        let all = all.flat_map(|of| [Some(of), of.other.as_deref()].into_iter().flatten());
+        let without = all.filter(|of| {
+            let basis = [Basis::UpperBound, Basis::NoneFound, Basis::Nothing];
+            basis.contains(&of.basis) && !std::ptr::eq(*of, conclusion)
+        });
+        let unanswered = without.map(|of| {
+            let (joints, push) = (of.head_joints.in_words(), of.push.name());
+            format!("with head joints {joints}, pushed to the {push}")
+        });
         Some(Self {
             conclusion,
             has_head_joints: conclusion.head_joints == HeadJoints::Open
                 || joints.any(|joint| joint.class == JointClass::Head),
+            unanswered: unanswered.collect(),
             terms: terms(result, conclusion),
         })
     }
@@ -41,7 +54,13 @@ impl<'a> Governing<'a> {
             false => format!(" ({about})"),
         };
         let first = format!("{}{about}.", self.lead());
-        let all = [Some(first), Some(self.why()), self.in_use(), self.moves()];
+        let all = [
+            Some(first),
+            Some(self.why()),
+            self.may_be_weaker(),
+            self.in_use(),
+            self.moves(),
+        ];
         let all: Vec<String> = all.into_iter().flatten().collect();
         all.join(" ")
     }
@@ -63,6 +82,7 @@ impl<'a> Governing<'a> {
         match of.basis {
             Basis::UpperBound => format!("λ is at most {}", above(upper, 5)),
             Basis::Estimate => format!("λ may be {}", number(lower, 4)),
+            _ if !of.is_explained() => format!("λ may be {}", number(lower, 5)),
             _ => format!("Use λ = {}", number(lower, 5)),
         }
     }
@@ -138,8 +158,17 @@ impl<'a> Governing<'a> {
         why.to_owned()
     }
 
+    /// What has no answer beside the one that governs; of an upper bound alone that is said already.
+    fn may_be_weaker(&self) -> Option<String> {
+        let has_number = self.conclusion.bracket.is_some();
+        let says_more = has_number && self.conclusion.basis != Basis::UpperBound;
+        let without = self.unanswered.join(", nor ");
+        (says_more && !without.is_empty())
+            .then(|| format!("No collapse is verified {without}: there it may be weaker."))
+    }
+
     /// The λ as an acceleration and as a tilt of the ground, rounded to the safe side of the digits that
-    /// are shown.
+    /// are shown: of a verified state that nothing speaks against, and of an upper bound.
     fn in_use(&self) -> Option<String> {
         let of = self.conclusion;
         // Only where the push is a tilt of the ground.
@@ -147,13 +176,13 @@ impl<'a> Governing<'a> {
         let lambda = (1e5 * of.collapse_known()?).round() / 1e5;
         let tilt = lambda.atan().to_degrees();
         Some(match of.basis {
-            Basis::Estimate => return None,
             Basis::UpperBound => {
                 let (g, tilt) = (above(lambda, 3), above(tilt, 1));
                 format!(
                     "It collapses at {g} g, or where the ground tilts by {tilt}°, at the latest."
                 )
             }
+            _ if of.basis != Basis::LowestState || !of.is_explained() => return None,
             _ if lambda <= 0.0 => "It may fall without a push.".to_owned(),
             _ => {
                 let (g, tilt) = (below(lambda, 3), below(tilt, 1));
@@ -194,4 +223,51 @@ fn gives_way(reaction: &Reaction, basis: Basis, bracket: Bracket) -> String {
         number(at, 5),
         of_weight(at)
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::case::find;
+    use crate::judge::Doubt;
+    use crate::method::{Settings, methods};
+    use crate::run::{Plan, run};
+
+    /// Nothing is allowed for where something speaks against the number, and a side without an answer is named.
+    #[test]
+    fn what_is_not_vouched_for_is_no_permission() {
+        let cases = find("buttress").expect("it is built in");
+        let mut methods = methods();
+        methods.retain(|method| ["associative", "interval"].contains(&method.name()));
+        let plan = Plan {
+            methods,
+            settings: Settings::default(),
+            head_joints: None,
+        };
+        let mut result = run(&cases, &plan, &()).remove(0);
+        let said = |result: &CaseResult| Governing::of(result).expect("it ran").text();
+        let text = said(&result);
+        assert!(
+            text.starts_with("Use λ = ") && text.contains("It may be shaken"),
+            "{text}"
+        );
+        assert!(!text.contains("weaker"), "{text}");
+
+        let other = result.conclusions[0].other.as_mut().expect("two sides");
+        (other.basis, other.bracket) = (Basis::Nothing, None);
+        let push = other.push.name();
+        let text = said(&result);
+        assert!(
+            text.contains(&format!("pushed to the {push}: there it may be weaker")),
+            "{text}"
+        );
+
+        let by = "somebody".to_owned();
+        result.conclusions[0].doubts.push(Doubt::Stands { by });
+        let text = said(&result);
+        assert!(
+            text.starts_with("λ may be ") && !text.contains("shaken"),
+            "{text}"
+        );
+    }
 }
