@@ -20,6 +20,7 @@ mod external;
 mod inputs;
 mod library_check;
 mod malformed;
+mod mistakes;
 mod outputs;
 mod outside_compared;
 mod pages;

@@ -64,8 +64,8 @@ const SAID_OTHERWISE: [(&[&str], &str); 6] = [
     ),
     (
         &["density", "unit_weight", "gamma", "rho", "mass"],
-        "λ depends on no density, only on how weights compare: `weight` in `unit` is that of one unit, and a \
-         heavier piece has its own, as in `pieces = { L = { units = 3, weight = 4.5 } }`",
+        "leave it out: λ depends on no density, only on how weights compare. `weight` in `unit` is that of one \
+         unit, and a heavier piece has its own, as in `pieces = { L = { units = 3, weight = 4.5 } }`",
     ),
     (
         &[
@@ -79,8 +79,8 @@ const SAID_OTHERWISE: [(&[&str], &str); 6] = [
     ),
     (
         &["a_g", "ag", "pga", "ground_acceleration", "seismic"],
-        "leave it out: λ is the horizontal acceleration in g at which the wall collapses, to be compared \
-         with the one that your code demands",
+        "write `demand = 0.25`, the horizontal acceleration in g that your code demands: λ is the one at which \
+         the wall collapses, and answers then say how many times it they reach",
     ),
     (
         &["vertical", "vertical_acceleration", "uplift", "av", "a_v"],
@@ -99,21 +99,33 @@ fn unknown_key(document: &Document, span: Range<usize>, message: &str) -> Compla
     let (key, known) = words.split_first().unwrap_or((&"", &[]));
     if let Some(entry) = not_modelled(key) {
         let title = format!("{} is not modelled", entry.what);
-        let complaint = document.complain(span, title, "known, but in none of the methods");
-        return complaint.help(entry.nearest);
+        let complaint = document.complain(span.clone(), title, "known, but in none of the methods");
+        return complaint.help(entry.nearest).mended(span, "");
     }
+    let near = nearest(key, known.iter().copied());
     let help = if CASE_KEYS.contains(key) {
         format!("move `{key}` up, above the first line that begins with `[`")
     } else if let Some((_, help)) = SAID_OTHERWISE.iter().find(|(words, _)| words.contains(key)) {
         (*help).to_owned()
-    } else if let Some(near) = nearest(key, known.iter().copied()) {
+    } else if let Some(near) = near {
         format!("did you mean `{near}`?")
     } else {
         format!("the keys here are {}", listed(known.iter().copied()))
     };
+    // What is said otherwise names the key first, where it is another one.
+    let sound = near.or_else(|| {
+        let first = help.strip_prefix('`')?.split('`').next()?;
+        known.iter().find(|known| **known == first).copied()
+    });
+    let sound = sound.unwrap_or_default().to_owned();
     document
-        .complain(span, format!("unknown key `{key}`"), "no such key here")
+        .complain(
+            span.clone(),
+            format!("unknown key `{key}`"),
+            "no such key here",
+        )
         .help(help)
+        .mended(span, sound)
 }
 
 /// `types` is `string "0.65", expected a number`.
@@ -147,13 +159,18 @@ fn wrong_type(document: &Document, span: Range<usize>, types: &str) -> Complaint
         "a string" => text_help(document, span.clone()),
         _ => type_help(document.at(span.clone()), expected),
     };
+    let sound = match expected {
+        "a number" | "a whole number" | "a coefficient of friction" => "1",
+        _ => "",
+    };
     document
         .complain(
-            span,
+            span.clone(),
             format!("expected {expected}, found {found}"),
             format!("expected {expected}"),
         )
         .help(help)
+        .mended(span, sound)
 }
 
 /// What to write instead of `written` where `expected` is wanted.
@@ -266,11 +283,12 @@ fn syntax(document: &Document, span: Range<usize>, message: &str) -> Complaint {
         let point = document.at(comma.clone()).replace(',', ".");
         return document
             .complain(
-                comma,
+                comma.clone(),
                 "a number with a decimal comma",
                 "a comma parts values",
             )
-            .help(format!("write a decimal point: `{point}`"));
+            .help(format!("write a decimal point: `{point}`"))
+            .mended(comma, point);
     }
     let rest = document.at(span.start..document.text.len());
     let written = rest.lines().next().unwrap_or_default().trim();
@@ -278,8 +296,13 @@ fn syntax(document: &Document, span: Range<usize>, message: &str) -> Complaint {
     let unquoted = message.starts_with("string values must be quoted");
     if unquoted && (written.is_empty() || written.starts_with('#')) {
         return document
-            .complain(span, "a key without a value", "nothing behind the `=`")
-            .help("write a value behind the `=`, such as `friction = 0.65`");
+            .complain(
+                span.clone(),
+                "a key without a value",
+                "nothing behind the `=`",
+            )
+            .help("write a value behind the `=`, such as `friction = 0.65`")
+            .mended(span, "");
     }
     let help = if unquoted && !word.contains([' ', '"', '\'']) {
         format!("put words in quotes: `\"{word}\"`")
@@ -287,9 +310,11 @@ fn syntax(document: &Document, span: Range<usize>, message: &str) -> Complaint {
         let help = SYNTAX.iter().find(|(part, _)| message.contains(part));
         help.map_or(ANY_SYNTAX, |(_, help)| help).into()
     };
-    document
-        .complain(span, format!("not TOML: {message}"), "here")
-        .help(help)
+    let complaint = document.complain(span.clone(), format!("not TOML: {message}"), "here");
+    match unquoted && !word.contains([' ', '"', '\'']) {
+        true => complaint.help(help).mended(span, format!("\"{word}\"")),
+        false => complaint.help(help),
+    }
 }
 
 const BOTH_SIDES: &str = "write digits on both sides of the decimal point, as in `0.5`";

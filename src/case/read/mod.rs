@@ -17,6 +17,7 @@ mod form;
 mod friction;
 mod leaves;
 mod missing;
+mod mistakes;
 mod moves;
 
 mod not_modelled;
