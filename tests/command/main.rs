@@ -17,6 +17,7 @@ mod compas;
 mod draw;
 mod drawings;
 mod external;
+mod first_try;
 mod inputs;
 mod library_check;
 mod malformed;
