@@ -10,7 +10,8 @@ each case. Columns of the CSV: case (CASE@open with open head joints), method,
 status, lower, upper, tan_beta, c, e, residual, seconds (CPU), reason, and
 behind them counts of work, the reference with its error and verdict, and of a
 search: `starts` that reached `states`, how often the lowest was met, and the
-share `unseen` of starts that would reach a new one. JSON has more: in
+share `unseen` of starts that would reach a new one; `over_demand` is λ over
+the `demand` of the case. JSON has more: in
 `conclusion` the answer of each case, in `thrust` the lines of thrust and the
 resultants on bed joints, and with --states the scene and all forces and
 velocities, in the formats of `trilith schema`.

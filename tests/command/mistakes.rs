@@ -315,3 +315,46 @@ fn a_demand_is_a_positive_number_and_asks_for_a_push() {
         "{told:?}"
     );
 }
+
+/// Texts in which a few bytes are others, have gone or come twice: read without a panic, complaints in
+/// the order of their lines, and none of them twice.
+#[test]
+fn whatever_is_written_is_read_or_complained_of_once() {
+    let templates = [
+        WALL,
+        include_str!("../../cases/examples/portal.toml"),
+        include_str!("../../cases/limits/point-load-top.toml"),
+    ];
+    let mut seed = 34_u64;
+    let mut random = |below: usize| {
+        seed = seed
+            .wrapping_mul(6364136223846793005)
+            .wrapping_add(1442695040888963407);
+        (seed >> 33) as usize % below
+    };
+    let others: Vec<char> = "[]{}\"'=,.#-0x1e\n \u{e9}".chars().collect();
+    let mut several = 0;
+    for round in 0..600 {
+        let mut text: Vec<char> = templates[round % templates.len()].chars().collect();
+        for _ in 0..1 + random(4) {
+            let at = random(text.len());
+            match random(3) {
+                0 => text[at] = others[random(others.len())],
+                1 => drop(text.remove(at)),
+                _ => text.insert(at, text[at]),
+            }
+        }
+        let text: String = text.into_iter().collect();
+        let Err(complaint) = trilith::case::Case::read("a.toml", text.as_bytes()) else {
+            continue;
+        };
+        let shown = complaint.to_string();
+        let parts: Vec<&str> = shown.split("\n\n").collect();
+        several += usize::from(parts.len() > 1);
+        for (place, part) in parts.iter().enumerate() {
+            assert!(part.starts_with("error: "), "{text}\n{shown}");
+            assert!(!parts[..place].contains(part), "{text}\n{shown}");
+        }
+    }
+    assert!(several > 30, "{several}");
+}

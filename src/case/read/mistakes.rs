@@ -21,6 +21,10 @@ struct Mended(Vec<(Range<usize>, String)>);
 impl Mended {
     fn with(&self, place: Range<usize>, words: &str) -> Self {
         let mut all = self.clone();
+        let goes = |known: &Range<usize>| {
+            !known.is_empty() && place.start <= known.start && known.end <= place.end
+        };
+        all.0.retain(|(known, _)| !goes(known));
         all.0.push((place, words.to_owned()));
         all.0.sort_by_key(|(place, _)| (place.start, place.end));
         all
@@ -150,7 +154,7 @@ fn inside(value: &Spanned<DeValue>, at: usize) -> Option<(Range<usize>, Range<us
 fn with_its_table(text: &str, entry: Range<usize>) -> Range<usize> {
     let line = text[..entry.start].rfind('\n').map_or(0, |end| end + 1);
     if text[line..].trim_start().starts_with('[') && !text[line..entry.start].contains(['=', '{']) {
-        let next = text[entry.end.max(line + 1)..].find("\n[");
+        let next = text[entry.end..].find("\n[");
         return line..next.map_or(text.len(), |next| entry.end + next + 1);
     }
     let behind = &text[entry.end..];

@@ -27,6 +27,7 @@ mod own_joints;
 mod pieces;
 mod references;
 mod spreadsheet;
+mod unknown_key;
 mod values;
 mod wall;
 
