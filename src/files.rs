@@ -108,22 +108,34 @@ pub fn read_input(path: &Path, input: Input) -> io::Result<Vec<u8>> {
             kind(&about)
         )));
     }
-    let limit = input.limit();
-    let too_large = |bytes: u64| {
-        let (size, most) = (bytes.div_ceil(1 << 20), limit >> 20);
-        let words = format!("it has {size} MiB, and no more than {most} MiB are read");
-        Err(io::Error::new(io::ErrorKind::FileTooLarge, words))
-    };
-    if about.len() > limit {
-        return too_large(about.len());
+    if about.len() > input.limit() {
+        return Err(too_large(about.len(), input));
     }
-    // A file that grows while it is read, or that does not know its size.
-    let mut bytes = Vec::with_capacity(about.len() as usize);
-    File::open(path)?.take(limit + 1).read_to_end(&mut bytes)?;
+    read_at_most(File::open(path)?, input)
+}
+
+/// The bytes of standard input, of which nothing beyond the limit is read.
+///
+/// # Errors
+/// As [`read_input`].
+pub fn read_stdin(input: Input) -> io::Result<Vec<u8>> {
+    read_at_most(io::stdin().lock(), input)
+}
+
+/// All bytes of what may grow while it is read, or does not know its size.
+fn read_at_most(source: impl Read, input: Input) -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    source.take(input.limit() + 1).read_to_end(&mut bytes)?;
     match bytes.len() as u64 {
-        length if length > limit => too_large(length),
+        length if length > input.limit() => Err(too_large(length, input)),
         _ => Ok(bytes),
     }
+}
+
+fn too_large(bytes: u64, input: Input) -> io::Error {
+    let (size, most) = (bytes.div_ceil(1 << 20), input.limit() >> 20);
+    let words = format!("it has {size} MiB, and no more than {most} MiB are read");
+    io::Error::new(io::ErrorKind::FileTooLarge, words)
 }
 
 /// What something is that is no file.

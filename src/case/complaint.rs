@@ -13,6 +13,10 @@ pub struct Complaint {
     /// The offending text, and the label below it.
     marked: Option<Box<(Mark, String)>>,
     help: Option<String>,
+    /// What may stand where in the text so that the rest of it can be read.
+    mend: Option<Box<(Range<usize>, String)>>,
+    /// Further mistakes of the same file.
+    others: Vec<Complaint>,
     /// Whether the input is taken all the same.
     warns: bool,
 }
@@ -53,6 +57,8 @@ impl Complaint {
             title: title.into(),
             marked: None,
             help: None,
+            mend: None,
+            others: Vec::new(),
             warns: false,
         }
     }
@@ -88,6 +94,53 @@ impl Complaint {
     /// Adds what to write instead.
     pub(crate) fn help(mut self, help: impl Into<String>) -> Self {
         self.help = Some(help.into());
+        self
+    }
+
+    /// The same with what may be put into a place of the text so that the rest of it can be read; nothing
+    /// where the key has to go.
+    pub(crate) fn mended(mut self, place: Range<usize>, words: impl Into<String>) -> Self {
+        self.mend = Some(Box::new((place, words.into())));
+        self
+    }
+
+    /// The place and the words; `None` where the rest cannot be read, or makes no sense without this.
+    pub(crate) fn mend(&self) -> Option<(&Range<usize>, &str)> {
+        let mend = self.mend.as_deref();
+        mend.map(|(place, words)| (place, words.as_str()))
+    }
+
+    /// The place in this document, where it is about a text of it.
+    pub(crate) fn place_in(&self, document: &Document) -> Option<Range<usize>> {
+        match self.marked.as_deref()? {
+            (Mark::Place(place), _) => (place.document == *document).then(|| place.span.clone()),
+            (Mark::Span(span), _) => Some(span.clone()),
+        }
+    }
+
+    /// The same about a text that stands elsewhere, in this document.
+    pub(crate) fn moved_to(mut self, document: &Document, place: Range<usize>) -> Self {
+        let from = self.place_in_any();
+        if let Some(mend) = self.mend.as_deref_mut() {
+            let shift = |at: usize| (at + place.start).saturating_sub(from);
+            mend.0 = shift(mend.0.start)..shift(mend.0.end);
+        }
+        if let Some(marked) = self.marked.as_deref_mut() {
+            marked.0 = Mark::Place(Place::new(document, place));
+        }
+        self
+    }
+
+    fn place_in_any(&self) -> usize {
+        match self.marked.as_deref() {
+            Some((Mark::Place(Place { span, .. }) | Mark::Span(span), _)) => span.start,
+            None => 0,
+        }
+    }
+
+    /// The same with other mistakes of the file behind it.
+    pub(crate) fn with_others(mut self, others: Vec<Complaint>) -> Self {
+        self.others = others;
         self
     }
 
@@ -133,7 +186,10 @@ impl fmt::Display for Complaint {
         if let Some(help) = &self.help {
             report = report.element(Level::HELP.message(printable(help)));
         }
-        f.write_str(&Renderer::plain().term_width(SOURCE_WIDTH).render(&[report]))
+        f.write_str(&Renderer::plain().term_width(SOURCE_WIDTH).render(&[report]))?;
+        self.others
+            .iter()
+            .try_for_each(|other| write!(f, "\n\n{other}"))
     }
 }
 

@@ -4,8 +4,14 @@ use std::path::Path;
 
 use super::complaint::Complaint;
 
+/// What a case that comes from standard input is called in complaints.
+pub(super) const STDIN: &str = "<stdin>";
+
 /// The file's stem. It goes into tables, file names and `NAME@open`, so it is held to plain words.
 pub(super) fn case_name(path: &str) -> Result<String, Complaint> {
+    if path == STDIN {
+        return Ok("stdin".to_owned());
+    }
     let stem = Path::new(path).file_stem().unwrap_or_default();
     let stem = stem.to_string_lossy();
     let renamed = plain(&stem);
@@ -19,7 +25,7 @@ pub(super) fn case_name(path: &str) -> Result<String, Complaint> {
 }
 
 /// A word with a `-` for every letter that has no place in a name.
-pub(super) fn plain(word: &str) -> String {
+pub(crate) fn plain(word: &str) -> String {
     let plain = |c: char| match c {
         c if c.is_alphanumeric() || "-_.".contains(c) => c,
         _ => '-',

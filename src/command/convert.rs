@@ -15,7 +15,7 @@ use super::stop::Stop;
 
 #[derive(Args)]
 pub(super) struct ConvertArguments {
-    /// A case file, or the name of a built-in case.
+    /// A case file, the name of a built-in case, or `-` for a case in standard input.
     case: String,
     /// The form to write it in.
     #[arg(long)]

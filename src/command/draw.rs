@@ -13,16 +13,17 @@ use clap::Args;
 
 use super::output;
 use super::plan::PlanArguments;
+use super::run::RESULTS;
 use super::screen::{print, print_lines};
 use super::solve::solve;
 use super::stop::Stop;
 
 #[derive(Args)]
+#[command(next_help_heading = RESULTS)]
 pub(super) struct DrawArguments {
-    /// A case file, or the name of a built-in case.
+    /// A case file, the name of a built-in case, or `-` for a case in standard input.
+    #[arg(help_heading = None)]
     case: String,
-    #[command(flatten)]
-    plan: PlanArguments,
     /// Draw macro-block, interval and pushover beside each other, or the methods that `--method` names.
     #[arg(long)]
     side_by_side: bool,
@@ -33,6 +34,8 @@ pub(super) struct DrawArguments {
     /// PNG and PDF.
     #[arg(short, long, value_name = "FILE.svg")]
     output: PathBuf,
+    #[command(flatten)]
+    plan: PlanArguments,
 }
 
 pub(super) fn draw(arguments: &DrawArguments) -> Result<u8, Stop> {

@@ -22,10 +22,15 @@ const OPTIONS: &str = "help: options are `--support LAYER`, `--without LAYER`, `
 pub(super) struct DrawingArguments {
     /// Layer of the outlines that never move [default: `support` or `ground`, else the lowest wide
     /// outline].
-    #[arg(long, value_name = "LAYER")]
+    #[arg(long, value_name = "LAYER", hide_short_help = true)]
     support: Option<String>,
     /// Leave these layers out.
-    #[arg(long, value_name = "LAYER", value_delimiter = ',')]
+    #[arg(
+        long,
+        value_name = "LAYER",
+        value_delimiter = ',',
+        hide_short_help = true
+    )]
     without: Vec<String>,
     /// Coefficient of friction of every joint of the drawing.
     #[arg(long, value_name = "NUMBER")]
@@ -34,14 +39,14 @@ pub(super) struct DrawingArguments {
     #[arg(long, value_name = "WAY")]
     push: Option<Ways>,
     /// Unit of length of the drawing, instead of the one that its header names.
-    #[arg(long, value_name = "UNIT")]
+    #[arg(long, value_name = "UNIT", hide_short_help = true)]
     units: Option<Unit>,
     /// Arcs become chords that are nearer to them than this part of the radius.
-    #[arg(long, value_name = "PART")]
+    #[arg(long, value_name = "PART", hide_short_help = true)]
     chord: Option<f64>,
     /// Close gaps between stones, as of mortar, up to this width: each to a line in its middle, but none
     /// wider than a tenth of the smaller stone.
-    #[arg(long, value_name = "WIDTH", value_parser = width)]
+    #[arg(long, value_name = "WIDTH", value_parser = width, hide_short_help = true)]
     gap: Option<f64>,
 }
 

@@ -19,7 +19,7 @@ use super::stop::Stop;
 
 #[derive(Args)]
 pub(super) struct ExportArguments {
-    /// A case file, or the name of a built-in case.
+    /// A case file, the name of a built-in case, or `-` for a case in standard input.
     case: String,
     /// What head joints carry, instead of the first setting that the case runs with.
     #[arg(long)]

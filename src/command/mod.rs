@@ -26,20 +26,30 @@ mod sweep;
 
 use std::process::ExitCode;
 
+use clap::error::{ContextKind, ContextValue};
 use clap::{ArgAction, CommandFactory, Parser, Subcommand};
+
+use crate::case::nearest;
 
 /// Validation and regression harness for the limit analysis of dry-joint masonry walls.
 #[derive(Parser)]
 #[command(version, arg_required_else_help = true, term_width = 80)]
-#[command(propagate_version = true, disable_version_flag = true)]
+#[command(
+    propagate_version = true,
+    disable_version_flag = true,
+    disable_help_flag = true
+)]
 struct Arguments {
     #[command(flatten)]
     screen: screen::ScreenArguments,
     #[command(subcommand)]
     command: Command,
+    /// Print this help: `--help` all of it, `-h` what is used most.
+    #[arg(short, long, global = true, action = ArgAction::Help, help_heading = screen::HEADING)]
+    help: Option<bool>,
     /// Print the version.
     #[arg(short = 'V', visible_short_alias = 'v', long, global = true)]
-    #[arg(action = ArgAction::Version, display_order = 1000)]
+    #[arg(action = ArgAction::Version, help_heading = screen::HEADING)]
     version: Option<bool>,
 }
 
@@ -70,7 +80,7 @@ enum Command {
     List,
     /// Print a case as it is read: its file, blocks and joints.
     Show {
-        /// A case file, or the name of a built-in case.
+        /// A case file, the name of a built-in case, or `-` for a case in standard input.
         case: String,
         /// Also print every parameter that the pushover runs the case with, and its unit.
         #[arg(long)]
@@ -111,10 +121,27 @@ To have them in every new shell:
   zsh   trilith completions zsh > DIR/_trilith, DIR a folder in $fpath
   fish  trilith completions fish > ~/.config/fish/completions/trilith.fish";
 
+/// The mistake with the command that may be meant, also where clap finds none.
+fn suggesting(mut error: clap::Error) -> clap::Error {
+    let written = match error.get(ContextKind::InvalidSubcommand) {
+        Some(ContextValue::String(written)) => written.clone(),
+        _ => return error,
+    };
+    let trilith = Arguments::command();
+    let commands = trilith.get_subcommands().map(clap::Command::get_name);
+    if error.get(ContextKind::SuggestedSubcommand).is_none()
+        && let Some(near) = nearest(&written, commands)
+    {
+        let near = ContextValue::Strings(vec![near.to_owned()]);
+        error.insert(ContextKind::SuggestedSubcommand, near);
+    }
+    error
+}
+
 /// Parses the arguments, runs the command, and turns its end into an exit status.
 pub fn main() -> ExitCode {
     interrupt::watch();
-    let arguments = Arguments::parse();
+    let arguments = Arguments::try_parse().unwrap_or_else(|error| suggesting(error).exit());
     arguments.screen.settle();
     let done = match arguments.command {
         Command::Run(arguments) => run::run(&arguments),

@@ -13,6 +13,7 @@ use super::settings::SettingArguments;
 use super::stop::Stop;
 
 #[derive(Args)]
+#[command(next_help_heading = "What runs")]
 pub(super) struct PlanArguments {
     /// Run only these methods; `trilith list` names all of them.
     #[arg(long, value_name = "NAME", num_args = 1.., value_delimiter = ',')]

@@ -2,15 +2,16 @@
 
 /// Behind the options of `run`.
 pub(super) const RUN: &str = "\
-Cases: a file, a folder of files, a name of `trilith list`, or a drawing (.dxf)
-with --friction.
+Cases: a file, a folder of files, a name of `trilith list`, `-` for a case in
+standard input, or a drawing (.dxf) with --friction.
 
 Files: --out DIR writes results.csv, results.json, and CASE.txt, the record of
 each case. Columns of the CSV: case (CASE@open with open head joints), method,
 status, lower, upper, tan_beta, c, e, residual, seconds (CPU), reason, and
 behind them counts of work, the reference with its error and verdict, and of a
 search: `starts` that reached `states`, how often the lowest was met, and the
-share `unseen` of starts that would reach a new one. JSON has more: in
+share `unseen` of starts that would reach a new one; `over_demand` is λ over
+the `demand` of the case. JSON has more: in
 `conclusion` the answer of each case, in `thrust` the lines of thrust and the
 resultants on bed joints, and with --states the scene and all forces and
 velocities, in the formats of `trilith schema`.
@@ -19,9 +20,9 @@ Interrupted: finished rows are printed and written, files say PARTIAL inside,
 and a journal in the folder of --out (or --resume) lets the same command go on,
 after SIGKILL too.
 
-Records: --record DIR compares with CASE.snap in the folder and writes
-CASE.snap.new where something is new or changed. `cargo insta review` shows and
-accepts them, inside a Cargo package; `cargo init --lib` makes any folder one.
+Records: --record DIR compares with CASE.snap in the folder; where something is
+new or changed it writes CASE.snap.new, and prints the lines that changed. With
+--accept it writes CASE.snap instead. The files are those of `cargo insta`.
 
 Exit status: 0 fine; 1 a result failed, a reference is violated or a record
 changed; 2 bad input; 128 + the signal that ended it.";
@@ -67,8 +68,8 @@ standard output; `trilith schema scene` and `trilith schema result` print both
 formats, tests/external/highs.py is one. --external NAME=COMMAND runs it in
 run, check, sweep, chart and atlas, and compares it like our own methods: a λ
 above λ_A, below a proved bound or negative is violated, one outside the
-verified range is marked. A number alone is an estimate and may be off by the
-`stated_error` that it gives, or by 1e-4; forces and velocities that hold are
+verified range is marked. A number alone, `0.5` or `{\"lambda\": 0.5}`, is an
+estimate and may be off by the `stated_error` that it gives, or by 1e-4; forces and velocities that hold are
 `verified`; a claim that they do not bear out is `failed`, and so are crashes,
 hangs and nonsense. A case may name the program in a reference (`method =
 \"NAME\"`).

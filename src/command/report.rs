@@ -12,19 +12,18 @@ use crate::study::sweep::SweepTable;
 
 use super::output;
 use super::plan::PlanArguments;
-use super::run::{files, refuted};
+use super::run::{RESULTS, files, refuted};
 use super::screen::print_lines;
 use super::solve::solve;
 use super::stop::{Stop, status};
 
 #[derive(Args)]
+#[command(next_help_heading = RESULTS)]
 pub(super) struct ReportArguments {
-    /// Case files, folders of them, or names of built-in cases; where none is named, the three walls of the
-    /// paper.
-    #[arg(value_name = "CASE")]
+    /// Case files, folders of them, names of built-in cases, or `-` for a case in standard input; where
+    /// none is named, the three walls of the paper.
+    #[arg(value_name = "CASE", help_heading = None)]
     cases: Vec<String>,
-    #[command(flatten)]
-    plan: PlanArguments,
     /// Also plot this `sweep.csv`; that of the sweep fig-7 is the paper's Fig. 7.
     #[arg(long, value_name = "FILE.csv")]
     sweep: Vec<PathBuf>,
@@ -35,6 +34,8 @@ pub(super) struct ReportArguments {
     /// Folder for report.html or manual.html, results.csv, results.json and one record a case.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
+    #[command(flatten)]
+    plan: PlanArguments,
 }
 
 pub(super) fn report(arguments: &ReportArguments) -> Result<u8, Stop> {

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use crate::answer::Status;
 use crate::case;
 use crate::judge::Verdict;
-use crate::record;
+use crate::record::{self, Difference};
 use crate::report;
 use crate::run::{CaseResult, Partial, marked};
 use clap::{Args, ValueEnum};
@@ -16,30 +16,37 @@ use super::screen::{layout, print, tell};
 use super::solve::solve;
 use super::stop::{Stop, status};
 
+/// Where the help has what comes of a run.
+pub(super) const RESULTS: &str = "Results";
+
 #[derive(Args)]
+#[command(next_help_heading = RESULTS)]
 pub(super) struct RunArguments {
-    /// Case files, folders of them, or names of built-in cases; where none is named, the three walls of the
-    /// paper.
-    #[arg(value_name = "CASE")]
+    /// Case files, folders of them, names of built-in cases, or `-` for a case in standard input; where
+    /// none is named, the three walls of the paper.
+    #[arg(value_name = "CASE", help_heading = None)]
     cases: Vec<String>,
-    #[command(flatten)]
-    plan: PlanArguments,
-    #[command(flatten)]
-    kept: KeptArguments,
     /// How results are printed.
     #[arg(long, default_value = "table")]
     format: Format,
+    #[command(flatten)]
+    kept: KeptArguments,
     /// Also put the scene and the forces and velocities of every answer into the JSON, in the formats of
     /// outside programs (`trilith schema`).
-    #[arg(long)]
+    #[arg(long, hide_short_help = true)]
     states: bool,
-    /// Compare records with the .snap files in this folder; where one differs, write a .snap.new file
-    /// beside it and end with exit status 1.
+    /// Compare records with the .snap files in this folder; where one differs, say in which lines, write
+    /// a .snap.new file beside it and end with exit status 1.
     #[arg(long, value_name = "DIR")]
     record: Option<PathBuf>,
+    /// Take records that are new or changed for those to compare with from now on.
+    #[arg(long, requires = "record", hide_short_help = true)]
+    accept: bool,
     /// Remove the .snap files of cases that are gone.
-    #[arg(long, requires = "record")]
+    #[arg(long, requires = "record", hide_short_help = true)]
     prune: bool,
+    #[command(flatten)]
+    plan: PlanArguments,
 }
 
 #[derive(Clone, Copy, ValueEnum)]
@@ -57,11 +64,11 @@ pub(super) struct KeptArguments {
     pub(super) out: Option<PathBuf>,
     /// Keep finished results in a journal in this folder, and go on from there [default: the folder of
     /// --out].
-    #[arg(long, value_name = "DIR")]
+    #[arg(long, value_name = "DIR", hide_short_help = true)]
     resume: Option<PathBuf>,
     /// Write the certificates of lower bounds into this folder, one file a scene and direction of the
     /// push: CASE.right.bound, CASE@open.left.bound.
-    #[arg(long, value_name = "DIR")]
+    #[arg(long, value_name = "DIR", hide_short_help = true)]
     certificate: Option<PathBuf>,
 }
 
@@ -106,16 +113,14 @@ pub(super) fn run(arguments: &RunArguments) -> Result<u8, Stop> {
         output::test(folder)?;
     }
     let format = arguments.format;
-    if let Format::Csv = format {
-        print(&report::csv(&[]))?;
-    }
+    print(&format.heading())?;
     let show = |result: &CaseResult| print(&format.case(result));
     let kept = arguments.kept.journal("run.journal");
     let results = solve(&cases, &plan, kept, show, |results, partial| {
         hand_out(arguments, results, partial)
     })?;
     let changed = match &arguments.record {
-        Some(folder) => compare(folder, &results, &arguments.cases, arguments.prune)?,
+        Some(folder) => compare(folder, &results, arguments)?,
         None => false,
     };
     Ok(status(changed || refuted(&results)))
@@ -123,7 +128,15 @@ pub(super) fn run(arguments: &RunArguments) -> Result<u8, Stop> {
 
 /// Each case is printed as soon as those before it are; a JSON document only as a whole.
 impl Format {
-    fn case(self, result: &CaseResult) -> String {
+    /// What is printed before the first case.
+    pub(super) fn heading(self) -> String {
+        match self {
+            Format::Csv => report::csv(&[]),
+            Format::Table | Format::Json => String::new(),
+        }
+    }
+
+    pub(super) fn case(self, result: &CaseResult) -> String {
         match self {
             Format::Table => report::case_table(result, layout()),
             Format::Csv => {
@@ -135,7 +148,12 @@ impl Format {
         }
     }
 
-    fn closing(self, results: &[CaseResult], states: bool, partial: Option<&Partial>) -> String {
+    pub(super) fn closing(
+        self,
+        results: &[CaseResult],
+        states: bool,
+        partial: Option<&Partial>,
+    ) -> String {
         match self {
             Format::Table => {
                 let said = partial.map_or(String::new(), |partial| format!("{partial}\n\n"));
@@ -195,30 +213,36 @@ pub(super) fn refuted(results: &[CaseResult]) -> bool {
 }
 
 /// Whether any record differs from the accepted one, or the case of one is gone; `prune` removes
-/// these. `arguments` name the cases.
-fn compare(
-    folder: &Path,
-    results: &[CaseResult],
-    arguments: &[String],
-    prune: bool,
-) -> Result<bool, Stop> {
+/// these, and `accept` takes the others.
+fn compare(folder: &Path, results: &[CaseResult], arguments: &RunArguments) -> Result<bool, Stop> {
+    let RunArguments {
+        cases,
+        accept,
+        prune,
+        ..
+    } = arguments;
     let failed = |error: std::io::Error| Stop::bad_input(format!("error: {error}"));
     let mut changed = false;
     for result in results {
-        let compared = record::compare(folder, &result.case.name, &record::record(result));
-        if let Some((word, path)) = compared.map_err(failed)? {
-            let path = path.display();
-            tell!("the record {path} is {word}; `cargo insta review` shows it");
-            changed = true;
+        let record = record::record(result);
+        let compared = record::compare(folder, &result.case.name, &record, *accept);
+        if let Some(Difference { word, path, lines }) = compared.map_err(failed)? {
+            let then = match accept {
+                true => "and accepted",
+                false => "`--accept` takes it, or `cargo insta review`",
+            };
+            tell!("the record {} is {word}; {then}", path.display());
+            tell!("{}", lines.trim_end());
+            changed |= !accept;
         }
     }
     let names: Vec<&str> = results.iter().map(|r| r.case.name.as_str()).collect();
     for (name, path) in record::records_beside(folder, &names).map_err(failed)? {
-        if !is_gone(&name, arguments) {
+        if !is_gone(&name, cases) {
             continue;
         }
         let shown = path.display();
-        if prune {
+        if *prune {
             std::fs::remove_file(&path).map_err(failed)?;
             tell!("{shown} was removed, because its case is gone");
         } else {

@@ -11,7 +11,8 @@ use clap::{Args, ValueEnum};
 
 use super::stop::Stop;
 
-const HEADING: &str = "Screen";
+/// Where the help has what every command takes.
+pub(super) const HEADING: &str = "Screen and help";
 
 /// Arguments of every command.
 #[derive(Args)]

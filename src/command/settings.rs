@@ -10,6 +10,9 @@ use super::stop::Stop;
 
 const HEADING: &str = "Settings of the methods, each also as --set NAME=VALUE";
 
+/// The settings that the short help has.
+const COMMON: [&str; 2] = ["accuracy", "starts"];
+
 /// The settings that the arguments give. Given twice with two values is a mistake, in whichever
 /// form.
 pub(super) struct SettingArguments {
@@ -106,7 +109,8 @@ fn flag(setting: &'static Setting) -> Arg {
         .long(setting.name)
         .value_parser(WordsParser(&setting.allowed))
         .help(format!("{about} [default: {default}]"))
-        .long_help(format!("{about}\n\n[default: {details}]"))
+        .long_help(format!("{about} [default: {details}]"))
+        .hide_short_help(!COMMON.contains(&setting.name))
         .help_heading(HEADING);
     match &setting.allowed {
         Allowed::Switch => flag

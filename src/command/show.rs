@@ -33,9 +33,12 @@ pub(super) fn show(argument: &str, pushover: bool) -> Result<u8, Stop> {
 
 fn description(case: &Case) -> String {
     let mut text = format!("{}: {}\nsource: {}\n", case.name, case.title, case.source);
-    text.push_str(&geometry(&case.geometry));
+    text.push_str(&geometry(case));
     text.push_str(&own(&case.geometry));
     let _ = writeln!(text, "pushed {}", pushes(&case.pushes));
+    if let Some(demand) = case.demand {
+        let _ = writeln!(text, "λ is compared with the demand of {demand}");
+    }
     for head_joints in &case.head_joints {
         let scene = case.scene(*head_joints);
         let _ = writeln!(text, "{}", crate::record::fingerprint(*head_joints, &scene));
@@ -97,15 +100,19 @@ fn steep_joints(scene: &Scene) -> String {
 const MOST_NAMED: usize = 40;
 
 /// What the case is made of, in one paragraph.
-fn geometry(geometry: &Geometry) -> String {
-    match geometry {
+fn geometry(case: &Case) -> String {
+    match &case.geometry {
         Geometry::Wall(wall) => format!(
-            "{} courses of units {} x {} x {}, weight {} each; friction {}, overburden ratio {}\n",
+            "{} courses of units {} x {} x {}, weight {} each{}; friction {}, overburden ratio {}\n",
             wall.courses.len(),
             wall.unit_length,
             wall.unit_height,
             wall.thickness,
             wall.unit_weight,
+            match case.is_weight_unsaid {
+                true => " as none is written: forces are in weights of a unit",
+                false => "",
+            },
             friction(wall.friction),
             wall.overburden
         ),

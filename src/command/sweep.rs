@@ -53,9 +53,16 @@ each took, and sweep.svg has plots where not too much varies."#;
 
 #[derive(Args)]
 pub(super) struct SweepArguments {
-    /// A sweep file, or the name of a built-in sweep; `trilith list` names them.
+    /// A sweep file, or the name of a built-in sweep; `trilith list` names them. With --vary, a case.
     #[arg(value_name = "FILE")]
     pub file: String,
+    /// Vary a key of this case, without a sweep file: a range, as friction=0.4:0.8:5, which is five values
+    /// from 0.4 to 0.8, or values, as friction=0.4,0.65. Given more than once, it makes a grid.
+    #[arg(long, value_name = "KEY=VALUES", conflicts_with_all = ["shard", "slurm"])]
+    vary: Vec<String>,
+    /// Run only these methods, with --vary; in a sweep file, `methods` names them.
+    #[arg(long, value_name = "NAME", num_args = 1.., value_delimiter = ',', requires = "vary")]
+    method: Vec<String>,
     /// Folder of the results and of the journal [default: target/sweeps/NAME].
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
@@ -84,8 +91,7 @@ pub(super) struct MergeArguments {
     external: Vec<String>,
 }
 
-fn find(file: &str, out: Option<&Path>, external: &[String]) -> Result<(Sweep, PathBuf), Stop> {
-    let sweep = Sweep::find(file)?;
+fn found(sweep: Sweep, out: Option<&Path>, external: &[String]) -> Result<(Sweep, PathBuf), Stop> {
     let sweep = sweep.with_programs(externals(external)?);
     let folder = match out {
         Some(folder) => folder.to_owned(),
@@ -97,11 +103,16 @@ fn find(file: &str, out: Option<&Path>, external: &[String]) -> Result<(Sweep, P
 pub(super) fn sweep(arguments: &SweepArguments) -> Result<u8, Stop> {
     let SweepArguments {
         file,
+        vary,
         out,
         external,
         ..
     } = arguments;
-    let (sweep, folder) = find(file, out.as_deref(), external)?;
+    let sweep = match vary.is_empty() {
+        true => Sweep::find(file)?,
+        false => Sweep::of_case(file, vary, &arguments.method)?,
+    };
+    let (sweep, folder) = found(sweep, out.as_deref(), external)?;
     if let Some(shards) = arguments.slurm {
         print(&slurm::script(
             file,
@@ -154,7 +165,7 @@ pub(super) fn merge(arguments: &MergeArguments) -> Result<u8, Stop> {
         out,
         external,
     } = arguments;
-    let (sweep, folder) = find(file, out.as_deref(), external)?;
+    let (sweep, folder) = found(Sweep::find(file)?, out.as_deref(), external)?;
     let tasks = sweep.tasks();
     let rows = sweep::merge(&tasks, &folder)?;
     output::test(&folder)?;
@@ -178,7 +189,11 @@ fn hand_out(
     let said = output::said(partial);
     let picture = sweep_picture(&table);
     let drawn = picture.as_ref().err();
-    let drawn = drawn.map_or(String::new(), |why| format!("{why}\n"));
+    let ranges = match table.variables().is_empty() {
+        true => "; `trilith report CASE... --out DIR` draws the ranges of its cases",
+        false => "",
+    };
+    let drawn = drawn.map_or(String::new(), |why| format!("{why}{ranges}\n"));
     let printed = print(&format!(
         "{said}{}: {}\n{}{}{drawn}{} points in {}\n",
         sweep.name,

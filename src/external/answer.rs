@@ -9,7 +9,8 @@ use serde::{Deserialize, Serialize};
 #[serde(deny_unknown_fields)]
 #[schemars(title = "trilith answer")]
 pub struct AnswerFile {
-    /// What the answer is.
+    /// What the answer is; where it is left out, an estimate.
+    #[serde(default)]
     pub kind: AnswerKind,
     /// The multiplier; with `upper`, the lower end of a bracket.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -60,7 +61,7 @@ impl AnswerFile {
 }
 
 /// What an answer is, and which of the other keys it needs.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 #[schemars(rename = "Kind")]
 pub enum AnswerKind {
@@ -77,6 +78,7 @@ pub enum AnswerKind {
     /// A number without a proof: `lambda`, or `lambda` to `upper`, and `stated_error` where the
     /// program knows it. Forces and velocities may come along; should they be a collapse state, the
     /// answer is verified after all.
+    #[default]
     Estimate,
     /// No multiplier is too large for associative friction: `forces` at λ = 0 and a `ray`.
     Stands,

@@ -16,8 +16,13 @@ const BEGINNING: usize = 60;
 
 /// The outcome of an answer.
 pub(super) fn outcome(scene: &Scene, output: &[u8]) -> Result<Outcome, ProgramFailure> {
-    let answer: AnswerFile =
-        serde_json::from_slice(output).map_err(|error| no_answer(&error, output))?;
+    let answer = match serde_json::from_slice(output) {
+        Ok(lambda) => AnswerFile {
+            lambda: Some(lambda),
+            ..AnswerFile::of(AnswerKind::Estimate)
+        },
+        Err(_) => serde_json::from_slice(output).map_err(|error| no_answer(&error, output))?,
+    };
     let reason = shortened(answer.reason.as_deref().unwrap_or_default(), REASON_LENGTH);
     if answer.kind != AnswerKind::Estimate
         && (answer.upper.is_some() || answer.stated_error.is_some())

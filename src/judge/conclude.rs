@@ -82,6 +82,7 @@ fn without_multiplier(
         status,
         bracket: None,
         highest_state: None,
+        is_rest_undecided: false,
         seen: None,
         floor: floor(claims),
         difference: None,
@@ -121,6 +122,7 @@ fn of_answer(claims: &Claims, basis: Basis, answer: &Answered) -> Conclusion {
     Conclusion {
         bracket: Some(Bracket::point(answer.bracket.lower)),
         highest_state,
+        is_rest_undecided: answer.outcome.status == Status::Undecided,
         seen: highest_state.and_then(|_| seen(claims)),
         difference: difference(claims, answer),
         doubts: [against_state(claims, answer), doubts].concat(),

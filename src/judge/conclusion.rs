@@ -35,6 +35,9 @@ pub struct Conclusion {
     /// Of a lowest state, the highest state that is verified beside it: with head joints in contact,
     /// say, several mechanisms have one.
     pub highest_state: Option<f64>,
+    /// Of a lowest state, whether the method that has it left its own answer undecided, as of how far other
+    /// states reach.
+    pub(crate) is_rest_undecided: bool,
     /// Of several states, what a simulation saw.
     pub(crate) seen: Option<Seen>,
     /// The multiplier below which a proof leaves no collapse state in which the push does work.

@@ -244,7 +244,16 @@ fn number_below_bound(claims: &Claims, bound: &Answered, value: &Answered) -> (S
     let (name, bound) = (value.name, bound.name);
     let Bracket { lower, upper } = value.bracket;
     let [low, high] = [lower, upper].map(|lambda| claims.excess(lambda, most));
-    if high <= 1e-6 {
+    let states = verified_states(claims).into_iter();
+    let states = states.map(|state| state.bracket.lower).reduce(f64::min);
+    let low_of_all = states.filter(|&least| claims.is_below(upper, stated, least));
+    if let (Some(least), true) = (low_of_all, high <= 1e-6) {
+        let text = format!(
+            "{name} is not above {bound}, and {} below the lowest verified state",
+            percent(-claims.excess(upper, least))
+        );
+        (text, Verdict::Marked)
+    } else if high <= 1e-6 {
         (format!("{name} is not above {bound}"), Verdict::Holds)
     } else if claims.is_above(lower, stated, most) {
         let text = format!(

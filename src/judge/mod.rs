@@ -24,7 +24,7 @@ pub(crate) use cross_check::{cross_check, open_never_raises};
 pub use heard::LowerState;
 pub use judgement::Judgement;
 pub use proof::judge;
-pub(crate) use references::{Computed, comparisons, computed, reference_checks};
+pub(crate) use references::{Computed, compare, comparisons, computed, reference_checks};
 
 #[cfg(test)]
 mod tests;

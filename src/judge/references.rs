@@ -71,7 +71,8 @@ pub fn comparisons<'a>(
     references.map(|r| compare(r, of, unit)).collect()
 }
 
-fn compare<'a>(reference: &'a Reference, of: &Computed, unit: f64) -> Comparison<'a> {
+/// One reference beside what was computed.
+pub(crate) fn compare<'a>(reference: &'a Reference, of: &Computed, unit: f64) -> Comparison<'a> {
     let unit = match reference.quantity {
         Quantity::Lambda | Quantity::Lower | Quantity::Upper | Quantity::Reaction => unit,
         Quantity::TanBeta | Quantity::C | Quantity::E | Quantity::AtRest => 1.0,

@@ -69,9 +69,13 @@ impl Conclusion {
                     Some(bracket) if bracket.lower == 0.0 => format!("; {}", LimitFact::AtRest),
                     _ => String::new(),
                 };
+                let rest = match self.is_rest_undecided {
+                    true => ", which is undecided about how far other states reach",
+                    false => "",
+                };
                 format!(
                     "λ = {lambda} is {status}: it is the lowest collapse state found \
-                     ({by}){others}{seen}{at_rest}"
+                     ({by}{rest}){others}{seen}{at_rest}"
                 )
             }
             (Basis::Stands, _) => format!("it stands: no push is too large for it ({by})"),

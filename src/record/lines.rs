@@ -18,7 +18,7 @@ const TABLE: [(&str, usize); 12] = [
     ("slope_reference", 10),
     ("width_c", 6),
     ("width_e", 6),
-    ("verdict", 0),
+    ("verdict_words", 0),
 ];
 
 /// What the letters behind references mean.

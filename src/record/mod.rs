@@ -7,7 +7,7 @@ mod lines;
 mod snapshot;
 
 pub(crate) use lines::{LEGEND, Note, fixed_width, heading, lines, notes};
-pub(crate) use snapshot::{compare, records_beside};
+pub(crate) use snapshot::{Difference, compare, records_beside};
 
 use crate::judge::{Check, Verdict};
 use crate::number::short;

@@ -18,6 +18,8 @@ pub(crate) struct Governing<'a> {
     /// Other settings and sides without a verified collapse, which may be weaker.
     unanswered: Vec<String>,
     terms: Option<Terms>,
+    /// The λ that the case demands.
+    demand: Option<f64>,
 }
 
 impl<'a> Governing<'a> {
@@ -42,6 +44,7 @@ impl<'a> Governing<'a> {
                 || joints.any(|joint| joint.class == JointClass::Head),
             unanswered: unanswered.collect(),
             terms: terms(result, conclusion),
+            demand: result.case.demand,
         })
     }
 
@@ -58,6 +61,7 @@ impl<'a> Governing<'a> {
             Some(first),
             Some(self.why()),
             self.may_be_weaker(),
+            self.against_demand(),
             self.in_use(),
             self.moves(),
         ];
@@ -119,6 +123,8 @@ impl<'a> Governing<'a> {
             "head_joints": of.head_joints.name(),
             "push": of.push.name(),
             "status": of.status.name(),
+            "demand": Value::from(self.demand).json(),
+            "over_demand": Value::from(lambda.zip(self.demand).map(|(of, demand)| of / demand)).json(),
             "text": self.text(),
         })
     }
@@ -165,6 +171,27 @@ impl<'a> Governing<'a> {
         let without = self.unanswered.join(", nor ");
         (says_more && !without.is_empty())
             .then(|| format!("No collapse is verified {without}: there it may be weaker."))
+    }
+
+    /// How many times the demanded λ the shown one is, never rounded up; of an upper bound never rounded
+    /// down.
+    fn against_demand(&self) -> Option<String> {
+        let (of, demand) = (self.conclusion, self.demand?);
+        let times = (1e5 * of.collapse_known()?).round() / 1e5 / demand;
+        let written = format!("the demand of {}", short(demand, 5));
+        Some(match of.basis {
+            Basis::UpperBound => format!("That is at most {} times {written}.", above(times, 2)),
+            _ if of.basis != Basis::LowestState || !of.is_explained() => {
+                format!("That would be {} times {written}.", below(times, 2))
+            }
+            _ if times < 1.0 => {
+                format!(
+                    "That falls short of {written}: it is {} times it.",
+                    below(times, 2)
+                )
+            }
+            _ => format!("That is {} times {written}.", below(times, 2)),
+        })
     }
 
     /// The λ as an acceleration and as a tilt of the ground, rounded to the safe side of the digits that

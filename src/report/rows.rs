@@ -37,7 +37,7 @@ pub fn csv(results: &[CaseResult]) -> String {
 /// `in_short` is what the case comes to: the λ of the setting and side that governs, and in words what it
 /// means. `tilt_degrees` is arctan λ where the live load is every weight sideways, `base_shear` what
 /// the supports carry along x, in the direction of the push, and `base_shear_from_push` the part of it
-/// that is λ times the live load; `first_blocks` and `first_joints` move fastest in the `mechanism`. `thrust` has the lines of
+/// that is λ times the live load, in the `unit_of_force` where the case says no weight; `first_blocks` and `first_joints` move fastest in the `mechanism`. `thrust` has the lines of
 /// thrust of a row's forces, and the resultant on each level of bed joints: the force on what is above,
 /// and where it acts.
 /// Where a support moves, `lower` and `upper` are of its reaction, and `reaction` has the one that it
@@ -179,6 +179,7 @@ fn conclusion(result: &CaseResult, of: &Conclusion) -> Json {
         "tilt_degrees": digits(terms.and_then(|terms| terms.tilt)),
         "base_shear": terms.and_then(|terms| terms.base_shear),
         "base_shear_from_push": terms.and_then(|terms| terms.push_shear),
+        "unit_of_force": terms.and_then(|terms| terms.unit_of_force),
         "mechanism": terms.and_then(|terms| terms.mechanism.clone()),
         "first_blocks": terms.map(|terms| terms.first_blocks.clone()),
         "first_joints": terms.map(|terms| terms.first_joints.clone()),

@@ -13,15 +13,16 @@ use crate::text::{Layout, bold, ended, grid, sentence};
 
 /// Columns of a screen: those of the record, as many as there is room for, and how soon each is left
 /// out.
-const COLUMNS: [(&str, usize); 12] = [
+const COLUMNS: [(&str, usize); 13] = [
     ("method", 0),
     ("head_joints", 0),
     ("lambda", 0),
+    ("times_demand", 0),
     ("stated_percent", 1),
     ("lambda_reference", 2),
     ("status", 0),
     ("error_percent", 0),
-    ("verdict", 0),
+    ("verdict_words", 0),
     ("slope", 3),
     ("slope_reference", 6),
     ("width_c", 4),
@@ -67,26 +68,30 @@ pub fn case_table(result: &CaseResult, layout: Layout) -> String {
 }
 
 fn answers(result: &CaseResult, layout: Layout) -> String {
-    if layout.columns().is_none() {
+    let demands = result.case.demand.is_some();
+    if layout.columns().is_none() && !demands {
         let lines = record::lines(result);
         let lines: String = lines.into_iter().map(|line| line + "\n").collect();
         return format!("{}\n{lines}", record::heading());
     }
-    let names = COLUMNS.map(|(name, _)| name);
+    let shown = COLUMNS
+        .iter()
+        .filter(|(name, _)| demands || *name != "times_demand");
+    let (names, spare): (Vec<&str>, Vec<usize>) = shown.copied().unzip();
     let shown = |row| {
         let cells = values(row, &names);
         cells.iter().map(|cell| cell.shown()).collect()
     };
     let rows: Vec<Vec<String>> = result.rows.iter().map(shown).collect();
     let moves = result.rows.iter().any(|row| row.reaction.is_some());
-    let columns = COLUMNS.map(|(name, spare)| {
+    let columns = names.iter().zip(spare).map(|(name, spare)| {
         let column = grid_column(name).spare(spare);
-        match name {
+        match *name {
             "lambda" if moves => column.headed("reaction"),
             _ => column,
         }
     });
-    grid(layout, 0, &columns, &rows)
+    grid(layout, 0, &columns.collect::<Vec<_>>(), &rows)
 }
 
 fn said(note: &Note, layout: Layout) -> String {

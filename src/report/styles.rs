@@ -21,7 +21,7 @@ pub fn of_verdict(verdict: Verdict) -> Style {
 fn of_verdict_word(word: &str) -> Style {
     let named = Verdict::ALL
         .into_iter()
-        .find(|verdict| verdict.name() == word);
+        .find(|verdict| word.starts_with(verdict.name()));
     named.map_or(Style::new(), of_verdict)
 }
 
@@ -49,9 +49,11 @@ fn of_status_word(word: &str) -> Style {
 pub(super) fn grid_column(name: &str) -> GridColumn {
     let heading = column(name).heading;
     match name {
-        "error_percent" | "stated_percent" | "width_c" | "width_e" => numbers(heading),
+        "error_percent" | "stated_percent" | "times_demand" | "width_c" | "width_e" => {
+            numbers(heading)
+        }
         "status" => words(heading).styled(of_status_word),
-        "verdict" => words(heading).styled(of_verdict_word),
+        "verdict" | "verdict_words" => words(heading).styled(of_verdict_word),
         _ => words(heading),
     }
 }

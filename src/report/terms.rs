@@ -19,6 +19,8 @@ pub(crate) struct Terms {
     pub base_shear: Option<f64>,
     /// The part of it that comes from the push.
     pub push_shear: Option<f64>,
+    /// What these are in, where the case says no weight.
+    pub unit_of_force: Option<&'static str>,
     /// The blocks that move fastest.
     pub first_blocks: Vec<String>,
     /// The joints that open or slip fastest.
@@ -59,6 +61,7 @@ pub(crate) fn terms(result: &CaseResult, conclusion: &Conclusion) -> Option<Term
         tilt: tilt.map(|lambda| lambda.atan().to_degrees()),
         base_shear: push_shear.map(|push| sign * along(Block::dead) + push),
         push_shear,
+        unit_of_force: result.case.is_weight_unsaid.then_some("weight of a unit"),
         first_blocks: moved.as_ref().map_or(Vec::new(), Moved::first_blocks),
         first_joints: moved.as_ref().map_or(Vec::new(), Moved::first_joints),
         mechanism: moved.as_ref().and_then(Moved::words),
@@ -80,9 +83,13 @@ impl fmt::Display for Terms {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let shear = self.base_shear.zip(self.push_shear).map(|(all, push)| {
             let [all, push] = [all, push].map(|shear| short(shear, 4));
+            let unit = self.unit_of_force;
+            let unit = unit.map_or(String::new(), |unit| format!(" times the {unit}"));
             match all == push {
-                true => format!("the base shear is {all}"),
-                false => format!("the base shear is {all}, of which {push} comes from the push"),
+                true => format!("the base shear is {all}{unit}"),
+                false => {
+                    format!("the base shear is {all}{unit}, of which {push} comes from the push")
+                }
             }
         });
         let first = match self.first_blocks.as_slice() {

@@ -2,11 +2,12 @@
 //! it; a new one is one entry.
 
 use super::ends::{End, Ends};
+use super::references::{multiplier_reference, reference_end, verdict_words, with_letter};
 use super::row::Row;
 use crate::answer::{Coverage, Status};
-use crate::case::{Quantity, Reference, SourceKind};
+use crate::case::Quantity;
 use crate::method::Kind;
-use crate::number::{above, nine_digits, number, short};
+use crate::number::{above, below, nine_digits, number, short};
 
 /// What a row says in one column.
 #[derive(Clone, Debug, PartialEq)]
@@ -179,8 +180,8 @@ pub static COLUMNS: &[Column] = &[
         Value::Count(row.outcome.work.block_steps)
     }),
     data("stated_error", |row| row.stated_error().into()),
-    data("reference", |row| reference_end(row, 0)),
-    data("reference_upper", |row| reference_end(row, 1)),
+    data("reference", |row| reference_end(row, 0).into()),
+    data("reference_upper", |row| reference_end(row, 1).into()),
     data("error", |row| row.error().into()),
     data("verdict", |row| {
         row.verdict.map(|v| v.name().to_owned()).into()
@@ -198,6 +199,13 @@ pub static COLUMNS: &[Column] = &[
     data("lower_push", |row| push_of(row.ends().lower)),
     data("upper_push", |row| push_of(row.ends().upper)),
     effort("fallbacks", |row| Value::Count(row.outcome.work.fallbacks)),
+    data("over_demand", |row| row.over_demand().into()),
+    words("times_demand", |row| {
+        // As λ beside it, but for the last digit that is shown of that.
+        let times = row.over_demand();
+        times.map(|times| below(times * (1.0 + 1e-6), 2)).into()
+    })
+    .headed("/ demand", "λ / demand"),
     words("head_joints", |row| row.head_joints.name().into()).headed("joints", "Joints"),
     words("lambda", multiplier).headed("λ", "λ"),
     words("stated_percent", |row| {
@@ -208,7 +216,8 @@ pub static COLUMNS: &[Column] = &[
             .into()
     })
     .headed("stated %", "Stated %"),
-    words("lambda_reference", multiplier_reference).headed("reference", "Reference"),
+    words("lambda_reference", |row| multiplier_reference(row).into())
+        .headed("reference", "Reference"),
     words("error_percent", |row| {
         row.error().map(|error| number(100.0 * error, 2)).into()
     })
@@ -217,9 +226,10 @@ pub static COLUMNS: &[Column] = &[
     words("slope_reference", |row| {
         row.reference(Quantity::TanBeta).map(with_letter).into()
     })
-    .headed("reference", "Ref. β"),
+    .headed("ref. β", "Ref. β"),
     words("width_c", |row| width(row.crack.and_then(|c| c.c))).headed("c", "c"),
     words("width_e", |row| width(row.crack.and_then(|c| c.e))).headed("e", "e"),
+    words("verdict_words", |row| verdict_words(row).into()).headed("verdict", "Verdict"),
     words("note", |row| Value::Text(note(row))).headed("note", "Note"),
     words("cpu_seconds", |row| Value::Text(number(row.seconds, 2))).headed("CPU s", "CPU s"),
 ];
@@ -255,13 +265,6 @@ pub fn csv<'a>(
     String::from_utf8_lossy(&bytes).into_owned()
 }
 
-/// One end of what the multiplier is compared with; there is a second where the ends of a range have
-/// values of their own.
-fn reference_end(row: &Row, end: usize) -> Value {
-    let references = row.multiplier_references();
-    references.get(end).map(|reference| reference.value).into()
-}
-
 /// The direction of the push that an end belongs to.
 fn push_of(end: Option<End>) -> Value {
     end.map(|end| end.push.name().to_owned()).into()
@@ -287,24 +290,6 @@ fn multiplier(row: &Row) -> Value {
             }
         }
     })
-}
-
-/// The value of a reference and what is behind it: p published, a analytic, i independent code.
-fn with_letter(reference: &Reference) -> String {
-    let letter = match reference.kind {
-        SourceKind::Published => 'p',
-        SourceKind::Analytic => 'a',
-        SourceKind::Independent => 'i',
-    };
-    format!("{} {letter}", short(reference.value, 6))
-}
-
-fn multiplier_reference(row: &Row) -> Value {
-    match row.multiplier_references().as_slice() {
-        [] => Value::Nothing,
-        [one] => Value::Text(with_letter(one)),
-        [low, high, ..] => Value::Text(format!("{} - {}", short(low.value, 6), with_letter(high))),
-    }
 }
 
 /// tan β, with `~` where c or e is not sharp.

@@ -84,6 +84,7 @@ fn thinned(mut row: Row) -> Row {
         }),
         residuals: worst(row.residuals),
         references: Vec::new(),
+        demand: None,
         verdict: None,
         ..row
     }

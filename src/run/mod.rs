@@ -12,6 +12,7 @@ mod journal;
 mod kept;
 mod partial;
 mod progress;
+mod references;
 mod remaining;
 mod results;
 mod row;

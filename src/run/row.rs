@@ -58,6 +58,9 @@ pub struct Row {
     /// The case's values about this row: known deviations last, published ones before others.
     #[serde(skip)]
     pub references: Vec<Reference>,
+    /// The λ that the case demands.
+    #[serde(skip)]
+    pub demand: Option<f64>,
     /// The worst verdict about this row; `None` where there is nothing to compare it with.
     #[serde(skip)]
     pub verdict: Option<Verdict>,
@@ -69,6 +72,7 @@ impl Row {
         let about = |r: &&Reference| {
             r.method == self.method && r.head_joints.is_none_or(|only| only == self.head_joints)
         };
+        self.demand = case.demand;
         self.references = case.references.iter().filter(about).cloned().collect();
         self.references
             .sort_by_key(|r| (r.deviation.is_some(), r.kind));
@@ -268,6 +272,11 @@ impl Row {
             Some(value.error(r.value, self.multiplier_unit))
         });
         errors.reduce(f64::max)
+    }
+
+    /// How many times the demanded λ the lower end reaches, where the case demands one.
+    pub fn over_demand(&self) -> Option<f64> {
+        Some(self.ends().lower?.lambda / self.demand?)
     }
 
     /// Friction in words: one coefficient, or the least and the largest.

@@ -170,6 +170,7 @@ impl<'a> Task<'a> {
             crack: own.crack,
             seconds,
             references: Vec::new(),
+            demand: None,
             verdict: None,
         }
     }

@@ -96,11 +96,11 @@ fn missing_friction() {
 #[test]
 fn missing_key_of_a_table() {
     refused(
-        ", weight = 1.0",
+        ", height = 1.75",
         "",
         2,
-        "{ length = 4.0, height = 1.75 }",
-        "add `weight = 1.0`",
+        "{ length = 4.0, weight = 1.0 }",
+        "add `height = 1.75`",
     );
     refused(
         "tolerance = 0.001\n",

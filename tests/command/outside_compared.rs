@@ -265,3 +265,119 @@ fn what_a_method_states_about_itself_is_no_violation() {
         );
     }
 }
+
+/// A number far below a verified state does not simply hold, and stands in plain words; a number or
+/// `{"lambda": 0.5}` alone is an estimate.
+#[test]
+fn a_bare_number_is_an_estimate_and_is_held_against_the_lowest_state() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("answer.json"), "{\"lambda\": 0.5}").unwrap();
+    let run = [
+        "run",
+        "overburden-1",
+        "--method",
+        "associative",
+        "interval",
+        "--head-joints",
+        "open",
+        "--starts",
+        "2",
+        "--format",
+        "json",
+        "--external=bare=echo 0.5",
+        "--external=object=cat answer.json",
+        "--external=words=echo hello",
+        "--external=nothing=echo {}",
+    ];
+    let found = rows(&trilith(folder.path(), &run));
+    let row = |method: &str| found.iter().find(|row| row["method"] == method).unwrap();
+    let lowest = row("interval")["lower"].as_f64().unwrap();
+    assert!(lowest > 0.52, "{lowest}");
+    for method in ["bare", "object"] {
+        let row = row(method);
+        assert_eq!(
+            (&row["status"], &row["lower"]),
+            (&json!("estimate"), &json!(0.5))
+        );
+        assert_eq!(row["verdict"], "marked", "{row}");
+    }
+    for (method, words) in [
+        (
+            "words",
+            "its output is no answer, which is a number or JSON such as {\"lambda\": 0.5}",
+        ),
+        ("nothing", "needs `lambda`"),
+    ] {
+        let row = row(method);
+        assert_eq!(row["status"], "failed");
+        assert!(row["reason"].as_str().unwrap().contains(words), "{row}");
+    }
+    let table = trilith(
+        folder.path(),
+        &[&run[..9], &["--external=bare=echo 0.5"]].concat(),
+    );
+    let table = String::from_utf8(table.stdout).unwrap();
+    let below = 100.0 * (lowest - 0.5) / lowest;
+    let words =
+        format!("bare is not above associative, and {below:.1} % below the lowest verified state");
+    assert!(table.contains(&words), "{words}: {table}");
+}
+
+/// The row of `auto` is undecided where the multiplier is not unique, and the answer says so of the
+/// state that it verifies.
+#[test]
+fn what_auto_leaves_undecided_stands_beside_its_verified_state() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = [
+        "run",
+        "overburden-1",
+        "--method",
+        "auto",
+        "--head-joints",
+        "contact",
+        "--format",
+        "json",
+    ];
+    let found = rows(&trilith(folder.path(), &run));
+    assert_eq!(found[0]["status"], "undecided");
+    let line = found[0]["conclusion"]["line"].as_str().unwrap();
+    let words = "is verified: it is the lowest collapse state found (auto, which is undecided about how far \
+                 other states reach)";
+    assert!(line.contains(words), "{line}");
+}
+
+/// A verdict beside an error is of the reference that the error is of, or names another.
+#[test]
+fn a_deviation_from_another_reference_is_named_in_the_row() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = trilith(
+        folder.path(),
+        &["run", "griffith-12", "--method", "associative"],
+    );
+    let table = String::from_utf8(output.stdout).unwrap();
+    let row = table
+        .lines()
+        .find(|line| line.starts_with("associative"))
+        .unwrap();
+    assert!(
+        row.contains(" 0.03 ") && row.ends_with("deviates from 0.138 p"),
+        "{row}"
+    );
+    let heading = table
+        .lines()
+        .find(|line| line.starts_with("method"))
+        .unwrap();
+    assert_eq!(heading.matches("reference").count(), 1, "{heading}");
+}
+
+#[test]
+fn a_sweep_in_which_nothing_varies_says_where_its_ranges_are_drawn() {
+    let folder = tempfile::tempdir().unwrap();
+    let sweep = "case = [\"stack\", \"block-both\"]\nmethods = [\"associative\"]\n";
+    fs::write(folder.path().join("flat.sweep.toml"), sweep).unwrap();
+    let output = trilith(folder.path(), &["sweep", "flat.sweep.toml"]);
+    let out = String::from_utf8(output.stdout).unwrap();
+    let words =
+        "no plot: nothing varies; `trilith report CASE... --out DIR` draws the ranges of its cases";
+    assert!(out.contains(words), "{out}");
+}

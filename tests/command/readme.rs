@@ -404,3 +404,54 @@ fn every_command_is_named_and_every_named_command_is_there() {
         assert!(known, "README types `trilith {word}`");
     }
 }
+
+/// The sweep and the call from Python, as they stand, of the wall that is told before.
+#[test]
+fn the_sweep_and_the_python_call_run_as_they_stand() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    fs::write(folder.join("garden.toml"), block("```toml\n")).unwrap();
+    let sweep = block("here `garden.sweep.toml`:\n\n```toml\n");
+    assert_eq!(sweep.lines().count(), 5);
+    fs::write(folder.join("garden.sweep.toml"), sweep).unwrap();
+    let out = trilith(folder, &["sweep", "garden.sweep.toml", "--out", "out"]);
+    assert!(out.contains("20 points in out/sweep.csv"), "{out}");
+    let given = [
+        "sweep",
+        "garden.toml",
+        "--vary",
+        "friction=0.4:0.8:5",
+        "--out",
+        "given",
+    ];
+    let methods = ["--method", "associative", "sequential"];
+    trilith(folder, &[&given[..], &methods].concat());
+    let points = |folder_of: &str| fs::read_to_string(folder.join(folder_of).join("sweep.csv"));
+    assert_eq!(points("out").unwrap(), points("given").unwrap());
+
+    let script = block("From Python it is a loop:\n\n```python\n");
+    assert_eq!(script.lines().count(), 10);
+    let python = Command::new("python3")
+        .args(["-c", script])
+        .env(
+            "PYTHONPATH",
+            concat!(env!("CARGO_MANIFEST_DIR"), "/src/python"),
+        )
+        .env("PYTHONDONTWRITEBYTECODE", "1")
+        .env("TRILITH_PROGRAM", env!("CARGO_BIN_EXE_trilith"))
+        .current_dir(folder)
+        .output();
+    let Ok(python) = python else {
+        return crate::skipped::skipped("no python3");
+    };
+    let errors = String::from_utf8_lossy(&python.stderr);
+    assert!(python.status.success(), "{errors}");
+    let out = String::from_utf8_lossy(&python.stdout);
+    assert_eq!(out.lines().count(), 7, "{out}");
+    assert!(
+        out.lines()
+            .take(6)
+            .all(|line| line.contains(" verified 0.")),
+        "{out}"
+    );
+}

@@ -265,7 +265,8 @@ def weighed(corners, weight, live, centre=None):
 
 def courses(file):
     """Blocks of a coursed wall: corners and loads (point, dead, live for a push to the right)."""
-    length, height, weight = (file["unit"][key] for key in ("length", "height", "weight"))
+    length, height = (file["unit"][key] for key in ("length", "height"))
+    weight = file["unit"].get("weight", 1.0)
     rows, live, tables = bonds.rows(file), live_of_weight(file), Own(file)
     bed = levels(file)
     own = {letter: piece["weight"] for letter, piece in file.get("pieces", {}).items() if "weight" in piece}

@@ -7,7 +7,8 @@ from own import Own, live_of_weight
 
 KEYS = {"title", "source", "references", "unit", "courses", "repeat", "bond", "units", "overlap", "first", "friction",
         "overburden", "pieces", "head_joints", "push", "live", "load", "blocks", "block", "support", "arch",
-        "heights", "open_head_joints", "joint", "joints"}
+        "heights", "open_head_joints", "joint", "joints",
+        "demand"}
 
 
 def settings(file):

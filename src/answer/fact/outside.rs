@@ -39,7 +39,10 @@ pub enum ProgramFailure {
     #[error("the program wrote nothing to standard output")]
     NoOutput,
     /// What it wrote is not an answer.
-    #[error("its output is no answer: {error}; it begins with `{begins}`")]
+    #[error(
+        "its output is no answer, which is a number or JSON such as {{\"lambda\": 0.5}}: {error}; it begins \
+         with `{begins}`"
+    )]
     NotAnAnswer {
         /// The reader's error.
         error: String,

@@ -69,6 +69,8 @@ impl Case {
         Ok(Imported {
             case: Case {
                 motion: None,
+                demand: None,
+                is_weight_unsaid: false,
                 title: name.clone(),
                 name,
                 source: format!(

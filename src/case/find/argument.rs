@@ -12,7 +12,7 @@ use crate::case::name::case_name;
 use crate::case::suggestion::{listed, nearest};
 
 /// The cases that an argument names: a `.toml` file, all those below a folder (hidden ones left
-/// out), or an embedded case. What exists as a path wins over a name.
+/// out), `-` for the one in standard input, or an embedded case. What exists as a path wins over a name.
 ///
 /// # Errors
 /// The first complaint about the argument or about a file it names.
@@ -79,6 +79,9 @@ fn two_of_a_name(name: &str, first: &str, second: &str) -> Complaint {
 
 /// As [`find`], but none is read yet.
 pub(crate) fn locate(argument: &str) -> Result<Vec<UnreadCase>, Complaint> {
+    if argument == "-" {
+        return Ok(vec![UnreadCase::in_stdin()?]);
+    }
     let path = Path::new(argument);
     if path.is_dir() {
         return cases_below(path);

@@ -1,11 +1,13 @@
 //! A case that was found and not yet read.
 
 use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
 
 use super::embedded::embedded_file;
 use crate::case::complaint::Complaint;
 use crate::case::model::Case;
-use crate::files::{Input, read_input};
+use crate::case::name::STDIN;
+use crate::files::{Input, read_input, read_stdin};
 
 /// The text of a case, and where it comes from.
 #[derive(Clone, Debug)]
@@ -43,6 +45,25 @@ impl UnreadCase {
         Ok(Self {
             path: shown,
             file,
+            bytes,
+        })
+    }
+
+    /// The case that standard input holds, which is read once however often it is asked for. Files that
+    /// it names lie in the folder that the program works in.
+    ///
+    /// # Errors
+    /// Where it cannot be read.
+    pub fn in_stdin() -> Result<Self, Complaint> {
+        static BYTES: OnceLock<Result<Vec<u8>, String>> = OnceLock::new();
+        let read = || read_stdin(Input::Toml).map_err(|error| error.to_string());
+        let bytes = BYTES.get_or_init(read).clone().map_err(|why| {
+            Complaint::new(format!("cannot read {STDIN}: {why}"))
+                .help("write the text of a case into it, as in `trilith run - < wall.toml`")
+        })?;
+        Ok(Self {
+            path: STDIN.to_owned(),
+            file: Some(PathBuf::from(STDIN)),
             bytes,
         })
     }

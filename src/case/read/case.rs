@@ -1,11 +1,12 @@
 //! From the text of a file to a case: every value judged, the geometry laid once.
 
 use super::bodies::ReadFile;
-use super::checks::{HEAD_JOINTS, Written, choose};
+use super::checks::{HEAD_JOINTS, Written, choose, positive};
 use super::doubts::doubts;
 use super::explain::explain;
 use super::file::CaseFile;
 use super::form::geometry;
+use super::mistakes::all_mistakes;
 use super::moves::motion;
 use super::references::reference;
 use crate::case::complaint::{Complaint, Document};
@@ -20,7 +21,7 @@ impl Case {
     /// complaints.
     ///
     /// # Errors
-    /// What is wrong, where, and what to write instead: the first mistake of the file.
+    /// What is wrong, where, and what to write instead: all mistakes of the file that can be told apart.
     pub fn read(path: &str, bytes: &[u8]) -> Result<Case, Complaint> {
         let no_file = |_: &str| Err("nothing lies beside this case".into());
         Self::read_with(path, bytes, &no_file)
@@ -33,8 +34,12 @@ impl Case {
     pub fn read_with(path: &str, bytes: &[u8], read_file: ReadFile) -> Result<Case, Complaint> {
         let name = case_name(path)?;
         let document = Document::read(path, bytes)?;
-        let mut case = case(&document, name, read_file)
-            .map_err(|complaint| complaint.in_document(&document))?;
+        let read = |document: &Document| {
+            let read = case(document, name.clone(), read_file);
+            read.map_err(|complaint| complaint.in_document(document))
+        };
+        let mut case = read(&document)
+            .map_err(|first| all_mistakes(&document, first, |other| read(other).err()))?;
         let warnings = case.warnings.drain(..);
         case.warnings = warnings.map(|w| w.in_document(&document)).collect();
         Ok(case)
@@ -57,6 +62,11 @@ fn case(document: &Document, name: String, read_file: ReadFile) -> Result<Case, 
             .map(|table| reference(table, &head_joints, !file.moves.is_empty()))
             .collect::<Result<_, _>>()?,
         motion: motion(&file, &geometry)?,
+        demand: demand(&file)?,
+        is_weight_unsaid: file
+            .unit
+            .as_ref()
+            .is_some_and(|unit| unit.get_ref().weight.is_none()),
         geometry,
         pushes: pushes(&file)?,
         head_joints,
@@ -76,6 +86,19 @@ fn head_joints(file: &CaseFile, geometry: &Geometry) -> Result<Vec<HeadJoints>, 
     let [contact, open] = HEAD_JOINTS.map(|one| (one.name(), vec![one]));
     let both = ("both", HEAD_JOINTS.to_vec());
     choose("head_joints", [contact, open, both], word)
+}
+
+fn demand(file: &CaseFile) -> Result<Option<f64>, Complaint> {
+    let Some(value) = &file.demand else {
+        return Ok(None);
+    };
+    if !file.moves.is_empty() {
+        let complaint = value.wrong("a demand, and a support that moves", "of what push?");
+        return Err(complaint.help(
+            "remove `demand`: it is the λ that a push has to reach, and here the answer is a reaction",
+        ));
+    }
+    positive("demand", value).map(Some)
 }
 
 fn pushes(file: &CaseFile) -> Result<Vec<Push>, Complaint> {

@@ -39,7 +39,7 @@ pub(super) fn choose<'a, T>(
     word: &Spanned<String>,
 ) -> Result<T, Complaint> {
     let written = word.get_ref().as_str();
-    let mut words = Vec::new();
+    let mut words: Vec<&str> = Vec::new();
     for (known, choice) in choices {
         if known == written {
             return Ok(choice);
@@ -47,12 +47,18 @@ pub(super) fn choose<'a, T>(
         words.push(known);
     }
     let title = format!("unknown {key} `{}`", shorten(written, 60));
-    let help = match nearest(written, words.iter().copied()) {
+    let near = nearest(written, words.iter().copied());
+    let help = match near {
         Some(near) => format!("did you mean `{key} = \"{near}\"`?"),
-        None => format!("the words for `{key}` are {}", listed(words)),
+        None => format!(
+            "the words for `{key}` are {}",
+            listed(words.iter().copied())
+        ),
     };
     let complaint = word.wrong(title, "not one of the known words");
-    Err(complaint.help(help))
+    let sound = near.or(words.first().copied()).unwrap_or_default();
+    let sound = format!("\"{sound}\"");
+    Err(complaint.help(help).mended(word.span(), sound))
 }
 
 /// A name that no block has.
@@ -135,7 +141,13 @@ pub(super) fn within(
         _ => format!("{end:e}"),
     });
     let complaint = value.wrong(format!("`{key}` is {why}"), "out of range");
-    Err(complaint.help(format!("write a number from {least} to {most}")))
+    let sound = if range.contains(&1.0) {
+        "1"
+    } else {
+        least.as_str()
+    };
+    let complaint = complaint.help(format!("write a number from {least} to {most}"));
+    Err(complaint.mended(value.span(), sound))
 }
 
 /// A whole number from 1 to `most`.
@@ -149,7 +161,8 @@ pub(super) fn whole(
         return Ok(number);
     }
     let complaint = value.wrong(format!("`{key}` is out of range"), "out of range");
-    Err(complaint.help(format!("write a whole number from 1 to {most}")))
+    let complaint = complaint.help(format!("write a whole number from 1 to {most}"));
+    Err(complaint.mended(value.span(), "1"))
 }
 
 /// `[x, y]` as a point.

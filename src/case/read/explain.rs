@@ -5,11 +5,9 @@
 
 use std::ops::Range;
 
-use super::file::CASE_KEYS;
 use super::missing::{example, missing_key};
-use super::not_modelled::not_modelled;
+use super::unknown_key::unknown_key;
 use crate::case::complaint::{Complaint, Document};
-use crate::case::suggestion::{listed, nearest};
 
 /// A complaint for an error of the TOML reader.
 pub(crate) fn explain(document: &Document, error: &toml::de::Error) -> Complaint {
@@ -52,70 +50,6 @@ pub(crate) fn explain(document: &Document, error: &toml::de::Error) -> Complaint
     }
 }
 
-/// What people look for, by the words that they write, and how it is said here.
-const SAID_OTHERWISE: [(&[&str], &str); 6] = [
-    (
-        &[
-            "opening", "openings", "door", "doors", "window", "windows", "lintel", "lintels",
-            "gap", "gaps",
-        ],
-        "openings are gaps in the courses, `g` one unit wide; a lintel is a piece of its own length, as in \
-         `pieces = { L = { units = 3 } }` and `courses = [\"11gg11\", \"1hLh1\"]`",
-    ),
-    (
-        &["density", "unit_weight", "gamma", "rho", "mass"],
-        "λ depends on no density, only on how weights compare: `weight` in `unit` is that of one unit, and a \
-         heavier piece has its own, as in `pieces = { L = { units = 3, weight = 4.5 } }`",
-    ),
-    (
-        &[
-            "friction_angle",
-            "phi",
-            "mu",
-            "tan_phi",
-            "friction_coefficient",
-        ],
-        "`friction` is the tangent of the friction angle: for 33 degrees write `friction = 0.65`",
-    ),
-    (
-        &["a_g", "ag", "pga", "ground_acceleration", "seismic"],
-        "leave it out: λ is the horizontal acceleration in g at which the wall collapses, to be compared \
-         with the one that your code demands",
-    ),
-    (
-        &["vertical", "vertical_acceleration", "uplift", "av", "a_v"],
-        "write `live = { weight = [1, 0.3] }`: 0.3 of every weight upwards as it pushes",
-    ),
-    (
-        &["wind", "wind_pressure", "wind_load"],
-        "a force is a `[[load]]` on a block, with `live = [1.0, 0.0]` in it and `live = \"loads\"` for the \
-         case: λ is then how often it may act; `trilith convert` writes a wall as blocks",
-    ),
-];
-
-fn unknown_key(document: &Document, span: Range<usize>, message: &str) -> Complaint {
-    // unknown field `a`, expected one of `b`, `c`: every second piece is a word.
-    let words: Vec<&str> = message.split('`').skip(1).step_by(2).collect();
-    let (key, known) = words.split_first().unwrap_or((&"", &[]));
-    if let Some(entry) = not_modelled(key) {
-        let title = format!("{} is not modelled", entry.what);
-        let complaint = document.complain(span, title, "known, but in none of the methods");
-        return complaint.help(entry.nearest);
-    }
-    let help = if CASE_KEYS.contains(key) {
-        format!("move `{key}` up, above the first line that begins with `[`")
-    } else if let Some((_, help)) = SAID_OTHERWISE.iter().find(|(words, _)| words.contains(key)) {
-        (*help).to_owned()
-    } else if let Some(near) = nearest(key, known.iter().copied()) {
-        format!("did you mean `{near}`?")
-    } else {
-        format!("the keys here are {}", listed(known.iter().copied()))
-    };
-    document
-        .complain(span, format!("unknown key `{key}`"), "no such key here")
-        .help(help)
-}
-
 /// `types` is `string "0.65", expected a number`.
 fn wrong_type(document: &Document, span: Range<usize>, types: &str) -> Complaint {
     let (found, expected) = types.rsplit_once(", expected ").unwrap_or((types, ""));
@@ -147,13 +81,18 @@ fn wrong_type(document: &Document, span: Range<usize>, types: &str) -> Complaint
         "a string" => text_help(document, span.clone()),
         _ => type_help(document.at(span.clone()), expected),
     };
+    let sound = match expected {
+        "a number" | "a whole number" | "a coefficient of friction" => "1",
+        _ => "",
+    };
     document
         .complain(
-            span,
+            span.clone(),
             format!("expected {expected}, found {found}"),
             format!("expected {expected}"),
         )
         .help(help)
+        .mended(span, sound)
 }
 
 /// What to write instead of `written` where `expected` is wanted.
@@ -266,11 +205,12 @@ fn syntax(document: &Document, span: Range<usize>, message: &str) -> Complaint {
         let point = document.at(comma.clone()).replace(',', ".");
         return document
             .complain(
-                comma,
+                comma.clone(),
                 "a number with a decimal comma",
                 "a comma parts values",
             )
-            .help(format!("write a decimal point: `{point}`"));
+            .help(format!("write a decimal point: `{point}`"))
+            .mended(comma, point);
     }
     let rest = document.at(span.start..document.text.len());
     let written = rest.lines().next().unwrap_or_default().trim();
@@ -278,8 +218,13 @@ fn syntax(document: &Document, span: Range<usize>, message: &str) -> Complaint {
     let unquoted = message.starts_with("string values must be quoted");
     if unquoted && (written.is_empty() || written.starts_with('#')) {
         return document
-            .complain(span, "a key without a value", "nothing behind the `=`")
-            .help("write a value behind the `=`, such as `friction = 0.65`");
+            .complain(
+                span.clone(),
+                "a key without a value",
+                "nothing behind the `=`",
+            )
+            .help("write a value behind the `=`, such as `friction = 0.65`")
+            .mended(span, "");
     }
     let help = if unquoted && !word.contains([' ', '"', '\'']) {
         format!("put words in quotes: `\"{word}\"`")
@@ -287,9 +232,11 @@ fn syntax(document: &Document, span: Range<usize>, message: &str) -> Complaint {
         let help = SYNTAX.iter().find(|(part, _)| message.contains(part));
         help.map_or(ANY_SYNTAX, |(_, help)| help).into()
     };
-    document
-        .complain(span, format!("not TOML: {message}"), "here")
-        .help(help)
+    let complaint = document.complain(span.clone(), format!("not TOML: {message}"), "here");
+    match unquoted && !word.contains([' ', '"', '\'']) {
+        true => complaint.help(help).mended(span, format!("\"{word}\"")),
+        false => complaint.help(help),
+    }
 }
 
 const BOTH_SIDES: &str = "write digits on both sides of the decimal point, as in `0.5`";

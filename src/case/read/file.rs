@@ -107,6 +107,7 @@ case_keys! {
     friction: Spanned<FrictionValue> => WITH_ALL,
     head_joints: Option<Spanned<String>> => WITH_ALL,
     push: Option<Spanned<String>> => WITH_ALL,
+    demand: Option<Spanned<Number>> => WITH_ALL,
     #[serde(default)] references: Vec<ReferenceTable> => WITH_ALL,
 }
 
@@ -216,7 +217,7 @@ pub(super) struct UnitTable {
     pub length: Spanned<Number>,
     pub height: Spanned<Number>,
     pub thickness: Option<Spanned<Number>>,
-    pub weight: Spanned<Number>,
+    pub weight: Option<Spanned<Number>>,
 }
 
 /// A value to compare with.

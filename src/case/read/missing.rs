@@ -7,9 +7,15 @@ use crate::case::complaint::Complaint;
 /// A key that must be there; an empty span stands for the whole file.
 pub(super) fn missing_key(span: Range<usize>, key: &str) -> Complaint {
     // Of what is marked, the first line is shown.
-    let span = if span.is_empty() { 0..usize::MAX } else { span };
-    let complaint = Complaint::at(span, format!("missing key `{key}`"), "not in here");
-    complaint.help(format!("add `{}`", example(key)))
+    let (span, words) = match span.is_empty() {
+        true => (0..usize::MAX, format!("{}\n", example(key))),
+        false => (span, String::new()),
+    };
+    let complaint = Complaint::at(span.clone(), format!("missing key `{key}`"), "not in here");
+    let place = if words.is_empty() { span } else { 0..0 };
+    complaint
+        .help(format!("add `{}`", example(key)))
+        .mended(place, words)
 }
 
 /// What is written for a key that has to be there, or is a list.

@@ -17,6 +17,7 @@ mod form;
 mod friction;
 mod leaves;
 mod missing;
+mod mistakes;
 mod moves;
 
 mod not_modelled;
@@ -26,6 +27,7 @@ mod own_joints;
 mod pieces;
 mod references;
 mod spreadsheet;
+mod unknown_key;
 mod values;
 mod wall;
 

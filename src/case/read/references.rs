@@ -67,9 +67,11 @@ fn method(word: &Spanned<String>) -> Result<String, Complaint> {
     let title = format!("unknown method `{}`", shorten(name, 60));
     let complaint = word.wrong(title, "no method, and no name of a program");
     if let Some(near) = nearest(name, known_method_names()) {
-        return Err(complaint.help(format!(
-            "did you mean `method = \"{near}\"`? A program of yours needs a name that is less like it"
-        )));
+        return Err(complaint
+            .help(format!(
+                "did you mean `method = \"{near}\"`? A program of yours needs a name that is less like it"
+            ))
+            .mended(word.span(), format!("\"{near}\"")));
     }
     if let Err(help) = outside_name(name) {
         let known = listed(known_method_names());

@@ -6,7 +6,7 @@ use toml::Spanned;
 
 use super::checks::{HEAD_JOINTS, Written, not_negative, positive, positive_or_one, whole};
 use super::courses::{PlacedCourses, courses};
-use super::file::{CaseFile, UnitTable};
+use super::file::{BodyTable, CaseFile, UnitTable};
 use super::friction::friction;
 use super::missing::missing_key;
 use super::own_blocks::own_blocks;
@@ -35,7 +35,7 @@ pub(super) fn wall(
     let unit_length = positive("length", &unit.get_ref().length)?;
     let legend = legend(file, unit_length)?;
     let laid = courses(document, file, list, &legend)?;
-    let mut wall = sized(file, unit.get_ref(), laid.courses.clone())?;
+    let mut wall = sized(file, unit, laid.courses.clone())?;
     not_too_slender(unit.get_ref(), &wall)?;
     wall.own.heights = heights(file, &laid, &wall)?;
     for head_joints in HEAD_JOINTS {
@@ -131,19 +131,52 @@ fn one_of_another_length(laid: &PlacedCourses, wall: &Wall) -> Option<Complaint>
     Some(warning.help(help).into_warning())
 }
 
-fn sized(file: &CaseFile, unit: &UnitTable, courses: Vec<Course>) -> Result<Wall, Complaint> {
-    let overburden = file.overburden.as_ref();
+fn sized(
+    file: &CaseFile,
+    table: &Spanned<UnitTable>,
+    courses: Vec<Course>,
+) -> Result<Wall, Complaint> {
+    let (unit, overburden) = (table.get_ref(), file.overburden.as_ref());
     Ok(Wall {
         unit_length: positive("length", &unit.length)?,
         unit_height: positive("height", &unit.height)?,
         thickness: positive_or_one("thickness", unit.thickness.as_ref())?,
-        unit_weight: positive("weight", &unit.weight)?,
+        unit_weight: unit_weight(file, table)?,
         courses,
         friction: friction(file)?,
         overburden: overburden.map_or(Ok(0.0), |value| not_negative("overburden", value))?,
         push: Push::Right,
         own: Own::default(),
     })
+}
+
+/// The weight of a unit. Where none is written, it is the unit of force: then nothing else may be a force
+/// of its own.
+fn unit_weight(file: &CaseFile, unit: &Spanned<UnitTable>) -> Result<f64, Complaint> {
+    if let Some(weight) = &unit.get_ref().weight {
+        return positive("weight", weight);
+    }
+    let pieces = file.pieces.as_ref().map(Spanned::get_ref);
+    let mut pieces = pieces.iter().flat_map(|pieces| &pieces.0);
+    let weighs = |block: &BodyTable| block.weight.is_some() || block.specific_weight.is_some();
+    let beside = [
+        (
+            pieces.any(|(_, piece)| piece.get_ref().weight.is_some()),
+            "the weight of a piece",
+        ),
+        (
+            file.block.iter().any(|block| weighs(block.get_ref())),
+            "the weight of a block",
+        ),
+        (!file.load.is_empty(), "a load"),
+        (!file.moves.is_empty(), "the reaction of a support"),
+    ];
+    match beside.into_iter().find(|(is_there, _)| *is_there) {
+        None => Ok(1.0),
+        Some((_, what)) => Err(missing_key(unit.span(), "weight").help(format!(
+            "add `weight = 1.0`, that of one unit: {what} is written in the same unit of force"
+        ))),
+    }
 }
 
 fn not_too_slender(unit: &UnitTable, wall: &Wall) -> Result<(), Complaint> {

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::plan::{Sweep, stem};
-use crate::case::{Complaint, listed, nearest};
+use crate::case::{Complaint, listed, locate, nearest, quoted};
 use crate::files::{Input, read_input};
 
 /// Path from the top of the repository, and text, of all sweeps below `cases/`.
@@ -27,14 +27,29 @@ impl Sweep {
                 Complaint::new(format!("cannot read {argument}: {error}"))
                     .help("check the path and its permissions")
             })?;
+            let is_sweep = |table: &toml::Table| table.contains_key("case");
+            let table = toml::from_str(&String::from_utf8_lossy(&bytes));
+            if !argument.ends_with(".sweep.toml") && table.is_ok_and(|table| !is_sweep(&table)) {
+                return Err(a_case(argument));
+            }
             return Self::read(argument, &bytes);
         }
         let known = embedded().find(|(path, _)| stem(path) == stem(argument));
         match known {
             Some((path, text)) => Self::read(path, text.as_bytes()),
+            None if locate(argument).is_ok() => Err(a_case(argument)),
             None => Err(unknown(argument)),
         }
     }
+}
+
+/// What is said of a case where a sweep belongs.
+fn a_case(argument: &str) -> Complaint {
+    Complaint::new(format!("{argument} is a case and not a sweep")).help(format!(
+        "write `trilith sweep {argument} --vary friction=0.4:0.8:5`, or a file that ends in `.sweep.toml` \
+         with `case = {}` and what varies under `[[vary]]`",
+        quoted(argument)
+    ))
 }
 
 fn unknown(argument: &str) -> Complaint {

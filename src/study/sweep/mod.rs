@@ -12,6 +12,7 @@
 mod compare;
 mod curves;
 mod file;
+mod given;
 mod library;
 mod picture;
 mod plan;

@@ -28,7 +28,11 @@ impl Sweep {
     /// What is wrong, where, and what to write instead: the first mistake of the file, or of a case
     /// that it makes.
     pub fn read(path: &str, bytes: &[u8]) -> Result<Self, Complaint> {
-        let name = sweep_name(path)?;
+        Self::named(sweep_name(path)?, path, bytes)
+    }
+
+    /// The same with a name of its own.
+    pub(super) fn named(name: String, path: &str, bytes: &[u8]) -> Result<Self, Complaint> {
         let document = Document::read(path, bytes)?;
         let file = file::parse(&document)?;
         let methods = methods(&document, &file)?;

@@ -31,7 +31,9 @@ pub(super) fn replace(table: &mut Table, key: &str, value: &Value) -> Result<(),
             set_unit(table, "length", aspect * height)
         }
         "refine" => refine(table, value),
-        "title" | "source" | "references" => Err(unvaried("it says nothing about the wall")),
+        "title" | "source" | "references" | "demand" => {
+            Err(unvaried("it says nothing about the wall"))
+        }
         "head_joints" => Err((
             "it is a column of its own".to_owned(),
             "write `head_joints = \"both\"` at the top",
@@ -95,7 +97,11 @@ fn refine(table: &mut Table, value: &Value) -> Result<(), Unvaried> {
     }
     let n = times as f64;
     for (key, parts) in [("length", n), ("height", n), ("weight", n * n)] {
-        let size = number_of(table, key)?;
+        let size = match number_of(table, key) {
+            // A unit is the unit of force, however small.
+            Err(_) if key == "weight" => continue,
+            size => size?,
+        };
         set_unit(table, key, size / parts)?;
     }
     Ok(())

@@ -22,8 +22,8 @@ const MOST_VARIANTS: usize = 1_000_000;
 pub(super) struct Base {
     /// The file, which says what lies beside it.
     pub found: UnreadCase,
-    /// What is in it, without title, source and references: those are about another wall as soon as
-    /// a value differs.
+    /// What is in it, without title, source, references and demand: those are about another wall as
+    /// soon as a value differs.
     pub table: Table,
     /// Where it is written, if that is in the sweep.
     pub span: Option<ops::Range<usize>>,
@@ -40,7 +40,7 @@ impl Base {
 
     /// The case of this table, which is written at `span` of the sweep.
     pub fn new(found: UnreadCase, mut table: Table, span: Option<ops::Range<usize>>) -> Self {
-        for key in ["title", "source", "references"] {
+        for key in ["title", "source", "references", "demand"] {
             table.remove(key);
         }
         Self { found, table, span }
