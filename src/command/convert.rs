@@ -134,7 +134,10 @@ pub(super) fn import(arguments: &ImportArguments) -> Result<u8, Stop> {
         let fill_in = "# friction = 0.65      # to be filled in: tan φ of every joint\n";
         files.toml = files.toml.replacen("friction = 0.0\n", fill_in, 1);
     }
-    files.toml.insert_str(0, &commented(&imported.remarks));
+    let warnings = imported.case.warnings.iter();
+    let warnings = warnings.map(|w| format!("warning: {}: {}", w.title(), w.advice()));
+    let remarks: Vec<String> = imported.remarks.iter().cloned().chain(warnings).collect();
+    files.toml.insert_str(0, &commented(&remarks));
     let first = match known {
         true => String::new(),
         false => format!("fill in `friction` in {}, then ", path.display()),

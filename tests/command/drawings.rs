@@ -10,7 +10,7 @@ use trilith::method::{Settings, methods};
 use trilith::run::{Plan, run};
 use trilith::scene::{HeadJoints, Own};
 
-fn options() -> DrawingOptions {
+pub(super) fn options() -> DrawingOptions {
     DrawingOptions {
         friction: Some(0.65),
         ..DrawingOptions::default()
@@ -36,7 +36,7 @@ fn answer(case: &Case, method: &str) -> Outcome {
     results.remove(0).rows.remove(0).outcome
 }
 
-fn associative(case: &Case) -> f64 {
+pub(super) fn associative(case: &Case) -> f64 {
     let bracket = answer(case, "associative").bracket();
     bracket.expect("there is a multiplier").lower
 }

@@ -29,5 +29,6 @@ mod readme;
 mod report;
 mod screens;
 mod signals;
+mod surveyed;
 mod sweep;
 mod words;

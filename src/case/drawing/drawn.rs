@@ -7,12 +7,12 @@ use indexmap::IndexMap;
 use super::curves::Chords;
 use super::entities::file;
 use super::groups::{AT_THE_END, groups};
-use super::heal::{holds, to_segment};
 use super::options::DrawingOptions;
 use super::outlines::outlines;
 use super::paths::{Path, Paths, complain, same};
 use super::plane::flatten;
 use crate::case::complaint::{Complaint, Document};
+use crate::case::heal::{holds, to_segment};
 use crate::case::printable::printable;
 use crate::scene::{Point, Polygon, PolygonError, TOUCHING, bounds};
 

@@ -1,9 +1,9 @@
 //! From paths to closed outlines: lines and arcs joined end to end.
 
 use super::cells::cells;
-use super::heal::to_segment;
 use super::paths::{Path, leads_nowhere};
 use crate::case::complaint::Complaint;
+use crate::case::heal::to_segment;
 use crate::scene::Point;
 
 /// Most lines and arcs that are joined.
