@@ -234,3 +234,55 @@ fn gaps_are_closed_whole_or_something_is_said() {
         "{refused} {warned} {farthest:?}"
     );
 }
+
+/// The stones as explicit blocks, with a key of `[blocks]`.
+fn blocks(stones: &[Outline], key: &str) -> String {
+    let mut text = format!(
+        "friction = 0.65\n[blocks]\n{key}\n[[support]]\nname = \"ground\"\n\
+         corners = [[-1.0, -0.3], [5.0, -0.3], [5.0, 0.0], [-1.0, 0.0]]\n"
+    );
+    for (k, outline) in stones.iter().enumerate() {
+        let _ = writeln!(
+            text,
+            "[[block]]\nname = \"{:X}\"\ncorners = {outline:?}",
+            256 + k
+        );
+    }
+    text
+}
+
+/// Explicit blocks have their gaps closed as those of a drawing are, to the last bit, by `gap` and by
+/// `tolerance`; what cannot be closed is refused with the block's name.
+#[test]
+fn explicit_blocks_are_closed_as_drawings_are() {
+    for kind in 0..3 {
+        let random = &mut Random(77 + kind);
+        let stones = match kind {
+            0 => courses(random, 0.0, true, false),
+            1 => courses(random, 0.015, false, false),
+            _ => rubble(random),
+        };
+        for (gap, key) in [(Some(0.012), "gap = 0.012"), (None, "tolerance = 0.005")] {
+            let drawn = inset(&stones, if gap.is_some() { 0.01 } else { 5e-4 });
+            let options = DrawingOptions { gap, ..options() };
+            let drawing = Case::from_drawing("a.dxf", dxf(&drawn).as_bytes(), &options);
+            let drawing = drawing
+                .unwrap_or_else(|complaint| panic!("{complaint}"))
+                .case;
+            let read = Case::read("a.toml", blocks(&drawn, key).as_bytes());
+            let read = read.unwrap_or_else(|complaint| panic!("{complaint}"));
+            let [expected, found] = [&drawing, &read].map(|case| {
+                let blocks = case.geometry.assembly().blocks.into_iter();
+                blocks.map(|block| block.shape).collect::<Vec<_>>()
+            });
+            assert_eq!(found, expected);
+            assert_eq!(read.warnings.len(), usize::from(gap.is_some()));
+        }
+        let refused = |key: &str| {
+            let read = Case::read("a.toml", blocks(&inset(&stones, 0.01), key).as_bytes());
+            read.expect_err(key).to_string()
+        };
+        assert!(refused("").contains("gaps, as of mortar, are closed by `gap`"));
+        assert!(refused("gap = 0").contains("`gap` is zero"));
+    }
+}

@@ -3,13 +3,6 @@
 use crate::case::heal::Reach;
 use crate::scene::{HeadJoints, Push};
 
-/// Gaps wider than this part of the smaller block's extent are openings.
-const MOST_OF_A_BLOCK: f64 = 0.1;
-
-/// Gaps that are to be closed, wider than this part of a stone's extent, are openings; and so are those
-/// that are not, wider than the other.
-const OPENING: (f64, f64) = (0.3, 0.015);
-
 /// How a drawing is read.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DrawingOptions {
@@ -41,25 +34,8 @@ pub struct DrawingOptions {
 impl DrawingOptions {
     /// How far apart edges may be that are laid on one line.
     pub(super) fn reach(&self) -> Reach {
-        match self.gap {
-            Some(width) => Reach {
-                part: MOST_OF_A_BLOCK,
-                width,
-            },
-            None => Reach {
-                part: self.tolerance,
-                width: f64::INFINITY,
-            },
-        }
-    }
-
-    /// What may not stay open.
-    pub(super) fn meant(&self) -> Reach {
-        let (closed, other) = OPENING;
-        Reach {
-            part: self.gap.map_or(other, |_| closed),
-            width: self.gap.unwrap_or(f64::INFINITY),
-        }
+        let tolerance = Reach::of_tolerance(self.tolerance);
+        self.gap.map_or(tolerance, Reach::of_gap)
     }
 }
 

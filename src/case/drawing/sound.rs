@@ -6,7 +6,7 @@ use super::drawn::Drawn;
 use super::options::DrawingOptions;
 use super::paths::complain;
 use crate::case::complaint::Complaint;
-use crate::case::heal::{LeftOpen, Reach, holds, left_open, named};
+use crate::case::heal::{LeftOpen, Reach, holds, left_open, stay_open};
 use crate::number::short;
 use crate::scene::{Assembly, Polygon, Side, Unsound};
 
@@ -41,10 +41,10 @@ pub(super) fn sound(
         ));
     }
     let mortar = mortar(before, fixed, options);
-    let meant = options.meant();
+    let meant = options.reach().meant();
     let (refused, wider): (Vec<LeftOpen>, Vec<LeftOpen>) = left_open(before, &shapes, fixed, meant)
         .into_iter()
-        .partition(|gap| !gap.has_joint || gap.part <= meant.part && gap.width <= meant.width);
+        .partition(|gap| gap.is_refused(meant));
     if let Some(gap) = refused.first() {
         let [one, other] = gap.bodies.map(|body| &drawn[body]);
         let title = format!(
@@ -65,7 +65,7 @@ pub(super) fn sound(
         return Err(complain(&other.path, &title).help(help));
     }
     let Some(Unsound::Floating { block, .. }) = unsound else {
-        return Ok(stays_open(&wider, drawn));
+        return Ok(stay_open(&wider, &|body| drawn[body].name.clone()));
     };
     let block = of(Side::Block(block));
     let name = near(block);
@@ -76,27 +76,6 @@ pub(super) fn sound(
             .to_owned()
     });
     Err(complain(&block.path, &title).help(help))
-}
-
-/// Which gaps are open where they are wider than what is closed.
-fn stays_open(wider: &[LeftOpen], drawn: &[Drawn]) -> Option<Complaint> {
-    let title = format!(
-        "{} gaps stay open in part, where they are wider than what is closed",
-        wider.len()
-    );
-    let place = |gap: &LeftOpen| {
-        let [one, other] = gap.bodies.map(|body| &drawn[body].name);
-        let (at, width) = (gap.at, gap.width);
-        format!(
-            "`{one}` and `{other}` at ({:.4}, {:.4}), {width:.3e} wide",
-            at.x, at.y
-        )
-    };
-    let help = format!(
-        "name a larger `gap`, or draw them closed: {}",
-        named(wider, place)
-    );
-    (!wider.is_empty()).then(|| Complaint::new(title).help(help).into_warning())
 }
 
 /// An outline's name, and where it is.
@@ -153,10 +132,7 @@ fn mortar(shapes: &[Polygon], fixed: &[bool], options: &DrawingOptions) -> Optio
     if options.gap.is_some() {
         return None;
     }
-    let reach = Reach {
-        part: WIDEST_MORTAR,
-        width: f64::INFINITY,
-    };
+    let reach = Reach::of_tolerance(WIDEST_MORTAR);
     let gaps = left_open(shapes, shapes, fixed, reach);
     let mut widest: BTreeMap<[usize; 2], f64> = BTreeMap::new();
     for gap in gaps {

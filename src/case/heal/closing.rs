@@ -142,7 +142,7 @@ fn doubt(meetings: &[Meeting], name: &dyn Fn(usize) -> String) -> Option<Complai
 }
 
 /// The first of several places, and how many more there are.
-pub(in crate::case) fn named<T>(places: &[T], place: impl Fn(&T) -> String) -> String {
+pub(super) fn named<T>(places: &[T], place: impl Fn(&T) -> String) -> String {
     let named: Vec<String> = places.iter().take(MOST_NAMED).map(place).collect();
     let named = named.join("; ");
     match places.len().saturating_sub(MOST_NAMED) {

@@ -2,8 +2,10 @@
 //!
 //! This asks the outlines alone, and nothing of how gaps are closed.
 
+use super::closing::named;
 use super::line::{holds, to_outline};
 use super::void::Reach;
+use crate::case::complaint::Complaint;
 use crate::scene::{Point, Polygon, TOUCHING, Vector, close_pairs, extent};
 
 /// Edges face each other whose normals are this far against each other, as a cosine.
@@ -21,6 +23,36 @@ pub(in crate::case) struct LeftOpen {
     pub part: f64,
     /// Whether the bodies touch elsewhere.
     pub has_joint: bool,
+}
+
+impl LeftOpen {
+    /// Whether it was to be closed: it is no wider than that, or all that is between the two.
+    pub fn is_refused(&self, reach: Reach) -> bool {
+        !self.has_joint || self.part <= reach.part && self.width <= reach.width
+    }
+}
+
+/// Which gaps are open where they are wider than what is closed.
+pub(in crate::case) fn stay_open(
+    wider: &[LeftOpen],
+    name: &dyn Fn(usize) -> String,
+) -> Option<Complaint> {
+    let title = format!(
+        "{} gaps stay open in part, where they are wider than what is closed",
+        wider.len()
+    );
+    let place = |gap: &LeftOpen| {
+        let ([one, other], at, width) = (gap.bodies.map(name), gap.at, gap.width);
+        format!(
+            "`{one}` and `{other}` at ({:.4}, {:.4}), {width:.3e} wide",
+            at.x, at.y
+        )
+    };
+    let help = format!(
+        "name a larger `gap`, or draw them closed: {}",
+        named(wider, place)
+    );
+    (!wider.is_empty()).then(|| Complaint::new(title).help(help).into_warning())
 }
 
 /// The gaps between bodies within reach, as wide as they were before they were closed.

@@ -20,7 +20,7 @@ mod parts;
 mod triangles;
 mod void;
 
-pub(super) use closing::{CannotClose, close, named};
-pub(super) use left_open::{LeftOpen, left_open};
+pub(super) use closing::{CannotClose, Closed, close};
+pub(super) use left_open::{LeftOpen, left_open, stay_open};
 pub(super) use line::{holds, to_outline, to_segment};
 pub(super) use void::Reach;

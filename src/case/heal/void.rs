@@ -20,7 +20,43 @@ pub struct Reach {
     pub width: f64,
 }
 
+/// Gaps wider than this part of the smaller body's extent are openings.
+const MOST_OF_A_BODY: f64 = 0.1;
+
+/// Gaps that are to be closed, wider than this part of a body's extent, are openings; and so are those
+/// that no width was named for, wider than the other.
+const OPENING: (f64, f64) = (0.3, 0.015);
+
 impl Reach {
+    /// Gaps up to a width, as long as they are no openings.
+    pub fn of_gap(width: f64) -> Reach {
+        Reach {
+            part: MOST_OF_A_BODY,
+            width,
+        }
+    }
+
+    /// Slips of the pen up to a part of the smaller body's extent.
+    pub fn of_tolerance(part: f64) -> Reach {
+        Reach {
+            part,
+            width: f64::INFINITY,
+        }
+    }
+
+    /// What may not stay open.
+    pub fn meant(self) -> Reach {
+        let (closed, other) = OPENING;
+        Reach {
+            part: if self.width.is_finite() {
+                closed
+            } else {
+                other
+            },
+            ..self
+        }
+    }
+
     /// How wide a gap between two bodies may be.
     pub fn between(self, one: &Polygon, other: &Polygon) -> f64 {
         (self.part * extent(one).min(extent(other))).min(self.width)
