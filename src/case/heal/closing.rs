@@ -6,7 +6,7 @@ use super::nodes::Meeting;
 use super::outline::outlines;
 use super::void::{Reach, Void};
 use crate::case::complaint::Complaint;
-use crate::scene::{Point, Polygon, extent, signed_area};
+use crate::scene::{Point, Polygon, close_pairs, extent, overlap, signed_area};
 
 /// An outline keeps at least this part of its area.
 const LEAST_LEFT: f64 = 0.5;
@@ -44,7 +44,13 @@ pub(in crate::case) fn close(
     reach: Reach,
     name: &dyn Fn(usize) -> String,
 ) -> Result<Option<Closed>, CannotClose> {
-    let Some(mut void) = Void::new(shapes, fixed, reach) else {
+    let all: Vec<&Polygon> = shapes.iter().collect();
+    let lie_in_each_other = close_pairs(0.0, &all, &[]).into_iter().any(|(one, other)| {
+        let (one, other) = (all[one], all[other]);
+        overlap(one, other) > reach.between(one, other)
+    });
+    let void = (!lie_in_each_other).then(|| Void::new(shapes, fixed, reach));
+    let Some(mut void) = void.flatten() else {
         return Ok(None);
     };
     let (joints, meetings) = joints(&mut void);
