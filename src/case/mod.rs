@@ -9,6 +9,7 @@ mod convert;
 mod drawing;
 mod find;
 mod geometry;
+mod heal;
 mod model;
 mod moved;
 mod name;

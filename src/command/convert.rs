@@ -20,6 +20,10 @@ pub(super) struct ConvertArguments {
     /// The form to write it in.
     #[arg(long)]
     to: Form,
+    /// Close gaps between explicit blocks up to this width, in the case's unit of length: each to a line in
+    /// its middle, but none wider than a tenth of the smaller block.
+    #[arg(long, value_name = "WIDTH", value_parser = width)]
+    gap: Option<f64>,
     /// The case file to write [default: CASE-blocks.toml in this folder]; the CSV comes beside it.
     #[arg(short, long, value_name = "FILE.toml")]
     output: Option<PathBuf>,
@@ -33,7 +37,7 @@ enum Form {
 
 pub(super) fn convert(arguments: &ConvertArguments) -> Result<u8, Stop> {
     let Form::Blocks = arguments.to;
-    let case = one_case(&arguments.case)?;
+    let case = one_closed(&arguments.case, arguments.gap)?;
     let default = || PathBuf::from(format!("{}-blocks.toml", case.name));
     let path = arguments.output.clone().unwrap_or_else(default);
     write_both(&path, in_files(&case, &path)?, "")
@@ -51,20 +55,31 @@ fn write_both(path: &Path, files: BlocksFiles, first: &str) -> Result<u8, Stop> 
     Ok(0)
 }
 
+/// A width in the unit of a case, which has no name.
+fn width(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(width) if width > 0.0 && width.is_finite() => Ok(width),
+        _ => Err("write a number above 0, in the unit of length of the case".to_owned()),
+    }
+}
+
 /// The one case that an argument names.
 pub(super) fn one_case(argument: &str) -> Result<Case, Stop> {
-    let cases = case::find(argument)?;
-    warn(&cases);
-    let names: Vec<&str> = cases.iter().map(|case| case.name.as_str()).collect();
-    let names = names.join(", ");
-    let mut cases = cases.into_iter();
-    match (cases.next(), cases.next()) {
-        (Some(case), None) => Ok(case),
-        _ => {
-            let text = format!("error: {argument} holds several cases\nhelp: name one of {names}");
-            Err(Stop::bad_input(text))
-        }
-    }
+    one_closed(argument, None)
+}
+
+/// The one case that an argument names, with gaps between its blocks closed up to a width.
+fn one_closed(argument: &str, gap: Option<f64>) -> Result<Case, Stop> {
+    let found = case::locate(argument)?;
+    let [unread] = found.as_slice() else {
+        let names = found.iter().map(|unread| unread.path.as_str());
+        let names = names.collect::<Vec<_>>().join(", ");
+        let text = format!("error: {argument} holds several cases\nhelp: name one of {names}");
+        return Err(Stop::bad_input(text));
+    };
+    let case = unread.read_closing(gap)?;
+    warn(std::slice::from_ref(&case));
+    Ok(case)
 }
 
 /// The two files of a case, which are not there yet and can be read back.
@@ -134,7 +149,10 @@ pub(super) fn import(arguments: &ImportArguments) -> Result<u8, Stop> {
         let fill_in = "# friction = 0.65      # to be filled in: tan φ of every joint\n";
         files.toml = files.toml.replacen("friction = 0.0\n", fill_in, 1);
     }
-    files.toml.insert_str(0, &commented(&imported.remarks));
+    let warnings = imported.case.warnings.iter();
+    let warnings = warnings.map(|w| format!("warning: {}: {}", w.title(), w.advice()));
+    let remarks: Vec<String> = imported.remarks.iter().cloned().chain(warnings).collect();
+    files.toml.insert_str(0, &commented(&remarks));
     let first = match known {
         true => String::new(),
         false => format!("fill in `friction` in {}, then ", path.display()),

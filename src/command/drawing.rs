@@ -181,6 +181,9 @@ impl DrawingArguments {
         if let Some(more @ 1..) = imported.remarks.len().checked_sub(most) {
             tell!("{argument}: and {more} more; `trilith import {argument}` says all");
         }
+        for warning in &imported.case.warnings {
+            tell!("{warning}\n");
+        }
         Ok(imported)
     }
 

@@ -43,4 +43,5 @@ pub use push::{HeadJoints, Push};
 pub(crate) use reaction::{Reaction, Sense};
 pub use regular::{Coursing, Irregularity, RegularWall, WallFacts};
 pub use soundness::Unsound;
+pub(crate) use soundness::overlap;
 pub use wall::{Course, Piece, Wall, WallError};

@@ -104,7 +104,7 @@ impl Assembly {
 
 /// How deep two polygons lie in each other: the deepest of their convex pieces; negative where all
 /// are apart.
-fn overlap(a: &Polygon, b: &Polygon) -> f64 {
+pub(crate) fn overlap(a: &Polygon, b: &Polygon) -> f64 {
     let pieces = |shape: &Polygon| -> Vec<Vec<Point>> {
         let at = |corner: usize| shape.corners()[corner];
         let pieces = shape.convex_pieces().into_iter();

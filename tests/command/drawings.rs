@@ -10,7 +10,7 @@ use trilith::method::{Settings, methods};
 use trilith::run::{Plan, run};
 use trilith::scene::{HeadJoints, Own};
 
-fn options() -> DrawingOptions {
+pub(super) fn options() -> DrawingOptions {
     DrawingOptions {
         friction: Some(0.65),
         ..DrawingOptions::default()
@@ -36,7 +36,7 @@ fn answer(case: &Case, method: &str) -> Outcome {
     results.remove(0).rows.remove(0).outcome
 }
 
-fn associative(case: &Case) -> f64 {
+pub(super) fn associative(case: &Case) -> f64 {
     let bracket = answer(case, "associative").bracket();
     bracket.expect("there is a multiplier").lower
 }
@@ -709,6 +709,76 @@ fn walls_are_read_as_they_are_drawn() {
         assert!(
             (found - expected).abs() < 1e-6 * expected,
             "{name}: {found} {expected}"
+        );
+    }
+}
+
+/// Outlines as hands leave them: corners drawn twice and nearly twice, ways that lead out and back, dots; a
+/// file with the line ends of old programs. Stones line by line, in any order, each edge twice where two
+/// stones meet.
+#[test]
+fn slips_of_the_pen_are_mended() {
+    type Pairs = Vec<(f64, f64)>;
+    let stones: [Pairs; 3] = [0.0, 1.0, 0.5].map(|x| {
+        let y = if x == 0.5 { 1.0 } else { 0.0 };
+        vec![(x, y), (x + 1.0, y), (x + 1.0, y + 1.0), (x, y + 1.0)]
+    });
+    let ground = closed(
+        "support",
+        "G",
+        &[(-5.0, -1.0), (5.0, -1.0), (5.0, 0.0), (-5.0, 0.0)],
+    );
+    let wall = |entities: String| {
+        format!("0\nSECTION\n2\nENTITIES\n{ground}{entities}0\nENDSEC\n0\nEOF\n")
+    };
+    let drawn = |slip: &dyn Fn(&Pairs) -> Pairs| {
+        let outlines = stones.iter().enumerate();
+        let outlines = outlines.map(|(k, stone)| closed("stones", &format!("{k}"), &slip(stone)));
+        wall(outlines.collect())
+    };
+    let with_corner = |stone: &Pairs, corners: &[(f64, f64)]| {
+        let (first, others) = stone.split_at(2);
+        let at = first[1];
+        let more = corners.iter().map(|(x, y)| (at.0 + x, at.1 + y));
+        first
+            .iter()
+            .copied()
+            .chain(more)
+            .chain(others.iter().copied())
+            .collect()
+    };
+    let plain = drawn(&Clone::clone);
+    let edges = stones
+        .iter()
+        .flat_map(|s| (0..4).map(move |k| (s[k], s[(k + 1) % 4])));
+    let mut edges: Vec<_> = edges.collect();
+    edges.sort_by(|a, b| (a.0.1 + 3.0 * a.1.0).total_cmp(&(b.0.1 + 3.0 * b.1.0)));
+    let line = |(from, to): &((f64, f64), (f64, f64))| {
+        let ((x, y), (p, q)) = (from, to);
+        format!("0\nLINE\n8\nstones\n10\n{x}\n20\n{y}\n11\n{p}\n21\n{q}\n")
+    };
+    let dot = "0\nCIRCLE\n8\nstones\n10\n3\n20\n3\n40\n0\n";
+    let read = |text: &str| {
+        let read = Case::from_drawing("a.dxf", text.as_bytes(), &options());
+        let case = read.unwrap_or_else(|complaint| panic!("{complaint}")).case;
+        assert_eq!(case.scene(HeadJoints::Contact).blocks().len(), 3);
+        associative(&case)
+    };
+    let expected = read(&plain);
+    for text in [
+        drawn(&|stone| stone.iter().flat_map(|corner| [*corner; 2]).collect()),
+        drawn(&|stone| with_corner(stone, &[(-2e-4, 3e-4), (1e-4, -2e-4)])),
+        drawn(&|stone| with_corner(stone, &[(0.1, 0.0), (0.0, 0.0)])),
+        drawn(&|stone| with_corner(stone, &[(-0.3, 0.0), (0.0, 0.0)])),
+        drawn(&|stone| with_corner(stone, &[(0.0, 0.3), (0.0, 0.1)])),
+        plain.replace('\n', "\r"),
+        wall(edges.iter().map(line).collect()),
+        wall(edges.iter().map(line).collect::<String>() + dot),
+    ] {
+        let found = read(&text);
+        assert!(
+            (found / expected - 1.0).abs() < 2e-3,
+            "{found} {expected} {text}"
         );
     }
 }

@@ -31,5 +31,6 @@ mod readme;
 mod report;
 mod screens;
 mod signals;
+mod surveyed;
 mod sweep;
 mod words;

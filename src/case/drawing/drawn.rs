@@ -7,12 +7,12 @@ use indexmap::IndexMap;
 use super::curves::Chords;
 use super::entities::file;
 use super::groups::{AT_THE_END, groups};
-use super::heal::{holds, to_segment};
 use super::options::DrawingOptions;
 use super::outlines::outlines;
 use super::paths::{Path, Paths, complain, same};
 use super::plane::flatten;
 use crate::case::complaint::{Complaint, Document};
+use crate::case::heal::{holds, to_segment};
 use crate::case::printable::printable;
 use crate::scene::{Point, Polygon, PolygonError, TOUCHING, bounds};
 
@@ -24,6 +24,9 @@ const OPENINGS: [&str; 2] = ["opening", "openings"];
 
 /// The outline of an opening may be drawn as far off, as a part of its size.
 const ON_THE_OUTLINE: f64 = 0.01;
+
+/// What an outline that crosses itself may have as slips of the pen, as a part of its size.
+const SLIP: f64 = 1e-3;
 
 /// Most blocks of a drawing.
 const MOST_BLOCKS: usize = 100_000;
@@ -180,6 +183,25 @@ fn whole_if_near(number: f64) -> f64 {
     }
 }
 
+/// Points without those that are nearer than `near` to the one before, and without ways that lead out and
+/// back.
+fn without_spikes(mut points: Vec<Point>, near: f64) -> Vec<Point> {
+    let is_spike = |a: Point, p: Point, b: Point| {
+        let (there, back) = (p - a, b - p);
+        there.norm() <= near
+            || (there.dot(&back) < 0.0 && there.perp(&back).abs() <= near * back.norm())
+    };
+    let spike = |points: &[Point]| {
+        let count = points.len();
+        let at = |k: usize| points[k % count];
+        (0..count).find(|&k| is_spike(at(k + count - 1), at(k), at(k + 1)))
+    };
+    while let Some(k) = spike(&points).filter(|_| points.len() > 2) {
+        points.remove(k);
+    }
+    points
+}
+
 /// An outline as a shape. A circle's last point may repeat its first.
 pub(super) fn shape(path: &Path) -> Result<Polygon, Complaint> {
     let mut points = path.points.clone();
@@ -190,7 +212,11 @@ pub(super) fn shape(path: &Path) -> Result<Polygon, Complaint> {
     while points.len() > 1 && (points[0] - points[points.len() - 1]).norm() <= near {
         points.pop();
     }
-    Polygon::new(points.clone()).map_err(|error| {
+    let simple = Polygon::new(points.clone()).or_else(|error| {
+        let tidied = without_spikes(points.clone(), SLIP * (high - low).norm());
+        Polygon::new(tidied).map_err(|_| error)
+    });
+    simple.map_err(|error| {
         let (title, at) = match error {
             PolygonError::NotSimple(corner) => (
                 "an outline that crosses or touches itself".to_owned(),

@@ -41,16 +41,18 @@ pub(super) fn document(path: &str, bytes: &[u8]) -> Result<Document, Complaint> 
     if begins(b"AC10") {
         return wrong("a DWG and not a DXF");
     }
+    let text = match std::str::from_utf8(bytes) {
+        Ok(text) => text.to_owned(),
+        Err(_) => bytes.iter().map(|&byte| char::from(byte)).collect(),
+    };
+    // Some old programs end lines by a carriage return alone.
+    let text = match text.contains('\n') {
+        true => text,
+        false => text.replace('\r', "\n"),
+    };
     Ok(Document {
         path: path.to_owned(),
-        text: match std::str::from_utf8(bytes) {
-            Ok(text) => text.into(),
-            Err(_) => bytes
-                .iter()
-                .map(|&byte| char::from(byte))
-                .collect::<String>()
-                .into(),
-        },
+        text: text.into(),
     })
 }
 

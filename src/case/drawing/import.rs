@@ -5,26 +5,17 @@ use std::collections::BTreeMap;
 use super::compas;
 use super::drawn::{Drawn, drawn};
 use super::groups::document;
-use super::heal::{heal, to_segment};
 use super::options::DrawingOptions;
 use super::paths::complain;
 use super::sound::{beyond, sound};
 use super::supports::supports;
 use crate::case::complaint::{Complaint, Document};
 use crate::case::geometry::Geometry;
+use crate::case::heal::{CannotClose, close, to_outline};
 use crate::case::model::Case;
 use crate::case::name::plain;
 use crate::case::printable::printable;
-use crate::scene::{
-    Assembly, Forces, NamedBlock, Point, Polygon, Support, TOUCHING, close_pairs, extent,
-    signed_area,
-};
-
-/// An outline keeps at least this part of its area.
-const LEAST_LEFT: f64 = 0.5;
-
-/// What is said of one that does not.
-const SWALLOWED: &str = "closing the gaps beside it would swallow this outline, or turn it over";
+use crate::scene::{Assembly, Forces, NamedBlock, Polygon, Support, TOUCHING, close_pairs, extent};
 
 /// A case from a drawing, and what was done to get it.
 #[derive(Clone, Debug)]
@@ -53,7 +44,8 @@ impl Case {
             false => document(path, bytes)?,
         };
         let mut remarks = vec![String::new()];
-        let assembly = assembly(&document, options, &mut remarks)
+        let mut warnings = Vec::new();
+        let assembly = assembly(&document, options, &mut remarks, &mut warnings)
             .map_err(|complaint| complaint.in_document(&document))?;
         remarks[0] = format!(
             "{} blocks and {} supports from {}",
@@ -82,7 +74,7 @@ impl Case {
                 pushes: options.pushes.clone(),
                 head_joints: options.head_joints.clone(),
                 references: Vec::new(),
-                warnings: Vec::new(),
+                warnings,
             },
             remarks,
         })
@@ -103,6 +95,7 @@ fn assembly(
     document: &Document,
     options: &DrawingOptions,
     remarks: &mut Vec<String>,
+    warnings: &mut Vec<Complaint>,
 ) -> Result<Assembly, Complaint> {
     let (mut drawn, fixed) = if compas::is_model(&document.path) {
         compas::drawn(document, options, remarks)?
@@ -112,11 +105,12 @@ fn assembly(
         let fixed = supports(&mut drawn, options, remarks)?;
         (drawn, fixed)
     };
+    let before: Vec<Polygon> = drawn.iter().map(|d| d.shape.clone()).collect();
     if options.tolerance > 0.0 || options.gap.is_some() {
-        healed(&mut drawn, &fixed, options, remarks)?;
+        warnings.extend(healed(&mut drawn, &fixed, options, remarks)?);
     }
     let assembly = assembled(&drawn, &fixed, options);
-    sound(&drawn, &fixed, &assembly, options)?;
+    warnings.extend(sound(&drawn, &fixed, &before, &assembly, options)?);
     Ok(assembly)
 }
 
@@ -155,75 +149,23 @@ fn healed(
     fixed: &[bool],
     options: &DrawingOptions,
     remarks: &mut Vec<String>,
-) -> Result<(), Complaint> {
+) -> Result<Option<Complaint>, Complaint> {
     let shapes: Vec<Polygon> = drawn.iter().map(|d| d.shape.clone()).collect();
-    let reach = options.reach();
-    let Some(outlines) = heal(&shapes, fixed, reach) else {
-        // Bodies lie in each other, which is refused as it is drawn.
-        return Ok(());
+    let closed = close(&shapes, fixed, options.reach(), &|body| {
+        drawn[body].name.clone()
+    });
+    let closed = closed.map_err(|CannotClose { body, why }| {
+        complain(&drawn[body].path, &why).help(beyond(options))
+    })?;
+    // Bodies that lie in each other are refused as they are drawn.
+    let Some(closed) = closed else {
+        return Ok(None);
     };
-    let (mut ways, mut bodies) = (Vec::new(), 0);
-    for (body, corners) in outlines.iter().enumerate() {
-        let (old, size) = (&shapes[body], extent(&shapes[body]));
-        if old.corners() == corners.as_slice() {
-            continue;
-        }
-        let path = &drawn[body].path;
-        if corners.len() < 3 || signed_area(corners) < LEAST_LEFT * old.area() {
-            return Err(complain(path, SWALLOWED).help(beyond(options)));
-        }
-        let farthest = 2.0 * reach.width.min(reach.part * size);
-        let far = |p: &&Point, others: &[Point]| to_outline(**p, others) > farthest;
-        let left = old.corners().iter().find(|p| far(p, corners));
-        if let Some(at) = left.or_else(|| corners.iter().find(|p| far(p, old.corners()))) {
-            let (x, y) = (at.x, at.y);
-            let part = 100.0 * farthest / size;
-            let title = format!(
-                "a corner at ({x:.4}, {y:.4}) would have to move by more than {part:.2} % of its block to \
-                 touch its neighbours"
-            );
-            return Err(complain(path, &title).help(beyond(options)));
-        }
-        let moved = old.corners().iter().map(|p| {
-            let near = corners.iter().map(|new| (new - p).norm());
-            let near = near.fold(f64::INFINITY, f64::min);
-            // Where a joint became straight, no corner is left.
-            (
-                if near > farthest {
-                    to_outline(*p, corners)
-                } else {
-                    near
-                },
-                body,
-            )
-        });
-        let before = ways.len();
-        ways.extend(moved.filter(|(way, _)| *way > 0.0));
-        bodies += usize::from(ways.len() > before);
-        let Ok(closed) = Polygon::new(corners.clone()) else {
-            return Err(complain(path, SWALLOWED).help(beyond(options)));
-        };
-        drawn[body].shape = closed;
+    for (body, shape) in drawn.iter_mut().zip(closed.shapes) {
+        body.shape = shape;
     }
-    ways.sort_by(|a, b| a.0.total_cmp(&b.0));
-    if let Some((farthest, body)) = ways.last() {
-        let (count, median) = (ways.len(), ways[ways.len() / 2].0);
-        let name = &drawn[*body].name;
-        remarks.push(format!(
-            "moved {count} corners of {bodies} outlines so that neighbours touch, half of them by at most \
-             {median:.3e}, the farthest, of `{name}`, by {farthest:.3e}"
-        ));
-    }
-    Ok(())
-}
-
-/// How far a point is from an outline.
-fn to_outline(p: Point, corners: &[Point]) -> f64 {
-    let next = corners.iter().cycle().skip(1);
-    let edges = corners.iter().zip(next);
-    edges
-        .map(|(from, to)| to_segment(p, *from, *to))
-        .fold(f64::INFINITY, f64::min)
+    remarks.extend(closed.moved);
+    Ok(closed.doubt)
 }
 
 fn assembled(drawn: &[Drawn], fixed: &[bool], options: &DrawingOptions) -> Assembly {

@@ -11,7 +11,6 @@ mod curves;
 mod drawn;
 mod entities;
 mod groups;
-mod heal;
 mod import;
 mod options;
 mod outlines;

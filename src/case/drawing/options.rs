@@ -1,10 +1,7 @@
 //! What a drawing does not say.
 
-use super::heal::Reach;
+use crate::case::heal::Reach;
 use crate::scene::{HeadJoints, Push};
-
-/// Gaps wider than this part of the smaller block's extent are openings.
-const MOST_OF_A_BLOCK: f64 = 0.1;
 
 /// How a drawing is read.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,16 +34,8 @@ pub struct DrawingOptions {
 impl DrawingOptions {
     /// How far apart edges may be that are laid on one line.
     pub(super) fn reach(&self) -> Reach {
-        match self.gap {
-            Some(width) => Reach {
-                part: MOST_OF_A_BLOCK,
-                width,
-            },
-            None => Reach {
-                part: self.tolerance,
-                width: f64::INFINITY,
-            },
-        }
+        let tolerance = Reach::of_tolerance(self.tolerance);
+        self.gap.map_or(tolerance, Reach::of_gap)
     }
 }
 

@@ -1,10 +1,10 @@
 //! From paths to closed outlines: lines and arcs joined end to end.
 
 use super::cells::cells;
-use super::heal::to_segment;
 use super::paths::{Path, leads_nowhere};
 use crate::case::complaint::Complaint;
-use crate::scene::Point;
+use crate::case::heal::to_segment;
+use crate::scene::{Point, Polygon};
 
 /// Most lines and arcs that are joined.
 const MOST_OPEN: usize = 50_000;
@@ -25,6 +25,10 @@ pub(super) fn outlines(
         if ends(&mut path.points, tolerance) {
             path.closed = true;
         }
+        let is_dot = path.points.iter().all(|p| *p == path.points[0]);
+        if is_dot {
+            continue;
+        }
         if path.closed {
             closed.push(path);
         } else if path.points.len() > 1 {
@@ -42,9 +46,11 @@ pub(super) fn outlines(
         Some(chain(&open, &mut used, first, tolerance))
     });
     let chained: Result<Vec<Path>, Complaint> = chains.collect();
+    // Of stones that are drawn line by line, a chain may go on along a neighbour.
+    let is_outline = |path: &Path| Polygon::new(path.points.clone()).is_ok();
     match chained {
-        Ok(chained) => closed.extend(chained),
-        Err(_) => {
+        Ok(chained) if chained.iter().all(is_outline) => closed.extend(chained),
+        _ => {
             let shares = |path: &Path| open.iter().any(|other| other.layer == path.layer);
             let (shared, whole) = closed.into_iter().partition(shares);
             closed = whole;

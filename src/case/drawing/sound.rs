@@ -1,29 +1,27 @@
 //! What a drawing must not have: blocks that overlap, gape or float.
 
+use std::collections::BTreeMap;
+
 use super::drawn::Drawn;
-use super::heal::{Reach, gaps, holds};
 use super::options::DrawingOptions;
 use super::paths::complain;
 use crate::case::complaint::Complaint;
+use crate::case::heal::{LeftOpen, Reach, holds, left_open, stay_open};
 use crate::number::short;
-use crate::scene::{Assembly, Polygon, Side, TOUCHING, Unsound};
-
-/// Gaps wider than this part of a block's extent are meant.
-const WIDEST_GAP: f64 = 0.015;
-
-/// Gaps that are to be closed, wider than this part of a stone's extent, are openings.
-const WIDEST_MEANT: f64 = 0.3;
+use crate::scene::{Assembly, Polygon, Side, Unsound};
 
 /// Mortar is no wider than this part of a stone's extent.
 const WIDEST_MORTAR: f64 = 0.1;
 
-/// Refuses what overlaps, gapes or floats, with layers, handles and coordinates.
+/// Refuses what overlaps, gapes or floats, with layers, handles and coordinates; `before` are the outlines as
+/// they were drawn. Says which gaps stay open where they are wider than is closed.
 pub(super) fn sound(
     drawn: &[Drawn],
     fixed: &[bool],
+    before: &[Polygon],
     assembly: &Assembly,
     options: &DrawingOptions,
-) -> Result<(), Complaint> {
+) -> Result<Option<Complaint>, Complaint> {
     let shapes: Vec<Polygon> = drawn.iter().map(|d| d.shape.clone()).collect();
     let of = |side: Side| {
         let (wanted, place) = match side {
@@ -42,35 +40,32 @@ pub(super) fn sound(
             options,
         ));
     }
-    let mortar = mortar(&shapes, fixed, options);
-    // What was to be closed and stayed open is refused however wide it is.
-    let reach = match options.gap {
-        Some(width) => Reach {
-            part: WIDEST_MEANT,
-            width,
-        },
-        None => Reach {
-            part: WIDEST_GAP,
-            width: f64::INFINITY,
-        },
-    };
-    let mut wide = gaps(&shapes, fixed, reach).into_iter();
-    if let Some(gap) = wide.find(|gap| gap.part > TOUCHING) {
+    let mortar = mortar(before, fixed, options);
+    let meant = options.reach().meant();
+    let (refused, wider): (Vec<LeftOpen>, Vec<LeftOpen>) = left_open(before, &shapes, fixed, meant)
+        .into_iter()
+        .partition(|gap| gap.is_refused(meant));
+    if let Some(gap) = refused.first() {
         let [one, other] = gap.bodies.map(|body| &drawn[body]);
         let title = format!(
-            "a gap of {:.3e} ({:.2} % of the smaller one) at ({:.4}, {:.4}) between {} and {}",
+            "a gap of {:.3e} ({:.2} % of the smaller one) at ({:.4}, {:.4}) between {} and {}{}",
             gap.width,
             100.0 * gap.part,
             gap.at.x,
             gap.at.y,
             near(one),
-            near(other)
+            near(other),
+            if gap.has_joint {
+                " stays open, which touch elsewhere"
+            } else {
+                ""
+            }
         );
         let help = mortar.unwrap_or_else(|| beyond(options));
         return Err(complain(&other.path, &title).help(help));
     }
     let Some(Unsound::Floating { block, .. }) = unsound else {
-        return Ok(());
+        return Ok(stay_open(&wider, &|body| drawn[body].name.clone()));
     };
     let block = of(Side::Block(block));
     let name = near(block);
@@ -116,8 +111,8 @@ fn overlapping([one, other]: [&Drawn; 2], depth: f64, options: &DrawingOptions) 
 /// What to do about outlines that are further apart than is healed.
 pub(super) fn beyond(options: &DrawingOptions) -> String {
     if options.gap.is_some() {
-        "correct the drawing there, or name another width with `gap`; no gap is closed that is wider than a \
-         tenth of the smaller stone"
+        "correct the drawing there, or name another width with `gap`; no gap is closed in part, and none \
+         wider than a tenth of the smaller stone"
             .to_owned()
     } else if options.tolerance < 0.01 {
         format!(
@@ -137,13 +132,14 @@ fn mortar(shapes: &[Polygon], fixed: &[bool], options: &DrawingOptions) -> Optio
     if options.gap.is_some() {
         return None;
     }
-    let reach = Reach {
-        part: WIDEST_MORTAR,
-        width: f64::INFINITY,
-    };
-    let gaps = gaps(shapes, fixed, reach);
-    let open = gaps.iter().filter(|gap| gap.part > TOUCHING);
-    let mut widths: Vec<f64> = open.map(|gap| gap.width).collect();
+    let reach = Reach::of_tolerance(WIDEST_MORTAR);
+    let gaps = left_open(shapes, shapes, fixed, reach);
+    let mut widest: BTreeMap<[usize; 2], f64> = BTreeMap::new();
+    for gap in gaps {
+        let width = widest.entry(gap.bodies).or_default();
+        *width = width.max(gap.width);
+    }
+    let mut widths: Vec<f64> = widest.into_values().collect();
     widths.sort_by(f64::total_cmp);
     // Fewer gaps than stones are slips of the pen.
     if widths.len() + 1 < shapes.len() {

@@ -73,7 +73,15 @@ impl UnreadCase {
     /// # Errors
     /// As [`Case::read_with`].
     pub fn read(&self) -> Result<Case, Complaint> {
-        Case::read_with(&self.path, &self.bytes, &|name| self.read_file(name))
+        self.read_closing(None)
+    }
+
+    /// Reads the case, with gaps between its blocks closed up to this width.
+    ///
+    /// # Errors
+    /// As [`Case::read_with`].
+    pub fn read_closing(&self, gap: Option<f64>) -> Result<Case, Complaint> {
+        Case::read_closing(&self.path, &self.bytes, &|name| self.read_file(name), gap)
     }
 
     /// Bytes of the file of this name beside the case; in words why there are none.

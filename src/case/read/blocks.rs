@@ -7,6 +7,7 @@ use super::checks::{Written, not_negative, positive_or_one, within};
 use super::file::CaseFile;
 use super::forces::{Loadable, forces};
 use super::friction::friction;
+use super::gaps::closed;
 use super::outline::Outline;
 use super::own_joints::own_joints;
 use crate::case::complaint::{Complaint, Document};
@@ -14,7 +15,7 @@ use crate::scene::{
     Assembly, Forces, HeadJoints, NamedBlock, Point, Push, Side, Support, TOUCHING, Unsound, extent,
 };
 
-/// Tolerances of the joint search, fractions of the smaller block's extent.
+/// Edges touch within these fractions of the smaller block's extent.
 const TOLERANCES: std::ops::RangeInclusive<f64> = 1e-9..=1e-2;
 
 /// Farthest coordinate over the extent of the smallest block: beyond, a joint's place is lost in
@@ -43,7 +44,7 @@ pub(super) fn assembly(
         friction: friction(file)?,
         forces: Forces::default(),
         overburden: 0.0,
-        tolerance,
+        tolerance: tolerance.min(TOUCHING),
         radial: table.and_then(|table| table.radial).unwrap_or(false),
         named_joints: Vec::new(),
         layers: bodies
@@ -52,9 +53,9 @@ pub(super) fn assembly(
             .map(|body| (body.outline.name.clone(), body.layer.clone()))
             .collect(),
     };
+    let shapes = closed(&bodies, table, tolerance, warnings)?;
     let (mut of_block, mut of_support) = (Vec::new(), Vec::new());
-    for body in &bodies {
-        let shape = body.outline.shape(body.moves)?;
+    for (body, shape) in bodies.iter().zip(shapes) {
         let name = body.outline.name.clone();
         if body.moves {
             let given = body.weight.as_ref().map(|(weight, _)| *weight);
@@ -181,5 +182,8 @@ fn floating(block: &Outline, touches: Option<&Outline>) -> Complaint {
         None => format!("`{name}` floats: no joints lead from it to a support"),
     };
     let complaint = block.place.complain(title, "here");
-    complaint.help("let an edge of it lie on an edge of a block that is held")
+    complaint.help(
+        "let an edge of it lie on an edge of a block that is held; gaps, as of mortar, are closed by `gap` in \
+         `[blocks]`, the width up to which",
+    )
 }

@@ -1,14 +1,17 @@
 //! From the text of a file to a case: every value judged, the geometry laid once.
 
+use toml::Spanned;
+
 use super::bodies::ReadFile;
 use super::checks::{HEAD_JOINTS, Written, choose, positive};
 use super::doubts::doubts;
 use super::explain::explain;
-use super::file::CaseFile;
+use super::file::{BlocksTable, CaseFile};
 use super::form::geometry;
 use super::mistakes::all_mistakes;
 use super::moves::motion;
 use super::references::reference;
+use super::values::Number;
 use crate::case::complaint::{Complaint, Document};
 use crate::case::geometry::Geometry;
 use crate::case::model::Case;
@@ -32,10 +35,24 @@ impl Case {
     /// # Errors
     /// As [`read`](Self::read); also the first mistake of the file beside it.
     pub fn read_with(path: &str, bytes: &[u8], read_file: ReadFile) -> Result<Case, Complaint> {
+        Self::read_closing(path, bytes, read_file, None)
+    }
+
+    /// [`read_with`](Self::read_with), with gaps between explicit blocks closed up to this width, as
+    /// `gap` in the file does.
+    ///
+    /// # Errors
+    /// As [`read_with`](Self::read_with).
+    pub(crate) fn read_closing(
+        path: &str,
+        bytes: &[u8],
+        read_file: ReadFile,
+        gap: Option<f64>,
+    ) -> Result<Case, Complaint> {
         let name = case_name(path)?;
         let document = Document::read(path, bytes)?;
         let read = |document: &Document| {
-            let read = case(document, name.clone(), read_file);
+            let read = case(document, name.clone(), read_file, gap);
             read.map_err(|complaint| complaint.in_document(document))
         };
         let mut case = read(&document)
@@ -47,9 +64,23 @@ impl Case {
 }
 
 /// Judges a file and makes the case of it. `read_file` reads a file beside it.
-fn case(document: &Document, name: String, read_file: ReadFile) -> Result<Case, Complaint> {
-    let file: CaseFile =
+fn case(
+    document: &Document,
+    name: String,
+    read_file: ReadFile,
+    gap: Option<f64>,
+) -> Result<Case, Complaint> {
+    let mut file: CaseFile =
         toml::from_str(&document.text).map_err(|error| explain(document, &error))?;
+    if let Some(gap) = gap {
+        if file.blocks.is_none() && file.block.is_empty() {
+            let title = "gaps are closed between explicit blocks, and this case has none";
+            return Err(Complaint::new(title).help("leave `--gap` out"));
+        }
+        let none = || Spanned::new(0..0, BlocksTable::default());
+        let table = file.blocks.get_or_insert_with(none);
+        table.get_mut().gap = Some(Spanned::new(0..0, Number(gap)));
+    }
     let mut warnings = doubts(&file);
     let geometry = geometry(document, &file, read_file, &mut warnings)?;
     let head_joints = head_joints(&file, &geometry)?;

@@ -146,7 +146,7 @@ pub(super) struct ArchTable {
 }
 
 /// What all explicit blocks share.
-#[derive(Debug, serde::Deserialize)]
+#[derive(Debug, Default, serde::Deserialize)]
 #[serde(deny_unknown_fields, expecting = "a `[blocks]` table")]
 pub(super) struct BlocksTable {
     pub csv: Option<Spanned<String>>,
@@ -155,6 +155,7 @@ pub(super) struct BlocksTable {
     pub specific_weight: Option<Spanned<Number>>,
     pub thickness: Option<Spanned<Number>>,
     pub tolerance: Option<Spanned<Number>>,
+    pub gap: Option<Spanned<Number>>,
     pub radial: Option<bool>,
 }
 

@@ -15,6 +15,7 @@ mod file;
 mod forces;
 mod form;
 mod friction;
+mod gaps;
 mod leaves;
 mod missing;
 mod mistakes;

@@ -82,3 +82,12 @@ pub fn holds(corners: &[Point], p: Point) -> bool {
     });
     crossed.count() % 2 == 1
 }
+
+/// How far a point is from an outline.
+pub fn to_outline(p: Point, corners: &[Point]) -> f64 {
+    let next = corners.iter().cycle().skip(1);
+    let edges = corners.iter().zip(next);
+    edges
+        .map(|(from, to)| to_segment(p, *from, *to))
+        .fold(f64::INFINITY, f64::min)
+}
