@@ -92,11 +92,21 @@ fn the_tall_wall_with_and_without_damping() {
 }
 
 /// Walls of paper-1's bond and of hundreds of blocks, so many units wide and courses high: both ends lie
-/// within the stated error of the lowest state that the limit analysis verifies.
+/// within the stated error of the lowest state that the limit analysis verifies. Above 30 courses that state
+/// lies within the bracket and its stated error, and no end is farther from it than 0.3 %.
 #[test]
 #[ignore = "minutes"]
 fn large_walls_are_within_their_stated_error() {
-    for (units, courses) in [(36, 20), (60, 30)] {
+    let paper_1 = ([4.0, 1.75], 0.65);
+    let paper_3 = ([3.0, 1.0], 0.75);
+    let walls = [
+        (36, 20, paper_1),
+        (60, 30, paper_1),
+        (24, 48, paper_1),
+        (20, 48, paper_3),
+        (30, 60, paper_3),
+    ];
+    for (units, courses, ([length, height], friction)) in walls {
         let even = [
             vec![Piece::Half],
             vec![Piece::Unit; units - 1],
@@ -105,12 +115,12 @@ fn large_walls_are_within_their_stated_error() {
         .concat();
         let rows = [even, vec![Piece::Unit; units]];
         let wall = Wall {
-            unit_length: 4.0,
-            unit_height: 1.75,
+            unit_length: length,
+            unit_height: height,
             thickness: 1.0,
             unit_weight: 1.0,
             courses: rows.iter().cycle().take(courses).cloned().collect(),
-            friction: 0.65.into(),
+            friction: friction.into(),
             overburden: 0.0,
             push: Push::Right,
             own: Own::default(),
@@ -132,10 +142,14 @@ fn large_walls_are_within_their_stated_error() {
         println!(
             "{units} × {courses}: {bracket:?}, stated {stated}, verified {exact}, error {error:.1e}"
         );
-        assert!(
-            error <= stated,
-            "{units} × {courses}: {bracket:?}, verified {exact}"
-        );
+        let covers =
+            bracket.lower * (1.0 - stated) <= exact && exact <= bracket.upper * (1.0 + stated);
+        let right = if courses > 30 {
+            covers && error <= 3e-3
+        } else {
+            error <= stated
+        };
+        assert!(right, "{units} × {courses}: {bracket:?}, verified {exact}");
         assert!(stated <= 2e-3, "{units} × {courses}: {stated}");
     }
 }

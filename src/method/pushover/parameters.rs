@@ -10,7 +10,7 @@ use super::model::Model;
 use super::tuned::Tuned;
 use crate::method::{Accuracy, Collapse, PushoverSettings};
 
-/// Courses above which a wall is tall: its friction takes more sweeps, and a bracket states a larger
+/// Courses above which a wall is tall: a bracket states a larger
 /// error.
 const TALL: f64 = 30.0;
 
@@ -132,11 +132,10 @@ parameters! { of:
     contact_frequency: f64 = 0.25 / of.substep(), "contact frequency", FREQUENCY;
     /// Damping ratio of the contacts.
     damping_ratio: f64 = 10.0, "contact damping ratio", "";
-    /// Relaxation sweeps a substep; friction is solved in these only. With a single one the friction of
-    /// a tall wall is not solved to the end: the wall rattles, its courses creep along every bed, and
-    /// what creeps is taken for collapse. 48 courses of 20 units gave 0.526 for 0.5414 with one sweep,
-    /// 0.540 with two or three; three need fewer levels, so that paper-3 costs no more time than with one.
-    stabilization: usize = if of.courses > TALL { 3 } else { 1 }, "relaxation sweeps", "a substep";
+    /// Relaxation sweeps a substep; friction is solved in these only. Where a single one does not solve the
+    /// friction of a tall wall to the end, its courses creep along every bed, and what creeps is taken for
+    /// collapse; masses that grow with the depth below the top see to that.
+    stabilization: usize = 1, "relaxation sweeps", "a substep";
     /// Sweeps a substep that also push bodies apart.
     solver_sweeps: usize = 1, "solver sweeps", "a substep";
     /// Part of the last substep's impulses that a substep begins with.
@@ -170,8 +169,8 @@ parameters! { of:
     /// a wall that sways from ever settling.
     damp_below: f64 = if of.sways { 0.5 } else { 1.0 }, "kinetic damping below", "of its peak";
     /// Factor of the extrapolation of slow drift: what speeds gain or lose over a window, they gain
-    /// or lose this many times more. None where it is 0.
-    extrapolation: f64 = 16.0, "drift extrapolation", "";
+    /// or lose this many times more. None where it is 0. A wall that sways is thrown over by more.
+    extrapolation: f64 = if of.sways { 4.0 } else { 16.0 }, "drift extrapolation", "";
     /// Acceleration below which a motion is slow, as a part of what the push would give all blocks.
     slow_motion: f64 = if of.sways { 0.04 } else { 0.02 }, "slow motion", "λ* g";
     /// Speed below which the settled scene is at rest under its own weight.

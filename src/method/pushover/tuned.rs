@@ -6,6 +6,8 @@ tuned! {
     Tuned:
     /// Range of a block's mass, in mean masses.
     masses: [f64; 2] = [0.05, 20.0];
+    /// Power of the depth below the top with which masses grow in a scene that sways.
+    depth_power: f64 = 2.0;
     /// Weight over mass by area below which a block is light, in the unit of g.
     light: f64 = 0.2;
     /// Diameter below which a block is small, in course heights.
@@ -27,7 +29,7 @@ tuned! {
     /// Levels that may end with a load that neither rests nor collapses in time.
     doubts: usize = 3;
     /// Blocks times substeps after which no further level is begun.
-    budget: usize = 250_000_000;
+    budget: usize = 400_000_000;
     /// Part of the error asked for within which two levels agree at once.
     close: f64 = 0.25;
     /// Part of a difference between levels that the next one may be, where they shrink.
