@@ -135,9 +135,14 @@ fn doubt(meetings: &[Meeting], name: &dyn Fn(usize) -> String) -> Option<Complai
         )
     };
     let title = format!(
-        "four stones meet nearly in one point at {} places, and their corners are too far off to say which of \
-         them touch",
-        meetings.len()
+        "four stones meet nearly in one point at {} {}, and their corners are too far off to say which of them \
+         touch",
+        meetings.len(),
+        if meetings.len() == 1 {
+            "place"
+        } else {
+            "places"
+        }
     );
     let help = format!(
         "λ may depend on a joint of up to {longest:.1e} there; draw the corners nearer to each other where it \
