@@ -10,6 +10,9 @@ mod crack;
 mod friction_excess;
 mod mechanism;
 mod motion_words;
+mod openings;
+mod part_words;
+mod places;
 mod recomputed;
 mod residual;
 mod rigid_parts;
@@ -22,7 +25,7 @@ pub use crack::Crack;
 pub(crate) use crack::{VELOCITY_THRESHOLDS, crack_slope, crack_slope_by_gap};
 pub use friction_excess::friction_excess;
 pub use mechanism::{JointRate, Mechanism, Motion};
-pub(crate) use motion_words::Moved;
+pub(crate) use motion_words::{Moved, MovingPart};
 pub use recomputed::{Recomputed, largest, residual_words};
 pub use residual::{
     CollapseResidual, StaticResidual, dead_power, falling_violation, kinematic_multiplier,

@@ -112,14 +112,15 @@ impl<'a> DrawnMechanism<'a> {
 }
 
 fn of_parts(moved: &Moved, tints: &[Option<usize>]) -> Vec<Group> {
-    let groups = moved.parts().iter().zip(tints).map(|(part, tint)| Group {
+    let parts = moved.parts().iter().enumerate().zip(tints);
+    let groups = parts.map(|((index, part), tint)| Group {
         fill: match tint {
             None => STILL,
             Some(0) => LARGEST,
             Some(other) => PARTS[other - 1],
         },
         blocks: part.blocks.clone(),
-        words: moved.in_figures(part),
+        words: moved.in_figures(index),
     });
     groups.collect()
 }

@@ -6,6 +6,7 @@ use serde_json::json;
 use super::terms::{Terms, terms};
 use crate::answer::{Bracket, is_same_multiplier};
 use crate::judge::{Basis, Conclusion, governing};
+use crate::mechanics::MovingPart;
 use crate::number::{above, below, number, short};
 use crate::run::{CaseResult, Value};
 use crate::scene::{HeadJoints, JointClass, Reaction, Sense};
@@ -218,11 +219,24 @@ impl<'a> Governing<'a> {
         })
     }
 
+    /// What moves, and of several parts what the largest does: the answer describes more of them.
     fn moves(&self) -> Option<String> {
-        let words = self.terms.as_ref()?.mechanism.as_ref()?;
-        // The answer describes the parts one by one.
-        let (words, _) = words.split_once(':').unwrap_or((words, ""));
-        Some(format!("Then {words}."))
+        let terms = self.terms.as_ref()?;
+        let (words, _) = terms.mechanism.as_ref()?.split_once(':').unzip();
+        let Some(words) = words else {
+            return Some(format!("Then {}.", terms.mechanism.as_ref()?));
+        };
+        let MovingPart {
+            blocks,
+            words: does,
+            ..
+        } = terms.moving.first()?;
+        let of_them = if blocks.len() == 1 {
+            "one"
+        } else {
+            &format!("{} of them", blocks.len())
+        };
+        Some(format!("Then {words}; {of_them} {does}."))
     }
 }
 
