@@ -2,12 +2,12 @@
 
 use std::cmp::Reverse;
 
-use super::mechanism::{JointRate, Mechanism};
+use super::mechanism::JointRate;
+use super::moved::{Moved, STILL};
 use super::part_words::RigidMotion;
 use super::places::Places;
 use super::residual::live_power;
-use super::rigid_parts::{RigidPart, parts};
-use crate::scene::{JointClass, Point, Scene, Side};
+use crate::scene::{JointClass, Point, Side};
 
 /// Blocks and joints that are named.
 const NAMED: usize = 3;
@@ -16,10 +16,7 @@ const NAMED: usize = 3;
 const DESCRIBED: usize = 3;
 const HINGES: usize = 8;
 
-/// Part of the fastest corner's velocity below which a joint neither opens nor slips.
-pub(super) const STILL: f64 = 0.02;
-
-/// Part of the same below which the live load, or the support that it acts on, does not move: rates
+/// Part of the fastest corner's velocity below which the live load, or the support that it acts on, does not move: rates
 /// over its motion would be noise.
 const CARRIED: f64 = 1e-6;
 
@@ -34,40 +31,7 @@ pub struct MovingPart {
     pub words: String,
 }
 
-/// A scene and how it moves.
-pub struct Moved<'a> {
-    pub(super) scene: &'a Scene,
-    /// How it moves.
-    pub mechanism: &'a Mechanism,
-    /// Velocity of the fastest corner.
-    pub fastest: f64,
-    pub(super) parts: Vec<RigidPart>,
-    /// The part of every block.
-    pub(super) part_of: Vec<usize>,
-}
-
-impl<'a> Moved<'a> {
-    /// Relative motion below `threshold` of the fastest is none.
-    pub fn new(scene: &'a Scene, mechanism: &'a Mechanism, threshold: f64) -> Self {
-        let parts = parts(scene, mechanism, threshold);
-        let mut part_of = vec![0; scene.blocks().len()];
-        for (index, part) in parts.iter().enumerate() {
-            part.blocks.iter().for_each(|&block| part_of[block] = index);
-        }
-        Self {
-            fastest: mechanism.fastest(scene),
-            scene,
-            mechanism,
-            parts,
-            part_of,
-        }
-    }
-
-    /// Every block in exactly one part, largest area first.
-    pub fn parts(&self) -> &[RigidPart] {
-        &self.parts
-    }
-
+impl Moved<'_> {
     /// The blocks that move fastest.
     pub fn first_blocks(&self) -> Vec<String> {
         let speeds = self.mechanism.speeds(self.scene).into_iter().enumerate();
@@ -209,14 +173,6 @@ impl<'a> Moved<'a> {
     fn moving(&self) -> Vec<usize> {
         (0..self.parts.len())
             .filter(|&part| self.parts[part].moves && !self.blocks(part).is_empty())
-            .collect()
-    }
-
-    /// The blocks of a part; a support that moves is none.
-    fn blocks(&self, part: usize) -> Vec<usize> {
-        let blocks = self.parts[part].blocks.iter().copied();
-        blocks
-            .filter(|&block| !self.scene.is_moving_support(block))
             .collect()
     }
 

@@ -1,7 +1,7 @@
 //! What one part of a mechanism does, in words, and on what.
 
 use super::mechanism::Motion;
-use super::motion_words::{Moved, STILL};
+use super::moved::{Moved, STILL};
 use crate::number::short;
 use crate::scene::{Joint, JointClass, Point, Push, Side, Vector};
 

@@ -3,11 +3,14 @@
 use super::state::JointForce;
 use crate::scene::{Joint, JointClass, Point, Scene, Side, Vector};
 
-/// A force and where its line crosses a level.
+/// A force and where its line crosses a stretch of bed joints without a gap: the width of a wall, or a
+/// pier beside an opening.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CourseResultant {
     /// Height of the bed joints.
     pub level: f64,
+    /// From where to where they reach.
+    pub ends: [f64; 2],
     /// Force on what is above, from what is below.
     pub force: Vector,
     /// Where it acts; `None` where nothing presses.
@@ -20,7 +23,7 @@ pub struct Thrust {
     /// Lines of thrust: each through the centres of pressure of joints, one block after the other, as
     /// far as every block has two neighbours that press on it.
     pub lines: Vec<Vec<Point>>,
-    /// Resultants on the level bed joints, from the lowest.
+    /// Resultants on the stretches of level bed joints, from the lowest, of each level from the left.
     pub courses: Vec<CourseResultant>,
 }
 
@@ -29,6 +32,9 @@ const NOTHING: f64 = 1e-9;
 
 /// Levels nearer than this part of the height are one.
 const SAME_LEVEL: f64 = 1e-6;
+
+/// Part of the height below which a gap between bed joints parts no piers: a joint that was left open.
+const GAP: f64 = 0.01;
 
 /// The part of a line's blocks that lie on one: shorter ones say nothing.
 const SHORTEST: usize = 3;
@@ -120,7 +126,8 @@ fn lines(scene: &Scene, forces: &[JointForce]) -> Vec<Vec<Point>> {
     lines
 }
 
-/// Resultants on joints that are level, of blocks on supports or on each other.
+/// Resultants on joints that are level, of blocks on supports or on each other, for each stretch of them
+/// without a gap.
 fn courses(scene: &Scene, forces: &[JointForce]) -> Vec<CourseResultant> {
     let near = SAME_LEVEL * scene.height();
     let mut level: Vec<(f64, usize)> = Vec::new();
@@ -132,8 +139,28 @@ fn courses(scene: &Scene, forces: &[JointForce]) -> Vec<CourseResultant> {
         }
     }
     level.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-    let of_course = level.chunk_by(|a, b| b.0 - a.0 <= near);
-    let resultant = |of: &[(f64, usize)]| {
+    let ends = |index: usize| {
+        let [one, other] = scene.joints()[index].ends.map(|end| end.x);
+        [one.min(other), one.max(other)]
+    };
+    let mut stretches: Vec<([f64; 2], Vec<(f64, usize)>)> = Vec::new();
+    for of_level in level.chunk_by(|a, b| b.0 - a.0 <= near) {
+        let height = of_level[0].0;
+        let at = |&(_, index): &(f64, usize)| (ends(index), (height, index));
+        let mut of_level: Vec<_> = of_level.iter().map(at).collect();
+        of_level.sort_by(|a, b| a.0[0].total_cmp(&b.0[0]));
+        let first = stretches.len();
+        for ([low, high], of) in of_level {
+            match stretches[first..].last_mut() {
+                Some((reach, joints)) if low - reach[1] <= GAP * scene.height() => {
+                    reach[1] = reach[1].max(high);
+                    joints.push(of);
+                }
+                _ => stretches.push(([low, high], vec![of])),
+            }
+        }
+    }
+    let resultant = |(ends, of): &([f64; 2], Vec<(f64, usize)>)| {
         let (mut force, mut normal, mut turned) = (Vector::zeros(), 0.0, 0.0);
         for &(_, index) in of {
             let (joint, own) = (&scene.joints()[index], &forces[index]);
@@ -145,9 +172,10 @@ fn courses(scene: &Scene, forces: &[JointForce]) -> Vec<CourseResultant> {
         }
         CourseResultant {
             level: of[0].0,
+            ends: *ends,
             force,
             x: (normal > 0.0).then(|| turned / normal),
         }
     };
-    of_course.map(resultant).collect()
+    stretches.iter().map(resultant).collect()
 }

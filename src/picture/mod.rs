@@ -32,7 +32,6 @@ mod print;
 mod ranges;
 mod replay;
 mod svg;
-mod tints;
 mod view;
 mod wall;
 mod words;

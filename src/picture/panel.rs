@@ -3,7 +3,7 @@
 use super::crack::{self, DIMENSIONS, PUSH};
 use super::forces;
 use super::frame::Frame;
-use super::key::Held;
+use super::key::{Held, units_of_length};
 use super::mechanism::{self, DrawnMechanism};
 use super::palette::FAINT;
 use super::svg::{Anchor, Pixel, Svg, style};
@@ -79,7 +79,7 @@ impl<'a> Panel<'a> {
     }
 
     /// Draws the picture into the box from `corner` to `corner + size`, its base on the lower edge.
-    pub fn draw(&self, svg: &mut Svg, corner: Pixel, size: [f64; 2], scale: f64) {
+    pub fn draw(&self, svg: &mut Svg, corner: Pixel, size: [f64; 2], scale: f64, labels: bool) {
         let (scene, outcome) = (self.view.scene, &self.view.row.outcome);
         let (low, high) = self.bounds;
         let [left, right] = match scene.push() {
@@ -102,6 +102,9 @@ impl<'a> Panel<'a> {
         mechanism::blocks(svg, &frame, scene, &self.drawn);
         wall::frictions(svg, scene, &frame);
         mechanism::marks(svg, &frame, scene, &self.drawn);
+        if labels {
+            mechanism::names(svg, &frame, scene, &self.drawn);
+        }
         let above = frame.at(high)[1] - 12.0;
         match self.contents {
             Contents::Forces => {
@@ -193,10 +196,10 @@ impl<'a> Panel<'a> {
         let (scene, drawn) = (self.view.scene, &self.drawn);
         let fastest = drawn.mechanism?.fastest(scene);
         let factor = drawn.displacement.factor;
-        let largest = short(factor * fastest, 3);
+        let largest = units_of_length(factor * fastest, 3);
         Some(match self.view.row.outcome.evidence {
             Evidence::Observed(_) => format!(
-                "displacements × {}, the largest drawn as {largest} units of length",
+                "displacements × {}, the largest drawn as {largest}",
                 significant(factor)
             ),
             Evidence::Nothing
@@ -209,7 +212,7 @@ impl<'a> Panel<'a> {
             | Evidence::Bounded { .. }
             | Evidence::Falls { .. }
             | Evidence::Stands { .. } => {
-                format!("velocities, the largest drawn as {largest} units of length")
+                format!("velocities, the largest drawn as {largest}")
             }
         })
     }

@@ -39,8 +39,8 @@ pub fn csv(results: &[CaseResult]) -> String {
 /// the supports carry along x, in the direction of the push, and `base_shear_from_push` the part of it
 /// that is λ times the live load, in the `unit_of_force` where the case says no weight; `first_blocks` and `first_joints` move fastest in the `mechanism`, of which `moving` has every
 /// part: its `blocks`, what it does in `words`, and the `centre` that it turns about. `thrust` has the lines of
-/// thrust of a row's forces, and the resultant on each level of bed joints: the force on what is above,
-/// and where it acts.
+/// thrust of a row's forces, and the resultant on each stretch of level bed joints without a gap, as under
+/// a pier: its ends, the force on what is above, and where it acts.
 /// Where a support moves, `lower` and `upper` are of its reaction, and `reaction` has the one that it
 /// starts with: λ in `sides` is the change from there, a fall where it `moves` away.
 /// Where results are partial, a last object says so in `partial`, and its columns are `null`.
@@ -141,6 +141,7 @@ fn way_of(thrust: &Thrust) -> Json {
     let courses = thrust.courses.iter().map(|of| {
         json!({
             "level": digits(of.level),
+            "ends": of.ends.map(digits),
             "force": pair(of.force.x, of.force.y),
             "x": of.x.map(digits),
         })

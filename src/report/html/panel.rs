@@ -112,11 +112,11 @@ const WIDTH: f64 = 400.0;
 /// compared.
 fn drawings(result: &CaseResult, rows: &[&Row], (scale, height): (f64, f64)) -> Markup {
     let options = Options {
-        forces: false,
         framed: false,
         width: WIDTH,
         scale: Some(scale),
         height,
+        ..Options::for_pictures(3)
     };
     let svg = |row: &Row| figure(&result.case.name, &[view(result, row)], &options);
     html! {
