@@ -52,22 +52,26 @@ impl<'a> Governing<'a> {
     /// The whole in a few sentences: what to use and under which conditions, why that may be believed, what
     /// it means for the wall, and what moves.
     pub fn text(&self) -> String {
+        let (first, others) = self.sentences();
+        format!("{first} {}", others.join(" "))
+    }
+
+    /// The first sentence of it, and the others.
+    pub fn sentences(&self) -> (String, Vec<String>) {
         let about = self.conditions();
         let about = match about.is_empty() {
             true => String::new(),
             false => format!(" ({about})"),
         };
-        let first = format!("{}{about}.", self.lead());
-        let all = [
-            Some(first),
+        let others = [
             Some(self.why()),
             self.may_be_weaker(),
             self.against_demand(),
             self.in_use(),
             self.moves(),
         ];
-        let all: Vec<String> = all.into_iter().flatten().collect();
-        all.join(" ")
+        let first = format!("{}{about}.", self.lead());
+        (first, others.into_iter().flatten().collect())
     }
 
     /// What to use, in one clause without its conditions: `Use λ = 0.36542`.
