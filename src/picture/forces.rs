@@ -69,17 +69,19 @@ pub fn forces(svg: &mut Svg, frame: &Frame, scene: &Scene, forces: &[JointForce]
     svg.path(&heads, style().class("heads").fill(FORCE), "");
 }
 
-/// Lines of thrust through chains of blocks, and where there are none, through the piers.
+/// Lines of thrust through chains of blocks; through the piers of coursed walls, and where there are no chains.
 pub fn lines_of_thrust(svg: &mut Svg, frame: &Frame, scene: &Scene, forces: &[JointForce]) {
     let thrust = thrust(scene, forces);
     let mut path = Path::default();
-    for line in &thrust.lines {
-        let line: Vec<_> = line.iter().map(|&point| frame.at(point)).collect();
-        path.add(&line, false);
-    }
-    if thrust.lines.is_empty() {
+    // In a coursed wall a chain is but a lintel and what it bears on.
+    if scene.wall().is_some() || thrust.lines.is_empty() {
         for (below, above) in piers(&thrust.courses) {
             path.add(&[frame.at(below), frame.at(above)], false);
+        }
+    } else {
+        for line in &thrust.lines {
+            let line: Vec<_> = line.iter().map(|&point| frame.at(point)).collect();
+            path.add(&line, false);
         }
     }
     let line = style().class("thrust").line(THRUST, 1.2).round_ends();

@@ -41,7 +41,7 @@ pub(crate) use cells::{Cells, Field, PictureCell, cells};
 pub(crate) use figure::common_size;
 pub(crate) use legend::Sample;
 pub(crate) use marks::Filling;
-pub(crate) use plot::{Line, Plot, PlotAxis, PlotPoint, Ticks};
+pub(crate) use plot::{Line, Plot, PlotAxis, PlotPoint, Ticks, share_axes};
 pub(crate) use plotted::{dashed_line, plots, solid_line};
 pub(crate) use ranges::{KNOWN, RangeMark, Ranges, ranges};
 pub(crate) use replay::replay;

@@ -13,7 +13,7 @@ use super::words::fitting;
 use crate::answer::Evidence;
 use crate::number::{number, short};
 use crate::run::column;
-use crate::scene::{HeadJoints, Point, Push, Vector};
+use crate::scene::{HeadJoints, JointClass, Point, Push, Vector};
 
 /// Pixels for the heading above a picture.
 pub const HEADING: f64 = 26.0;
@@ -138,7 +138,11 @@ impl<'a> Panel<'a> {
             Contents::Mechanism => row.method.clone(),
             Contents::Forces => format!("{}, contact forces", row.method),
         };
-        svg.heading([x, heading], &what, &joints(self.view));
+        let of = match self.contents {
+            Contents::Mechanism => joints(self.view),
+            Contents::Forces => String::new(),
+        };
+        svg.heading([x, heading], &what, &of);
         for (index, line) in caption.iter().enumerate() {
             let style = match index {
                 0 => style().font_size(FIRST),
@@ -287,18 +291,26 @@ fn significant(factor: f64) -> String {
     short(factor, decimals as usize)
 }
 
-/// The head joints in words; empty for an arch, whose joints are neither bed joints nor perpends.
+/// The head joints, and where the wall is pushed; an arch has neither bed joints nor perpends, and a support
+/// that moves is no push.
 fn joints(view: &View) -> String {
     let head_joints = view.row.head_joints;
     let open = view.scene.left_out();
-    if head_joints == HeadJoints::Contact && open > 0 {
-        format!(
-            "head joints {}, {open} of them open",
-            head_joints.in_words()
-        )
-    } else if view.scene.coursing().is_some() || head_joints == HeadJoints::Open {
-        format!("head joints {}", head_joints.in_words())
+    let mut all = view.scene.joints().iter();
+    let has_heads = all.any(|joint| joint.class == JointClass::Head);
+    let joints = if head_joints == HeadJoints::Contact && open > 0 {
+        let joints = head_joints.in_words();
+        Some(format!("head joints {joints}, {open} of them open"))
+    } else if head_joints == HeadJoints::Open || has_heads {
+        Some(format!("head joints {}", head_joints.in_words()))
     } else {
-        String::new()
-    }
+        None
+    };
+    let pushed = view.scene.reaction().is_none();
+    let push = pushed.then(|| format!("pushed to the {}", view.scene.push().name()));
+    joints
+        .into_iter()
+        .chain(push)
+        .collect::<Vec<_>>()
+        .join(", ")
 }

@@ -26,7 +26,7 @@ pub fn manual(results: &[CaseResult], settings: &Settings, partial: Option<&Part
         section.case id="reading" { h2 { "How to read it" } (prose::reading()) }
         section id="made-with" { h2 { "Made with" } (prose::made_with(settings)) }
     };
-    cases(results, ("Verification manual", lead), after, partial)
+    cases(results, ("Verification manual", lead), Some(after), partial)
 }
 
 /// A page for each of these cases and nothing else, as for a file on one's own wall.
@@ -36,7 +36,7 @@ pub fn pages(results: &[CaseResult], partial: Option<&Partial>) -> String {
     cases(
         results,
         ("Collapse of dry-joint masonry", lead),
-        html! {},
+        None,
         partial,
     )
 }
@@ -44,7 +44,7 @@ pub fn pages(results: &[CaseResult], partial: Option<&Partial>) -> String {
 fn cases(
     results: &[CaseResult],
     (heading, lead): (&str, String),
-    after: Markup,
+    after: Option<Markup>,
     partial: Option<&Partial>,
 ) -> String {
     let links = results.iter().map(|result| {
@@ -65,13 +65,14 @@ fn cases(
         links,
         body: html! {
             @if let Some(partial) = partial { p.headline.bad { (partial) } }
-            @for result in results { (case(result)) }
-            (after)
+            @for result in results { (case(result, after.is_some())) }
+            @if let Some(after) = &after { (after) }
         },
     })
 }
 
-fn case(result: &CaseResult) -> Markup {
+/// A case; its methods' `notes` fill more than a sheet.
+fn case(result: &CaseResult, notes: bool) -> Markup {
     let name = &result.case.name;
     html! {
         section.case id={"case-" (name)} {
@@ -81,7 +82,7 @@ fn case(result: &CaseResult) -> Markup {
                 @if let Some(svg) = range_figure(result) { figure.drawing { (PreEscaped(svg)) } }
             }
             @if !result.case.references.is_empty() { (references(result)) }
-            (answers(result))
+            (answers(result, notes))
             (witnesses(name))
             @for conclusion in &result.conclusions {
                 p.answer { b { (conclusion.head_joints.name()) " head joints: " } (conclusion) }
@@ -122,7 +123,7 @@ fn references(result: &CaseResult) -> Markup {
     plain("Known from elsewhere", &columns, &references)
 }
 
-fn answers(result: &CaseResult) -> Markup {
+fn answers(result: &CaseResult, notes: bool) -> Markup {
     let columns = [
         "method",
         "head_joints",
@@ -135,8 +136,9 @@ fn answers(result: &CaseResult) -> Markup {
         "verdict",
         "note",
     ];
-    let rows = result.rows.iter().map(|row| cells(row, &columns));
-    plain("Answers", &titles(&columns), &rows.collect::<Vec<_>>())
+    let columns = &columns[..columns.len() - usize::from(!notes)];
+    let rows = result.rows.iter().map(|row| cells(row, columns));
+    plain("Answers", &titles(columns), &rows.collect::<Vec<_>>())
 }
 
 /// How many checks hold, and those that do not simply.

@@ -186,7 +186,7 @@ fn replay(result: &CaseResult, row: &Row) -> Markup {
         None => ("λ =", lambda),
     };
     html! {
-        h3 id=(id) { "The collapse, replayed" }
+        h3.replay-title id=(id) { "The collapse, replayed" }
         figure.replay aria-labelledby=(id) {
             (PreEscaped(replay.svg))
             div.controls {
