@@ -69,13 +69,15 @@ pub fn forces(svg: &mut Svg, frame: &Frame, scene: &Scene, forces: &[JointForce]
     svg.path(&heads, style().class("heads").fill(FORCE), "");
 }
 
-/// Lines of thrust through chains of blocks; through the piers of coursed walls, and where there are no chains.
+/// Lines of thrust through chains of blocks, or through piers: what there is more of.
 pub fn lines_of_thrust(svg: &mut Svg, frame: &Frame, scene: &Scene, forces: &[JointForce]) {
     let thrust = thrust(scene, forces);
     let mut path = Path::default();
+    let piers = piers(&thrust.courses);
+    let links = thrust.lines.iter().map(|line| line.len() - 1);
     // In a coursed wall a chain is but a lintel and what it bears on.
-    if scene.wall().is_some() || thrust.lines.is_empty() {
-        for (below, above) in piers(&thrust.courses) {
+    if piers.len() > links.sum() {
+        for (below, above) in piers {
             path.add(&[frame.at(below), frame.at(above)], false);
         }
     } else {

@@ -71,7 +71,7 @@ fn cases(
     })
 }
 
-/// A case; its methods' `notes` fill more than a sheet.
+/// A case; the `notes` and residuals of all methods fill more than a sheet.
 fn case(result: &CaseResult, notes: bool) -> Markup {
     let name = &result.case.name;
     html! {
@@ -88,7 +88,7 @@ fn case(result: &CaseResult, notes: bool) -> Markup {
                 p.answer { b { (conclusion.head_joints.name()) " head joints: " } (conclusion) }
             }
             (open_checks(result))
-            (in_short(result))
+            (in_short(result, notes))
         }
     }
 }
