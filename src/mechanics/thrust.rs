@@ -126,6 +126,13 @@ fn lines(scene: &Scene, forces: &[JointForce]) -> Vec<Vec<Point>> {
     lines
 }
 
+/// Level joints without a gap between them.
+struct Stretch {
+    level: f64,
+    ends: [f64; 2],
+    joints: Vec<usize>,
+}
+
 /// Resultants on joints that are level, of blocks on supports or on each other, for each stretch of them
 /// without a gap.
 fn courses(scene: &Scene, forces: &[JointForce]) -> Vec<CourseResultant> {
@@ -143,26 +150,30 @@ fn courses(scene: &Scene, forces: &[JointForce]) -> Vec<CourseResultant> {
         let [one, other] = scene.joints()[index].ends.map(|end| end.x);
         [one.min(other), one.max(other)]
     };
-    let mut stretches: Vec<([f64; 2], Vec<(f64, usize)>)> = Vec::new();
+    let mut stretches: Vec<Stretch> = Vec::new();
     for of_level in level.chunk_by(|a, b| b.0 - a.0 <= near) {
-        let height = of_level[0].0;
-        let at = |&(_, index): &(f64, usize)| (ends(index), (height, index));
-        let mut of_level: Vec<_> = of_level.iter().map(at).collect();
-        of_level.sort_by(|a, b| a.0[0].total_cmp(&b.0[0]));
+        let level = of_level[0].0;
+        let joints = of_level.iter().map(|&(_, index)| (ends(index), index));
+        let mut joints: Vec<_> = joints.collect();
+        joints.sort_by(|a, b| a.0[0].total_cmp(&b.0[0]));
         let first = stretches.len();
-        for ([low, high], of) in of_level {
+        for (ends, joint) in joints {
             match stretches[first..].last_mut() {
-                Some((reach, joints)) if low - reach[1] <= GAP * scene.height() => {
-                    reach[1] = reach[1].max(high);
-                    joints.push(of);
+                Some(last) if ends[0] - last.ends[1] <= GAP * scene.height() => {
+                    last.ends[1] = last.ends[1].max(ends[1]);
+                    last.joints.push(joint);
                 }
-                _ => stretches.push(([low, high], vec![of])),
+                _ => stretches.push(Stretch {
+                    level,
+                    ends,
+                    joints: vec![joint],
+                }),
             }
         }
     }
-    let resultant = |(ends, of): &([f64; 2], Vec<(f64, usize)>)| {
+    let resultant = |of: Stretch| {
         let (mut force, mut normal, mut turned) = (Vector::zeros(), 0.0, 0.0);
-        for &(_, index) in of {
+        for index in of.joints {
             let (joint, own) = (&scene.joints()[index], &forces[index]);
             // The joint's force acts on the block that its normal points into; turn it on what is above.
             let up = joint.normal.y.signum();
@@ -171,11 +182,11 @@ fn courses(scene: &Scene, forces: &[JointForce]) -> Vec<CourseResultant> {
             turned += moment(joint, own).x;
         }
         CourseResultant {
-            level: of[0].0,
-            ends: *ends,
+            level: of.level,
+            ends: of.ends,
             force,
             x: (normal > 0.0).then(|| turned / normal),
         }
     };
-    stretches.iter().map(resultant).collect()
+    stretches.into_iter().map(resultant).collect()
 }
