@@ -41,8 +41,8 @@ pub(crate) use cells::{Cells, Field, PictureCell, cells};
 pub(crate) use figure::common_size;
 pub(crate) use legend::Sample;
 pub(crate) use marks::Filling;
-pub(crate) use plot::{Line, Plot, PlotAxis, PlotPoint, Ticks, share_axes};
-pub(crate) use plotted::{dashed_line, plots, solid_line};
+pub(crate) use plot::{Line, Plot, PlotAxis, PlotPoint, Ticks};
+pub(crate) use plotted::{dashed_line, plots, share_axes, solid_line};
 pub(crate) use ranges::{KNOWN, RangeMark, Ranges, ranges};
 pub(crate) use replay::replay;
 

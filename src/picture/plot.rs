@@ -1,6 +1,5 @@
 //! What a plot holds: points, lines and bands with their colours, in the units of their axes.
 
-use super::axes::scale;
 use super::marks::Filling;
 use crate::method::Look;
 
@@ -59,26 +58,6 @@ pub struct PlotPoint {
     pub name: Option<String>,
     /// What a pointer over it shows; may be empty.
     pub tooltip: String,
-}
-
-/// Gives plots that have the same label along an axis the same axis.
-pub fn share_axes(plots: &mut [Plot]) {
-    for axis in [0, 1] {
-        let label = |plot: &Plot| [&plot.x, &plot.y][axis].label.clone();
-        let is_alike = plots
-            .windows(2)
-            .all(|pair| label(&pair[0]) == label(&pair[1]));
-        let fits = |plot: &Plot| matches!([&plot.x, &plot.y][axis].ticks, Ticks::Fitting);
-        if !is_alike || !plots.iter().all(fits) {
-            continue;
-        }
-        let values = plots.iter().flat_map(|plot| plot.values(axis));
-        let (ends, ticks) = scale(&Ticks::Fitting, values);
-        for plot in plots.iter_mut() {
-            let own = if axis == 0 { &mut plot.x } else { &mut plot.y };
-            own.ticks = Ticks::Words(ends, ticks.clone());
-        }
-    }
 }
 
 impl Plot {

@@ -5,7 +5,7 @@ use super::legend::{self, Sample};
 use super::marks::{Filling, mark};
 use super::names::{self, HEIGHT, Rectangle, SIZE as NAME, spread};
 use super::palette::LEADER;
-use super::plot::{Line, Plot, PlotPoint};
+use super::plot::{Line, Plot, PlotPoint, Ticks};
 use super::svg::{Anchor, Path, Pixel, Style, Svg, style};
 use super::words::{text_width, written};
 use crate::method::{Look, Mark};
@@ -46,6 +46,26 @@ pub fn plots(title: &str, plots: &[Plot], entries: &[(Sample, &str)]) -> String 
     let first = plots.first().map_or("", |plot| plot.title.as_str());
     let name = if title.is_empty() { first } else { title };
     svg.document([SIZE[0], y], name)
+}
+
+/// Gives plots that have the same label along an axis the same axis.
+pub fn share_axes(plots: &mut [Plot]) {
+    for axis in [0, 1] {
+        let label = |plot: &Plot| [&plot.x, &plot.y][axis].label.clone();
+        let is_alike = plots
+            .windows(2)
+            .all(|pair| label(&pair[0]) == label(&pair[1]));
+        let fits = |plot: &Plot| matches!([&plot.x, &plot.y][axis].ticks, Ticks::Fitting);
+        if !is_alike || !plots.iter().all(fits) {
+            continue;
+        }
+        let values = plots.iter().flat_map(|plot| plot.values(axis));
+        let (ends, ticks) = scale(&Ticks::Fitting, values);
+        for plot in plots.iter_mut() {
+            let own = if axis == 0 { &mut plot.x } else { &mut plot.y };
+            own.ticks = Ticks::Words(ends, ticks.clone());
+        }
+    }
 }
 
 /// One plot below a height; the pixels that it takes downwards.
@@ -90,31 +110,7 @@ fn panel(svg: &mut Svg, plot: &Plot, y: f64) -> f64 {
         let fill = style().class("range").fill(colour).fill_opacity(0.22);
         svg.path(&Path::through(&outline, true), fill, "");
     }
-    for (index, line) in plot.lines.iter().enumerate() {
-        let points: Vec<Pixel> = line.points.iter().map(|&point| area.at(point)).collect();
-        let before = plot.lines[..index].iter();
-        let below =
-            before.filter(|other| other.dashed == line.dashed && coincide(line, other, &area));
-        let style = match (line.dashed, below.count()) {
-            (true, _) => dashed_line(line.colour),
-            (false, 0) => solid_line(line.colour),
-            // What lies below is seen between the dashes.
-            (false, 1) => solid_line(line.colour).dashes("8 8"),
-            (false, _) => solid_line(line.colour).dashes("3 13"),
-        };
-        svg.path(&Path::through(&points, false), style.class("curve"), "");
-        if let [point] = points[..] {
-            mark(
-                svg,
-                point,
-                Look {
-                    colour: line.colour,
-                    mark: Mark::Circle,
-                },
-                Filling::Full,
-            );
-        }
-    }
+    lines(svg, &plot.lines, &area);
     missing(svg, &plot.missing, &area);
     line_names(svg, &plot.lines, &area);
     let named = named(plot, &area);
@@ -138,6 +134,35 @@ pub fn solid_line(colour: &str) -> Style {
 
 pub fn dashed_line(colour: &str) -> Style {
     style().line(colour, 1.1).dashes("6 4")
+}
+
+/// Lines as curves, those of one point as discs.
+fn lines(svg: &mut Svg, lines: &[Line], area: &Area) {
+    for (index, line) in lines.iter().enumerate() {
+        let points: Vec<Pixel> = line.points.iter().map(|&point| area.at(point)).collect();
+        let before = lines[..index].iter();
+        let below =
+            before.filter(|other| other.dashed == line.dashed && coincide(line, other, area));
+        let style = match (line.dashed, below.count()) {
+            (true, _) => dashed_line(line.colour),
+            (false, 0) => solid_line(line.colour),
+            // What lies below is seen between the dashes.
+            (false, 1) => solid_line(line.colour).dashes("8 8"),
+            (false, _) => solid_line(line.colour).dashes("3 13"),
+        };
+        svg.path(&Path::through(&points, false), style.class("curve"), "");
+        if let [point] = points[..] {
+            mark(
+                svg,
+                point,
+                Look {
+                    colour: line.colour,
+                    mark: Mark::Circle,
+                },
+                Filling::Full,
+            );
+        }
+    }
 }
 
 /// Whether lines lie on each other wherever both have points, at two points or more.
@@ -251,7 +276,7 @@ fn covered(point: &PlotPoint, area: &Area) -> Rectangle {
 
 #[cfg(test)]
 mod tests {
-    use super::super::plot::{PlotAxis, Ticks};
+    use super::super::plot::PlotAxis;
     use super::*;
 
     #[test]
