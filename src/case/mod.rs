@@ -19,6 +19,7 @@ mod read;
 mod reference;
 mod suggestion;
 mod template;
+mod words;
 mod written;
 
 pub use complaint::Complaint;
@@ -37,4 +38,5 @@ pub(crate) use read::{explain, read_by_visitor};
 pub use reference::{Quantity, Reference, SourceKind};
 pub(crate) use suggestion::{listed, nearest};
 pub(crate) use template::Template;
+pub(crate) use words::{geometry_words, push_words};
 pub(crate) use written::quoted;

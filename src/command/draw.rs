@@ -30,6 +30,9 @@ pub(super) struct DrawArguments {
     /// Also draw the contact forces of each method that gives them.
     #[arg(long)]
     forces: bool,
+    /// Write the names on the blocks that answers and JSON use.
+    #[arg(long)]
+    labels: bool,
     /// The SVG file to write; `-` prints it. A program that is built with `--features print` also writes
     /// PNG and PDF.
     #[arg(short, long, value_name = "FILE.svg")]
@@ -85,6 +88,7 @@ pub(super) fn draw(arguments: &DrawArguments) -> Result<u8, Stop> {
     let pictures = views.len() * if arguments.forces { 2 } else { 1 };
     let options = Options {
         forces: arguments.forces,
+        labels: arguments.labels,
         ..Options::for_pictures(pictures)
     };
     let title = format!("{}: {}", result.case.name, result.case.title);

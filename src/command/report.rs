@@ -6,7 +6,7 @@ use clap::Args;
 
 use crate::case;
 use crate::method::Settings;
-use crate::report::html::{manual, page};
+use crate::report::html::{manual, page, pages};
 use crate::run::{CaseResult, Partial};
 use crate::study::sweep::SweepTable;
 
@@ -31,7 +31,11 @@ pub(super) struct ReportArguments {
     /// library.
     #[arg(long, conflicts_with = "sweep")]
     manual: bool,
-    /// Folder for report.html or manual.html, results.csv, results.json and one record a case.
+    /// Write a page for each case to print or to file instead, one sheet each: the verdict, the wall as it
+    /// was read and how it collapses, what every method answers, and what was checked.
+    #[arg(long, conflicts_with_all = ["sweep", "manual"])]
+    page: bool,
+    /// Folder for report.html, manual.html or page.html, results.csv, results.json and one record a case.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
     #[command(flatten)]
@@ -77,6 +81,8 @@ fn hand_out(
     let folder = &arguments.out;
     let (name, text) = if arguments.manual {
         ("manual.html", manual(results, settings, partial))
+    } else if arguments.page {
+        ("page.html", pages(results, partial))
     } else {
         ("report.html", page(results, settings, sweeps, partial))
     };

@@ -2,12 +2,10 @@
 
 use std::fmt::Write;
 
-use crate::case::{self, Case, Geometry};
+use crate::case::{self, Case, Geometry, geometry_words, push_words};
 use crate::method::{PushoverSettings, pushover};
 use crate::number::short;
-use crate::scene::{
-    Assembly, Forces, Friction, HeadJoints, Joint, JointClass, Push, Scene, Sense, Side, Wall,
-};
+use crate::scene::{Assembly, HeadJoints, Joint, JointClass, Scene, Sense, Side, Wall};
 
 use super::plan::warn;
 use super::screen::print_lines;
@@ -33,9 +31,9 @@ pub(super) fn show(argument: &str, pushover: bool) -> Result<u8, Stop> {
 
 fn description(case: &Case) -> String {
     let mut text = format!("{}: {}\nsource: {}\n", case.name, case.title, case.source);
-    text.push_str(&geometry(case));
+    let _ = writeln!(text, "{}", geometry_words(case));
     text.push_str(&own(&case.geometry));
-    let _ = writeln!(text, "pushed {}", pushes(&case.pushes));
+    let _ = writeln!(text, "pushed {}", push_words(&case.pushes));
     if let Some(demand) = case.demand {
         let _ = writeln!(text, "λ is compared with the demand of {demand}");
     }
@@ -99,70 +97,6 @@ fn steep_joints(scene: &Scene) -> String {
 /// Joints and blocks that are named at most.
 const MOST_NAMED: usize = 40;
 
-/// What the case is made of, in one paragraph.
-fn geometry(case: &Case) -> String {
-    match &case.geometry {
-        Geometry::Wall(wall) => format!(
-            "{} courses of units {} x {} x {}, weight {} each{}; friction {}, overburden ratio {}\n",
-            wall.courses.len(),
-            wall.unit_length,
-            wall.unit_height,
-            wall.thickness,
-            wall.unit_weight,
-            match case.is_weight_unsaid {
-                true => " as none is written: forces are in weights of a unit",
-                false => "",
-            },
-            friction(wall.friction),
-            wall.overburden
-        ),
-        Geometry::Blocks(assembly) => {
-            let supports = assembly.supports.iter().map(|s| s.name.as_str());
-            format!(
-                "{} blocks on {}; friction {}; {}\n\
-                 edges touch within {:e} of the smaller block's extent\n",
-                assembly.blocks.len(),
-                supports.collect::<Vec<_>>().join(", "),
-                friction(assembly.friction),
-                forces(&assembly.forces),
-                assembly.tolerance
-            )
-        }
-        Geometry::Arch(arch) => format!(
-            "an arch of mean radius {}, thickness {}, embrace {} degrees, {} voussoirs; \
-             friction {}; {}\n",
-            arch.mean_radius,
-            arch.thickness,
-            arch.embrace,
-            arch.voussoirs,
-            friction(arch.friction),
-            forces(&arch.forces)
-        ),
-    }
-}
-
-fn forces(forces: &Forces) -> String {
-    let weight = live(forces);
-    match forces.extra.len() {
-        0 => weight,
-        1 => format!("{weight}, and 1 load"),
-        count => format!("{weight}, and {count} loads"),
-    }
-}
-
-/// What pushes without the loads.
-fn live(forces: &Forces) -> String {
-    let [along, upwards] = forces.of_weight.into();
-    match [along, upwards] {
-        [1.0, 0.0] => "the live load is every weight sideways".to_owned(),
-        [0.0, 0.0] => "the live load is the loads alone".to_owned(),
-        [1.0, _] => format!("the live load is every weight sideways and {upwards} of it upwards"),
-        _ => {
-            format!("the live load is {along} of every weight sideways and {upwards} of it upwards")
-        }
-    }
-}
-
 /// What single courses, joints and blocks have of their own, a line each; no line where they have nothing.
 fn own(geometry: &Geometry) -> String {
     let assembly = geometry.assembly();
@@ -219,9 +153,6 @@ fn own_courses(wall: &Wall) -> String {
     }
     let open = wall.own.open.iter().map(usize::to_string);
     text.push_str(&listed("open head joints in course", open.collect()));
-    if wall.own.forces != Forces::default() {
-        let _ = writeln!(text, "{}", forces(&wall.own.forces));
-    }
     text
 }
 
@@ -252,23 +183,5 @@ fn listed(what: &str, names: Vec<String>) -> String {
         }
         _ if names.is_empty() => String::new(),
         _ => format!("{what}: {}\n", names.join(", ")),
-    }
-}
-
-fn pushes(pushes: &[Push]) -> &'static str {
-    match pushes {
-        [Push::Right] => "to the right",
-        [Push::Left] => "to the left",
-        _ => "to the right and to the left, and the weaker side counts",
-    }
-}
-
-/// One number where all joints are alike.
-fn friction(friction: Friction) -> String {
-    let Friction { bed, head, base } = friction;
-    if bed == head && bed == base {
-        bed.to_string()
-    } else {
-        format!("{bed} bed, {head} head, {base} base")
     }
 }

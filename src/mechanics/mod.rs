@@ -10,6 +10,10 @@ mod crack;
 mod friction_excess;
 mod mechanism;
 mod motion_words;
+mod moved;
+mod openings;
+mod part_words;
+mod places;
 mod recomputed;
 mod residual;
 mod rigid_parts;
@@ -22,12 +26,14 @@ pub use crack::Crack;
 pub(crate) use crack::{VELOCITY_THRESHOLDS, crack_slope, crack_slope_by_gap};
 pub use friction_excess::friction_excess;
 pub use mechanism::{JointRate, Mechanism, Motion};
-pub(crate) use motion_words::Moved;
+pub(crate) use motion_words::MovingPart;
+pub(crate) use moved::Moved;
 pub use recomputed::{Recomputed, largest, residual_words};
 pub use residual::{
     CollapseResidual, StaticResidual, dead_power, falling_violation, kinematic_multiplier,
 };
 pub(crate) use residual::{VERIFIED_RESIDUAL, associative_violation, live_unit};
-pub use rigid_parts::{RigidPart, parts};
+pub use rigid_parts::parts;
 pub use state::{Ceiling, CollapseState, ForceState, JointForce};
+pub(crate) use thrust::CourseResultant;
 pub use thrust::{Thrust, thrust};

@@ -3,11 +3,14 @@
 use super::state::JointForce;
 use crate::scene::{Joint, JointClass, Point, Scene, Side, Vector};
 
-/// A force and where its line crosses a level.
+/// A force and where its line crosses a stretch of bed joints without a gap: the width of a wall, or a
+/// pier beside an opening.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CourseResultant {
     /// Height of the bed joints.
     pub level: f64,
+    /// From where to where they reach.
+    pub ends: [f64; 2],
     /// Force on what is above, from what is below.
     pub force: Vector,
     /// Where it acts; `None` where nothing presses.
@@ -20,7 +23,7 @@ pub struct Thrust {
     /// Lines of thrust: each through the centres of pressure of joints, one block after the other, as
     /// far as every block has two neighbours that press on it.
     pub lines: Vec<Vec<Point>>,
-    /// Resultants on the level bed joints, from the lowest.
+    /// Resultants on the stretches of level bed joints, from the lowest, of each level from the left.
     pub courses: Vec<CourseResultant>,
 }
 
@@ -29,6 +32,9 @@ const NOTHING: f64 = 1e-9;
 
 /// Levels nearer than this part of the height are one.
 const SAME_LEVEL: f64 = 1e-6;
+
+/// Part of the height below which a gap between bed joints parts no piers: a joint that was left open.
+const GAP: f64 = 0.01;
 
 /// The part of a line's blocks that lie on one: shorter ones say nothing.
 const SHORTEST: usize = 3;
@@ -120,7 +126,15 @@ fn lines(scene: &Scene, forces: &[JointForce]) -> Vec<Vec<Point>> {
     lines
 }
 
-/// Resultants on joints that are level, of blocks on supports or on each other.
+/// Level joints without a gap between them.
+struct Stretch {
+    level: f64,
+    ends: [f64; 2],
+    joints: Vec<usize>,
+}
+
+/// Resultants on joints that are level, of blocks on supports or on each other, for each stretch of them
+/// without a gap.
 fn courses(scene: &Scene, forces: &[JointForce]) -> Vec<CourseResultant> {
     let near = SAME_LEVEL * scene.height();
     let mut level: Vec<(f64, usize)> = Vec::new();
@@ -132,10 +146,34 @@ fn courses(scene: &Scene, forces: &[JointForce]) -> Vec<CourseResultant> {
         }
     }
     level.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-    let of_course = level.chunk_by(|a, b| b.0 - a.0 <= near);
-    let resultant = |of: &[(f64, usize)]| {
+    let ends = |index: usize| {
+        let [one, other] = scene.joints()[index].ends.map(|end| end.x);
+        [one.min(other), one.max(other)]
+    };
+    let mut stretches: Vec<Stretch> = Vec::new();
+    for of_level in level.chunk_by(|a, b| b.0 - a.0 <= near) {
+        let level = of_level[0].0;
+        let joints = of_level.iter().map(|&(_, index)| (ends(index), index));
+        let mut joints: Vec<_> = joints.collect();
+        joints.sort_by(|a, b| a.0[0].total_cmp(&b.0[0]));
+        let first = stretches.len();
+        for (ends, joint) in joints {
+            match stretches[first..].last_mut() {
+                Some(last) if ends[0] - last.ends[1] <= GAP * scene.height() => {
+                    last.ends[1] = last.ends[1].max(ends[1]);
+                    last.joints.push(joint);
+                }
+                _ => stretches.push(Stretch {
+                    level,
+                    ends,
+                    joints: vec![joint],
+                }),
+            }
+        }
+    }
+    let resultant = |of: Stretch| {
         let (mut force, mut normal, mut turned) = (Vector::zeros(), 0.0, 0.0);
-        for &(_, index) in of {
+        for index in of.joints {
             let (joint, own) = (&scene.joints()[index], &forces[index]);
             // The joint's force acts on the block that its normal points into; turn it on what is above.
             let up = joint.normal.y.signum();
@@ -144,10 +182,11 @@ fn courses(scene: &Scene, forces: &[JointForce]) -> Vec<CourseResultant> {
             turned += moment(joint, own).x;
         }
         CourseResultant {
-            level: of[0].0,
+            level: of.level,
+            ends: of.ends,
             force,
             x: (normal > 0.0).then(|| turned / normal),
         }
     };
-    of_course.map(resultant).collect()
+    stretches.into_iter().map(resultant).collect()
 }

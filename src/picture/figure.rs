@@ -44,7 +44,7 @@ pub fn figure(title: &str, views: &[View], options: &Options) -> String {
         let x = BORDER + index as f64 * (options.width + GAP);
         let top = y + HEADING;
         svg.open(style().class("picture"), "");
-        panel.draw(&mut svg, [x, top], size, scale);
+        panel.draw(&mut svg, [x, top], size, scale, options.labels);
         panel.words(&mut svg, [x, y + 14.0], caption, top + height);
         svg.close();
     }

@@ -6,7 +6,7 @@ use super::legend::arrow_paths;
 use super::palette::{FORCE, THRUST};
 use super::svg::{Path, Svg, style};
 use super::wall::line_width;
-use crate::mechanics::{JointForce, thrust};
+use crate::mechanics::{CourseResultant, JointForce, thrust};
 use crate::number::short;
 use crate::scene::{Joint, JointClass, Point, Scene, Vector};
 
@@ -69,25 +69,45 @@ pub fn forces(svg: &mut Svg, frame: &Frame, scene: &Scene, forces: &[JointForce]
     svg.path(&heads, style().class("heads").fill(FORCE), "");
 }
 
-/// Lines of thrust, and where there are none, the resultants on level bed joints.
+/// Lines of thrust through chains of blocks, or through piers: what there is more of.
 pub fn lines_of_thrust(svg: &mut Svg, frame: &Frame, scene: &Scene, forces: &[JointForce]) {
     let thrust = thrust(scene, forces);
     let mut path = Path::default();
-    for line in &thrust.lines {
-        let line: Vec<_> = line.iter().map(|&point| frame.at(point)).collect();
-        path.add(&line, false);
-    }
-    let largest = thrust.courses.iter().map(|of| of.force.norm());
-    let largest = largest.fold(0.0, f64::max);
-    if thrust.lines.is_empty() && largest > 0.0 {
-        for of in &thrust.courses {
-            let Some(x) = of.x else { continue };
-            let at = Point::new(x, of.level);
-            let half = of.force * (0.5 * LONGEST * scene.height() / largest);
-            path.add(&[frame.at(at - half), frame.at(at + half)], false);
+    let piers = piers(&thrust.courses);
+    let links = thrust.lines.iter().map(|line| line.len() - 1);
+    // In a coursed wall a chain is but a lintel and what it bears on.
+    if piers.len() > links.sum() {
+        for (below, above) in piers {
+            path.add(&[frame.at(below), frame.at(above)], false);
+        }
+    } else {
+        for line in &thrust.lines {
+            let line: Vec<_> = line.iter().map(|&point| frame.at(point)).collect();
+            path.add(&line, false);
         }
     }
     let line = style().class("thrust").line(THRUST, 1.2).round_ends();
-    let words = "line of thrust, or resultants on the courses";
-    svg.path(&path, line, words);
+    svg.path(&path, line, "line of thrust");
+}
+
+/// Where the resultants of each pier act, from one of its bed joints to the next: as far as it stands on
+/// one stretch of bed joints and carries one.
+fn piers(courses: &[CourseResultant]) -> Vec<(Point, Point)> {
+    let levels: Vec<_> = courses.chunk_by(|a, b| a.level == b.level).collect();
+    let overlap =
+        |a: &CourseResultant, b: &CourseResultant| a.ends[0] < b.ends[1] && b.ends[0] < a.ends[1];
+    let mut found = Vec::new();
+    for pair in levels.windows(2) {
+        for below in pair[0] {
+            let mut above = pair[1].iter().filter(|of| overlap(of, below));
+            let (Some(over), None) = (above.next(), above.next()) else {
+                continue;
+            };
+            let stands_on_one = pair[0].iter().filter(|of| overlap(of, over)).count() == 1;
+            if let (Some(x), Some(next), true) = (below.x, over.x, stands_on_one) {
+                found.push((Point::new(x, below.level), Point::new(next, over.level)));
+            }
+        }
+    }
+    found
 }

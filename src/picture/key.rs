@@ -30,6 +30,13 @@ pub enum Held {
     Force(f64, f64),
 }
 
+/// A length of a scene with at most so many decimals.
+pub fn units_of_length(length: f64, decimals: usize) -> String {
+    let length = short(length, decimals);
+    let units = if length == "1" { "unit" } else { "units" };
+    format!("{length} {units} of length")
+}
+
 /// The entries that explain what is there, with the length that is drawn so many pixels long.
 pub fn entries(held: &[Held], scale: f64) -> Vec<(Sample, String)> {
     let tints = held.iter().filter_map(|one| match one {
@@ -59,11 +66,10 @@ pub fn entries(held: &[Held], scale: f64) -> Vec<(Sample, String)> {
     let of_friction: Vec<&str> = frictions.iter().map(String::as_str).collect();
     let of_friction = format!("joint with friction {}", of_friction.join(", "));
     let length = round_below(LENGTH / scale);
-    let units = if length == 1.0 { "unit" } else { "units" };
-    let words = format!("{} {units} of length", short(length, 9));
+    let words = units_of_length(length, 9);
     let (of_force, pixels) = force.clone().unwrap_or_default();
     let of_force = format!("contact force of {of_force}, on the block that it points into");
-    let of_thrust = "line of thrust, or resultants on the courses";
+    let of_thrust = "line of thrust";
     let all = [
         (has(Held::Support), Sample::Shade(SUPPORT, 1.0), "support"),
         (has(Held::Still), Sample::Tints(vec![STILL]), "stands still"),

@@ -3,15 +3,15 @@
 
 use super::frame::{Displacement, Frame};
 use super::key::Held;
-use super::palette::{BLOCK_LINE, LARGEST, OPENING, PARTS, SCALE, SLIDING, STILL, SUPPORT, WHITE};
-use super::svg::{Path, Pixel, Svg, style};
-use super::tints::tints;
+use super::palette::{BLOCK_LINE, OPENING, PARTS, SCALE, SLIDING, STILL, SUPPORT, WHITE};
+use super::svg::{Anchor, Path, Pixel, Svg, style};
 use super::wall::line_width;
+use super::words::{fitting, text_width};
 use crate::mechanics::{JointRate, Mechanism, Moved};
 use crate::scene::{Joint, JointClass, Scene, Side};
 
-/// Bodies that move from which on tints say nothing any more: blocks are coloured by how far they move.
-const MANY: usize = 20;
+/// Font sizes of the names of blocks.
+const LETTERS: [f64; 6] = [10.0, 8.5, 7.0, 5.5, 4.0, 2.5];
 
 /// A mechanism as it is drawn.
 pub struct DrawnMechanism<'a> {
@@ -42,13 +42,11 @@ impl<'a> DrawnMechanism<'a> {
         let moved = Moved::new(scene, mechanism.unwrap_or(&still), threshold);
         let parts = moved.parts();
         let count = parts.iter().filter(|part| part.moves).count();
-        let tints = (count <= MANY)
-            .then(|| tints(scene, parts, PARTS.len() + 1))
-            .flatten();
-        let by_displacement = tints.is_none();
-        let mut groups = match tints {
-            Some(tints) => of_parts(&moved, &tints),
-            None => of_displacement(&moved),
+        // A tint for each: where there are more bodies, blocks are coloured by how far they move.
+        let by_displacement = count > PARTS.len();
+        let mut groups = match by_displacement {
+            false => of_parts(&moved),
+            true => of_displacement(&moved),
         };
         let supports = (0..scene.blocks().len()).filter(|&block| scene.is_moving_support(block));
         let supports: Vec<usize> = supports.collect();
@@ -111,15 +109,17 @@ impl<'a> DrawnMechanism<'a> {
     }
 }
 
-fn of_parts(moved: &Moved, tints: &[Option<usize>]) -> Vec<Group> {
-    let groups = moved.parts().iter().zip(tints).map(|(part, tint)| Group {
-        fill: match tint {
-            None => STILL,
-            Some(0) => LARGEST,
-            Some(other) => PARTS[other - 1],
+/// The largest part first.
+fn of_parts(moved: &Moved) -> Vec<Group> {
+    let mut tints = PARTS.into_iter();
+    let parts = moved.parts().iter().enumerate();
+    let groups = parts.map(|(index, part)| Group {
+        fill: match part.moves {
+            true => tints.next().expect("a tint for each part that moves"),
+            false => STILL,
         },
         blocks: part.blocks.clone(),
-        words: moved.in_figures(part),
+        words: moved.in_figures(index),
     });
     groups.collect()
 }
@@ -175,6 +175,31 @@ pub fn blocks(svg: &mut Svg, frame: &Frame, scene: &Scene, drawn: &DrawnMechanis
         svg.path(&outline, style, words);
     }
     svg.close();
+}
+
+/// The names of blocks, each in as large letters as fit into its block.
+pub fn names(svg: &mut Svg, frame: &Frame, scene: &Scene, drawn: &DrawnMechanism) {
+    for (index, block) in scene.blocks().iter().enumerate() {
+        let (low, high) = block.shape.bounds();
+        let room = [0.92, 0.96].map(|part| part * frame.scale);
+        let (wide, tall) = (room[0] * (high.x - low.x), room[1] * (high.y - low.y));
+        let name = scene.block_name(index);
+        let sizes = LETTERS.map(|size| (size, fitting(&name, size, wide)));
+        let fits = |(size, lines): &&(f64, Vec<String>)| {
+            let width = lines.iter().map(|line| text_width(line, *size));
+            1.1 * size * lines.len() as f64 <= tall && width.fold(0.0, f64::max) <= wide
+        };
+        let (size, lines) = sizes.iter().find(fits).unwrap_or(&sizes[LETTERS.len() - 1]);
+        let middle = drawn
+            .displacement
+            .on(Side::Block(index), block.shape.centroid());
+        let [x, y] = frame.at(middle);
+        let first = y + size * (0.35 - 0.55 * (lines.len() as f64 - 1.0));
+        for (line, words) in lines.iter().enumerate() {
+            let at = [x, first + 1.1 * size * line as f64];
+            svg.text(at, Anchor::Middle, style().font_size(*size), words);
+        }
+    }
 }
 
 /// The joints, and how they open and slip; what guides a support is none to look at.

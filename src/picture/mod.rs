@@ -32,7 +32,6 @@ mod print;
 mod ranges;
 mod replay;
 mod svg;
-mod tints;
 mod view;
 mod wall;
 mod words;
@@ -43,7 +42,7 @@ pub(crate) use figure::common_size;
 pub(crate) use legend::Sample;
 pub(crate) use marks::Filling;
 pub(crate) use plot::{Line, Plot, PlotAxis, PlotPoint, Ticks};
-pub(crate) use plotted::{dashed_line, plots, solid_line};
+pub(crate) use plotted::{dashed_line, plots, share_axes, solid_line};
 pub(crate) use ranges::{KNOWN, RangeMark, Ranges, ranges};
 pub(crate) use replay::replay;
 

@@ -9,10 +9,12 @@ pub const WHITE: &str = "#fff";
 
 /// What stands still.
 pub const STILL: &str = "#eeece7";
-/// The largest part that moves, and the moving macro-block.
-pub const LARGEST: &str = "#a9d4ee";
-/// Further parts; neighbours get different ones.
-pub const PARTS: [&str; 5] = ["#f6cf86", "#93d1bb", "#e3b9d0", "#f4eea3", "#cfc4ea"];
+/// The moving macro-block, and the largest part that moves.
+pub const LARGEST: &str = PARTS[0];
+/// Parts that move, the largest first.
+pub const PARTS: [&str; 6] = [
+    "#a9d4ee", "#f6cf86", "#93d1bb", "#e3b9d0", "#f4eea3", "#cfc4ea",
+];
 /// How far blocks move, from little to the most.
 pub const SCALE: [&str; 8] = [
     "#f6f3d8", "#e9e6ae", "#d3dd9a", "#b3d194", "#8cc19a", "#66ada0", "#4a95a2", "#3b7c9c",

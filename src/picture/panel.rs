@@ -3,7 +3,7 @@
 use super::crack::{self, DIMENSIONS, PUSH};
 use super::forces;
 use super::frame::Frame;
-use super::key::Held;
+use super::key::{Held, units_of_length};
 use super::mechanism::{self, DrawnMechanism};
 use super::palette::FAINT;
 use super::svg::{Anchor, Pixel, Svg, style};
@@ -13,7 +13,7 @@ use super::words::fitting;
 use crate::answer::Evidence;
 use crate::number::{number, short};
 use crate::run::column;
-use crate::scene::{HeadJoints, Point, Push, Vector};
+use crate::scene::{HeadJoints, JointClass, Point, Push, Vector};
 
 /// Pixels for the heading above a picture.
 pub const HEADING: f64 = 26.0;
@@ -79,7 +79,7 @@ impl<'a> Panel<'a> {
     }
 
     /// Draws the picture into the box from `corner` to `corner + size`, its base on the lower edge.
-    pub fn draw(&self, svg: &mut Svg, corner: Pixel, size: [f64; 2], scale: f64) {
+    pub fn draw(&self, svg: &mut Svg, corner: Pixel, size: [f64; 2], scale: f64, labels: bool) {
         let (scene, outcome) = (self.view.scene, &self.view.row.outcome);
         let (low, high) = self.bounds;
         let [left, right] = match scene.push() {
@@ -102,6 +102,9 @@ impl<'a> Panel<'a> {
         mechanism::blocks(svg, &frame, scene, &self.drawn);
         wall::frictions(svg, scene, &frame);
         mechanism::marks(svg, &frame, scene, &self.drawn);
+        if labels {
+            mechanism::names(svg, &frame, scene, &self.drawn);
+        }
         let above = frame.at(high)[1] - 12.0;
         match self.contents {
             Contents::Forces => {
@@ -135,7 +138,11 @@ impl<'a> Panel<'a> {
             Contents::Mechanism => row.method.clone(),
             Contents::Forces => format!("{}, contact forces", row.method),
         };
-        svg.heading([x, heading], &what, &joints(self.view));
+        let of = match self.contents {
+            Contents::Mechanism => joints(self.view),
+            Contents::Forces => String::new(),
+        };
+        svg.heading([x, heading], &what, &of);
         for (index, line) in caption.iter().enumerate() {
             let style = match index {
                 0 => style().font_size(FIRST),
@@ -193,10 +200,10 @@ impl<'a> Panel<'a> {
         let (scene, drawn) = (self.view.scene, &self.drawn);
         let fastest = drawn.mechanism?.fastest(scene);
         let factor = drawn.displacement.factor;
-        let largest = short(factor * fastest, 3);
+        let largest = units_of_length(factor * fastest, 3);
         Some(match self.view.row.outcome.evidence {
             Evidence::Observed(_) => format!(
-                "displacements × {}, the largest drawn as {largest} units of length",
+                "displacements × {}, the largest drawn as {largest}",
                 significant(factor)
             ),
             Evidence::Nothing
@@ -209,7 +216,7 @@ impl<'a> Panel<'a> {
             | Evidence::Bounded { .. }
             | Evidence::Falls { .. }
             | Evidence::Stands { .. } => {
-                format!("velocities, the largest drawn as {largest} units of length")
+                format!("velocities, the largest drawn as {largest}")
             }
         })
     }
@@ -284,18 +291,26 @@ fn significant(factor: f64) -> String {
     short(factor, decimals as usize)
 }
 
-/// The head joints in words; empty for an arch, whose joints are neither bed joints nor perpends.
+/// The head joints, and where the wall is pushed; an arch has neither bed joints nor perpends, and a support
+/// that moves is no push.
 fn joints(view: &View) -> String {
     let head_joints = view.row.head_joints;
     let open = view.scene.left_out();
-    if head_joints == HeadJoints::Contact && open > 0 {
-        format!(
-            "head joints {}, {open} of them open",
-            head_joints.in_words()
-        )
-    } else if view.scene.coursing().is_some() || head_joints == HeadJoints::Open {
-        format!("head joints {}", head_joints.in_words())
+    let mut all = view.scene.joints().iter();
+    let has_heads = all.any(|joint| joint.class == JointClass::Head);
+    let joints = if head_joints == HeadJoints::Contact && open > 0 {
+        let joints = head_joints.in_words();
+        Some(format!("head joints {joints}, {open} of them open"))
+    } else if head_joints == HeadJoints::Open || has_heads {
+        Some(format!("head joints {}", head_joints.in_words()))
     } else {
-        String::new()
-    }
+        None
+    };
+    let pushed = view.scene.reaction().is_none();
+    let push = pushed.then(|| format!("pushed to the {}", view.scene.push().name()));
+    joints
+        .into_iter()
+        .chain(push)
+        .collect::<Vec<_>>()
+        .join(", ")
 }

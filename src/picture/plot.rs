@@ -17,6 +17,8 @@ pub struct Plot {
     pub ranges: Vec<(Vec<[f64; 3]>, &'static str)>,
     pub lines: Vec<Line>,
     pub marks: Vec<(Look, Vec<PlotPoint>)>,
+    /// Where along the axis something has no value, in its colour: marked at the foot of the plot.
+    pub missing: Vec<(f64, &'static str)>,
 }
 
 #[derive(Default)]

@@ -2,13 +2,13 @@
 
 use super::axes::{Area, scale};
 use super::legend::{self, Sample};
-use super::marks::mark;
+use super::marks::{Filling, mark};
 use super::names::{self, HEIGHT, Rectangle, SIZE as NAME, spread};
 use super::palette::LEADER;
-use super::plot::{Line, Plot, PlotPoint};
+use super::plot::{Line, Plot, PlotPoint, Ticks};
 use super::svg::{Anchor, Path, Pixel, Style, Svg, style};
 use super::words::{text_width, written};
-use crate::method::Look;
+use crate::method::{Look, Mark};
 
 /// Pixels of a plot: narrow enough to be read on a telephone and beside text in print.
 const SIZE: [f64; 2] = [480.0, 350.0];
@@ -22,6 +22,10 @@ const LABEL: f64 = 18.0;
 /// Pixels around plots and their legend, and what is left between them.
 const BORDER: f64 = 14.0;
 const INSIDE: f64 = SIZE[0] - 2.0 * BORDER;
+
+/// Pixels below which two lines cover each other, and from the end of a line to that of its plot.
+const COVERS: f64 = 1.2;
+const AT_EDGE: f64 = 3.0;
 
 /// Pixels between a line's end and its name.
 const LEADER_WIDTH: f64 = 16.0;
@@ -42,6 +46,26 @@ pub fn plots(title: &str, plots: &[Plot], entries: &[(Sample, &str)]) -> String 
     let first = plots.first().map_or("", |plot| plot.title.as_str());
     let name = if title.is_empty() { first } else { title };
     svg.document([SIZE[0], y], name)
+}
+
+/// Gives plots that have the same label along an axis the same axis.
+pub fn share_axes(plots: &mut [Plot]) {
+    for axis in [0, 1] {
+        let label = |plot: &Plot| [&plot.x, &plot.y][axis].label.clone();
+        let is_alike = plots
+            .windows(2)
+            .all(|pair| label(&pair[0]) == label(&pair[1]));
+        let fits = |plot: &Plot| matches!([&plot.x, &plot.y][axis].ticks, Ticks::Fitting);
+        if !is_alike || !plots.iter().all(fits) {
+            continue;
+        }
+        let values = plots.iter().flat_map(|plot| plot.values(axis));
+        let (ends, ticks) = scale(&Ticks::Fitting, values);
+        for plot in plots.iter_mut() {
+            let own = if axis == 0 { &mut plot.x } else { &mut plot.y };
+            own.ticks = Ticks::Words(ends, ticks.clone());
+        }
+    }
 }
 
 /// One plot below a height; the pixels that it takes downwards.
@@ -86,11 +110,8 @@ fn panel(svg: &mut Svg, plot: &Plot, y: f64) -> f64 {
         let fill = style().class("range").fill(colour).fill_opacity(0.22);
         svg.path(&Path::through(&outline, true), fill, "");
     }
-    for line in &plot.lines {
-        let points: Vec<Pixel> = line.points.iter().map(|&point| area.at(point)).collect();
-        let style = if line.dashed { dashed_line } else { solid_line };
-        svg.path(&Path::through(&points, false), style(line.colour), "");
-    }
+    lines(svg, &plot.lines, &area);
+    missing(svg, &plot.missing, &area);
     line_names(svg, &plot.lines, &area);
     let named = named(plot, &area);
     for (_, point, middle) in &named {
@@ -115,6 +136,70 @@ pub fn dashed_line(colour: &str) -> Style {
     style().line(colour, 1.1).dashes("6 4")
 }
 
+/// Lines as curves, those of one point as discs.
+fn lines(svg: &mut Svg, lines: &[Line], area: &Area) {
+    for (index, line) in lines.iter().enumerate() {
+        let points: Vec<Pixel> = line.points.iter().map(|&point| area.at(point)).collect();
+        let before = lines[..index].iter();
+        let below =
+            before.filter(|other| other.dashed == line.dashed && coincide(line, other, area));
+        let style = match (line.dashed, below.count()) {
+            (true, _) => dashed_line(line.colour),
+            (false, 0) => solid_line(line.colour),
+            // What lies below is seen between the dashes.
+            (false, 1) => solid_line(line.colour).dashes("8 8"),
+            (false, _) => solid_line(line.colour).dashes("3 13"),
+        };
+        svg.path(&Path::through(&points, false), style.class("curve"), "");
+        if let [point] = points[..] {
+            mark(
+                svg,
+                point,
+                Look {
+                    colour: line.colour,
+                    mark: Mark::Circle,
+                },
+                Filling::Full,
+            );
+        }
+    }
+}
+
+/// Whether lines lie on each other wherever both have points, at two points or more.
+fn coincide(one: &Line, other: &Line, area: &Area) -> bool {
+    let pairs = one.points.iter().flat_map(|a| {
+        let mut others = other.points.iter();
+        others
+            .find(|b| b[0] == a[0])
+            .map(|b| (area.at(*a)[1], area.at(*b)[1]))
+    });
+    let apart: Vec<f64> = pairs.map(|(a, b)| (a - b).abs()).collect();
+    apart.len() > 1 && apart.iter().all(|apart| *apart < COVERS)
+}
+
+/// Crosses at the foot of a plot, above one another at one place.
+fn missing(svg: &mut Svg, missing: &[(f64, &'static str)], area: &Area) {
+    for (index, (x, colour)) in missing.iter().enumerate() {
+        let below = missing[..index]
+            .iter()
+            .filter(|(other, _)| other == x)
+            .count();
+        let [x, _] = area.at([*x, area.y[0]]);
+        let at = [x, area.bottom() - 7.0 - 9.0 * below as f64];
+        svg.open(style().class("missing"), "no answer");
+        mark(
+            svg,
+            at,
+            Look {
+                colour,
+                mark: Mark::Cross,
+            },
+            Filling::Full,
+        );
+        svg.close();
+    }
+}
+
 /// Names at the right ends of lines, spread so that none covers another.
 fn line_names(svg: &mut Svg, lines: &[Line], area: &Area) {
     let ends = lines.iter().filter_map(|line| {
@@ -128,7 +213,12 @@ fn line_names(svg: &mut Svg, lines: &[Line], area: &Area) {
     let right = area.corner[0] + area.size[0];
     for ((name, colour, end), y) in ends.into_iter().zip(heights) {
         let leader = Path::through(&[end, [right + LEADER_WIDTH - 3.0, y]], false);
-        svg.path(&leader, style().stroke(colour).stroke_width(0.8), "");
+        // A line that ends before the plot does must not look as if it went on.
+        let line = match right - end[0] < AT_EDGE {
+            true => style().stroke(colour).stroke_width(0.8),
+            false => style().stroke(LEADER).stroke_width(0.7).dashes("1 4"),
+        };
+        svg.path(&leader, line.class("leader"), "");
         let style = style().class("name").font_size(NAME);
         svg.text([right + LEADER_WIDTH, y + 4.0], Anchor::Start, style, name);
     }
@@ -186,7 +276,7 @@ fn covered(point: &PlotPoint, area: &Area) -> Rectangle {
 
 #[cfg(test)]
 mod tests {
-    use super::super::plot::{PlotAxis, Ticks};
+    use super::super::plot::PlotAxis;
     use super::*;
 
     #[test]

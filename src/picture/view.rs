@@ -30,6 +30,8 @@ pub struct Options {
     /// Contact forces of each view that has them, in a picture of their own beside the mechanism:
     /// they balance in the wall as it stands.
     pub forces: bool,
+    /// The names of the blocks, as answers use them.
+    pub labels: bool,
     /// A heading over all, and a legend below.
     pub framed: bool,
     /// Pixels that a picture is wide.
@@ -45,6 +47,7 @@ impl Options {
     pub fn for_pictures(count: usize) -> Self {
         Self {
             forces: false,
+            labels: false,
             framed: true,
             width: match count {
                 0 | 1 => 640.0,

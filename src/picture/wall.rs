@@ -74,7 +74,11 @@ fn clipped(polygon: &Polygon, low: Point, high: Point) -> Vec<Point> {
                 kept.push(*a);
             }
             if (out_a < 0.0 && out_b > 0.0) || (out_a > 0.0 && out_b < 0.0) {
-                kept.push(a + (b - a) * (out_a / (out_a - out_b)));
+                // Exactly on the line, by which it is known that the cut made this edge.
+                let mut cut = a + (b - a) * (out_a / (out_a - out_b));
+                let axis = if normal.x == 0.0 { 1 } else { 0 };
+                cut[axis] = distance * normal[axis];
+                kept.push(cut);
             }
         }
         corners = kept;

@@ -6,6 +6,7 @@ use serde_json::json;
 use super::terms::{Terms, terms};
 use crate::answer::{Bracket, is_same_multiplier};
 use crate::judge::{Basis, Conclusion, governing};
+use crate::mechanics::MovingPart;
 use crate::number::{above, below, number, short};
 use crate::run::{CaseResult, Value};
 use crate::scene::{HeadJoints, JointClass, Reaction, Sense};
@@ -51,22 +52,26 @@ impl<'a> Governing<'a> {
     /// The whole in a few sentences: what to use and under which conditions, why that may be believed, what
     /// it means for the wall, and what moves.
     pub fn text(&self) -> String {
+        let (first, others) = self.sentences();
+        format!("{first} {}", others.join(" "))
+    }
+
+    /// The first sentence of it, and the others.
+    pub fn sentences(&self) -> (String, Vec<String>) {
         let about = self.conditions();
         let about = match about.is_empty() {
             true => String::new(),
             false => format!(" ({about})"),
         };
-        let first = format!("{}{about}.", self.lead());
-        let all = [
-            Some(first),
+        let others = [
             Some(self.why()),
             self.may_be_weaker(),
             self.against_demand(),
             self.in_use(),
             self.moves(),
         ];
-        let all: Vec<String> = all.into_iter().flatten().collect();
-        all.join(" ")
+        let first = format!("{}{about}.", self.lead());
+        (first, others.into_iter().flatten().collect())
     }
 
     /// What to use, in one clause without its conditions: `Use λ = 0.36542`.
@@ -218,11 +223,24 @@ impl<'a> Governing<'a> {
         })
     }
 
+    /// What moves, and of several parts what the largest does: the answer describes more of them.
     fn moves(&self) -> Option<String> {
-        let words = self.terms.as_ref()?.mechanism.as_ref()?;
-        // The answer describes the parts one by one.
-        let (words, _) = words.split_once(':').unwrap_or((words, ""));
-        Some(format!("Then {words}."))
+        let terms = self.terms.as_ref()?;
+        let (words, _) = terms.mechanism.as_ref()?.split_once(':').unzip();
+        let Some(words) = words else {
+            return Some(format!("Then {}.", terms.mechanism.as_ref()?));
+        };
+        let MovingPart {
+            blocks,
+            words: does,
+            ..
+        } = terms.moving.first()?;
+        let of_them = if blocks.len() == 1 {
+            "one"
+        } else {
+            &format!("{} of them", blocks.len())
+        };
+        Some(format!("Then {words}; {of_them} {does}."))
     }
 }
 

@@ -7,7 +7,7 @@ use super::terms::terms;
 use crate::answer::Outcome;
 use crate::external::{SceneFile, answers};
 use crate::judge::Conclusion;
-use crate::mechanics::{Mechanism, Thrust, thrust};
+use crate::mechanics::{Mechanism, MovingPart, Thrust, thrust};
 use crate::run::{self, COLUMNS, CaseResult, Column, Partial, Row, Value};
 use crate::scene::Push;
 
@@ -37,9 +37,10 @@ pub fn csv(results: &[CaseResult]) -> String {
 /// `in_short` is what the case comes to: the λ of the setting and side that governs, and in words what it
 /// means. `tilt_degrees` is arctan λ where the live load is every weight sideways, `base_shear` what
 /// the supports carry along x, in the direction of the push, and `base_shear_from_push` the part of it
-/// that is λ times the live load, in the `unit_of_force` where the case says no weight; `first_blocks` and `first_joints` move fastest in the `mechanism`. `thrust` has the lines of
-/// thrust of a row's forces, and the resultant on each level of bed joints: the force on what is above,
-/// and where it acts.
+/// that is λ times the live load, in the `unit_of_force` where the case says no weight; `first_blocks` and `first_joints` move fastest in the `mechanism`, of which `moving` has every
+/// part: its `blocks`, what it does in `words`, and the `centre` that it turns about. `thrust` has the lines of
+/// thrust of a row's forces, and the resultant on each stretch of level bed joints without a gap, as under
+/// a pier: its ends, the force on what is above, and where it acts.
 /// Where a support moves, `lower` and `upper` are of its reaction, and `reaction` has the one that it
 /// starts with: λ in `sides` is the change from there, a fall where it `moves` away.
 /// Where results are partial, a last object says so in `partial`, and its columns are `null`.
@@ -140,6 +141,7 @@ fn way_of(thrust: &Thrust) -> Json {
     let courses = thrust.courses.iter().map(|of| {
         json!({
             "level": digits(of.level),
+            "ends": of.ends.map(digits),
             "force": pair(of.force.x, of.force.y),
             "x": of.x.map(digits),
         })
@@ -181,6 +183,7 @@ fn conclusion(result: &CaseResult, of: &Conclusion) -> Json {
         "base_shear_from_push": terms.and_then(|terms| terms.push_shear),
         "unit_of_force": terms.and_then(|terms| terms.unit_of_force),
         "mechanism": terms.and_then(|terms| terms.mechanism.clone()),
+        "moving": terms.map(|terms| terms.moving.iter().map(part).collect::<Json>()),
         "first_blocks": terms.map(|terms| terms.first_blocks.clone()),
         "first_joints": terms.map(|terms| terms.first_joints.clone()),
         "cracks": terms.filter(|_| of.reaction.is_some()).map(|terms| {
@@ -188,6 +191,12 @@ fn conclusion(result: &CaseResult, of: &Conclusion) -> Json {
             cracks.map(|(joint, opening)| json!([joint, digits(Some(*opening))])).collect::<Json>()
         }),
     })
+}
+
+/// A part that moves: its blocks, what it does, and what it turns about.
+fn part(of: &MovingPart) -> Json {
+    let centre = of.centre.map(|at| [at.x, at.y].map(digits));
+    json!({"blocks": of.blocks, "words": of.words, "centre": centre})
 }
 
 /// One side of the push: what its answer is worth, and its range in full digits.

@@ -4,10 +4,11 @@
 use std::fmt;
 
 use crate::judge::Conclusion;
-use crate::mechanics::Moved;
+use crate::mechanics::{Moved, MovingPart};
 use crate::number::short;
 use crate::run::CaseResult;
 use crate::scene::{Block, Scene, Vector};
+use crate::text::enumerated;
 
 /// The best answer about a scene in these terms.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,6 +26,8 @@ pub(crate) struct Terms {
     pub first_blocks: Vec<String>,
     /// The joints that open or slip fastest.
     pub first_joints: Vec<String>,
+    /// The parts that move, each as one body.
+    pub moving: Vec<MovingPart>,
     /// How it moves.
     pub mechanism: Option<String>,
     /// Where a support moves, the joints that open most, each with its opening over the support's motion.
@@ -64,6 +67,7 @@ pub(crate) fn terms(result: &CaseResult, conclusion: &Conclusion) -> Option<Term
         unit_of_force: result.case.is_weight_unsaid.then_some("weight of a unit"),
         first_blocks: moved.as_ref().map_or(Vec::new(), Moved::first_blocks),
         first_joints: moved.as_ref().map_or(Vec::new(), Moved::first_joints),
+        moving: moved.as_ref().map_or(Vec::new(), Moved::moving_parts),
         mechanism: moved.as_ref().and_then(Moved::words),
     })
 }
@@ -95,7 +99,7 @@ impl fmt::Display for Terms {
         let first = match self.first_blocks.as_slice() {
             [] => None,
             [one] => Some(format!("{one} moves first")),
-            [others @ .., last] => Some(format!("{} and {last} move first", others.join(", "))),
+            several => Some(format!("{} move first", enumerated(several))),
         };
         let cracks = self.cracks.iter();
         let cracks: Vec<String> = cracks

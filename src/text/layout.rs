@@ -103,6 +103,15 @@ pub fn sentence(clause: &str) -> String {
     }
 }
 
+/// Names with commas, and with "and" before the last.
+pub fn enumerated(names: &[String]) -> String {
+    match names {
+        [] => String::new(),
+        [one] => one.clone(),
+        [others @ .., last] => format!("{} and {last}", others.join(", ")),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

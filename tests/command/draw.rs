@@ -69,7 +69,7 @@ fn outlines(d: &str) -> Vec<Vec<[f64; 2]>> {
 }
 
 /// Every outline of every element of a class.
-fn all(svg: &str, class: &str) -> Vec<Vec<[f64; 2]>> {
+pub fn all(svg: &str, class: &str) -> Vec<Vec<[f64; 2]>> {
     let mark = format!("class=\"{class}\"");
     let at = svg.match_indices(&mark).map(|(i, _)| i);
     at.flat_map(|i| outlines(attribute(&svg[i..], class, "d").unwrap()))

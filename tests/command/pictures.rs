@@ -1,6 +1,7 @@
 //! Every picture read back: ticks say where they stand, no two labels cover each other, none leaves the
 //! picture.
 
+use crate::draw::all;
 use crate::svg::{assert_true_ticks, axes, faults, texts};
 use trilith::case::{find, library};
 use trilith::inside::{chart, chart::Chart};
@@ -190,6 +191,68 @@ fn published_values_stand_on_the_curves_of_their_own_wall() {
         ["33", "83", "0.4"],
     ] {
         assert!(!marked("", "", other), "{other:?}");
+    }
+}
+
+/// No segment of a curve begins or ends where its method has no value, or passes over such a place; each of
+/// those is marked. A curve that lies on another lets it be seen, and all panels have one axis.
+#[test]
+fn curves_end_where_there_is_no_value() {
+    let count = 9;
+    let misses = |seed: u64, at: u64| (seed * 7 + at * (at + seed)).is_multiple_of(5);
+    for seed in 1..=20 {
+        let mut text = "case,method,status,lower,upper,friction\n".to_owned();
+        let mut missing = 0;
+        for (case, factor) in [("wall", 1.0), ("wall@open", 0.4)] {
+            for at in 0..count {
+                let (friction, lambda) = (at + 1, factor * (0.1 + 0.05 * at as f64));
+                text.push_str(&format!(
+                    "{case},associative,verified,{lambda},{lambda},{friction}\n"
+                ));
+                let ends = match misses(seed, at) {
+                    true => "undecided,,".to_owned(),
+                    false => format!("verified,{lambda},{lambda}"),
+                };
+                missing += usize::from(misses(seed, at));
+                text.push_str(&format!("{case},interval,{ends},{friction}\n"));
+            }
+        }
+        let picture = sweep_picture(&SweepTable::parse("swept", text.as_bytes()).unwrap()).unwrap();
+        assert_clear(&picture, "curves");
+        assert_eq!(
+            picture.matches("class=\"missing\"").count(),
+            missing,
+            "{text}"
+        );
+        assert_eq!(picture.contains(">no answer<"), missing > 0);
+        let ticks = axes(&picture, "x-tick", false);
+        assert_eq!(ticks.len(), 2);
+        let heights = axes(&picture, "y-tick", false);
+        let values = |axis: &Vec<(f64, f64)>| axis.iter().map(|of| of.0).collect::<Vec<_>>();
+        assert_eq!(
+            values(&heights[0]),
+            values(&heights[1]),
+            "one axis for both"
+        );
+        let [(first, x0), .., (last, x1)] = ticks[0][..] else {
+            panic!("two ticks")
+        };
+        let place = |x: f64| (first + (x - x0) / (x1 - x0) * (last - first)).round() as u64 - 1;
+        // Of each panel the curve of `associative`, then the pieces of `interval`.
+        let curves = all(&picture, "curve");
+        let whole = curves.iter().filter(|curve| curve.len() == count as usize);
+        assert!(whole.count() >= 2);
+        for curve in curves.iter().filter(|curve| curve.len() < count as usize) {
+            let at: Vec<u64> = curve.iter().map(|point| place(point[0])).collect();
+            assert!(at.windows(2).all(|pair| pair[1] == pair[0] + 1), "{at:?}");
+            assert!(at.iter().all(|&at| !misses(seed, at)), "{seed}: {at:?}");
+        }
+        let on_another = curves.iter().filter(|curve| curve.len() > 1).count();
+        assert_eq!(
+            picture.matches("stroke-dasharray=\"8 8\"").count(),
+            on_another - 2,
+            "{seed}"
+        );
     }
 }
 

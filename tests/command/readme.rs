@@ -213,7 +213,7 @@ fn loads(sketch: &mut Sketch, solved: &Solved) {
     );
     assert_eq!(wall.overburden, 0.0);
     sketch.text([left - 10.0, top - 16.0], "end", FAINT, "overburden");
-    sketch.text([left - 10.0, top - 1.0], "end", FAINT, "(here none)");
+    sketch.text([left - 10.0, top - 1.0], "end", FAINT, "(if any)");
     // The block that holds this point, in the part that stands still.
     let inside = Point::new(8.0, 2.5 * wall.unit_height);
     let centres = solved.scene.blocks().iter().map(|b| b.shape.centroid());

@@ -281,4 +281,46 @@ fn what_governs_stands_first() {
         }
         assert_eq!(seen, names.len());
     }
+    let pages = [
+        &["report"][..],
+        &names,
+        &methods,
+        &["--page", "--out", "pages"],
+    ]
+    .concat();
+    trilith(folder.path(), &pages);
+    let pages = fs::read_to_string(folder.path().join("pages/page.html")).unwrap();
+    let pages: Vec<&str> = pages.split("<section class=\"case\"").skip(1).collect();
+    assert_eq!(pages.len(), names.len());
+    for (name, page) in names.iter().zip(pages) {
+        let drawing =
+            text(&trilith(folder.path(), &["draw", name, "--starts", "1", "-o", "-"]).stdout);
+        let in_short = &rows
+            .iter()
+            .find(|row| row["case"].as_str().unwrap().starts_with(name))
+            .unwrap()["in_short"];
+        let of = |key: &str| in_short[key].as_str().unwrap();
+        let lambda = format!("{:.5}", in_short["lambda"].as_f64().unwrap());
+        let (said, _) = of("text").split_once(". ").unwrap();
+        assert!(
+            page.contains(said) && page.contains("<svg"),
+            "{name}: {said}"
+        );
+        // The first drawing is that of the answer.
+        let first = &page[page.find("<svg").unwrap()..page.find("</svg>").unwrap()];
+        for svg in [drawing.as_str(), first] {
+            assert!(svg.contains(&lambda), "{name}: {lambda} in {svg}");
+            if said.contains("head joints") {
+                let joints = format!(
+                    "head joints {}",
+                    of("head_joints").replace("contact", "in contact")
+                );
+                assert!(svg.contains(&joints), "{name}: {joints} in {svg}");
+            }
+            if !said.contains("either side") {
+                let push = format!("pushed to the {}", of("push"));
+                assert!(svg.contains(&push), "{name}: {push} in {svg}");
+            }
+        }
+    }
 }

@@ -302,7 +302,7 @@ fn answers_are_given_in_the_terms_of_engineers() {
     assert_says(
         &pier,
         &[
-            "1 of 2 blocks slides to the right on course 1",
+            "the upper part, 1 of 2 blocks, slides to the right on course 1",
             "base shear is 0.1",
         ],
     );

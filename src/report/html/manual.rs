@@ -4,7 +4,7 @@
 use maud::{Markup, PreEscaped, html};
 
 use super::document::{Document, document};
-use super::panel::foremost;
+use super::panel::verdict;
 use super::prose;
 use super::ranges::range_figure;
 use super::residuals::in_short;
@@ -12,83 +12,85 @@ use super::sortable::{TableCell, cells, plain, titles};
 use super::witnesses::witnesses;
 use crate::judge::{Check, Verdict};
 use crate::method::Settings;
-use crate::number::{nine_digits, short};
-use crate::report::governing::Governing;
+use crate::number::nine_digits;
 use crate::run::{CaseResult, Partial};
 
 /// The manual of these results as a page.
 pub fn manual(results: &[CaseResult], settings: &Settings, partial: Option<&Partial>) -> String {
+    let lead = format!(
+        "{} cases: what each is, what is known of it from elsewhere, what every method answers, and \
+         the residuals that the judge recomputed.",
+        results.len()
+    );
+    let after = html! {
+        section.case id="reading" { h2 { "How to read it" } (prose::reading()) }
+        section id="made-with" { h2 { "Made with" } (prose::made_with(settings)) }
+    };
+    cases(results, ("Verification manual", lead), Some(after), partial)
+}
+
+/// A page for each of these cases and nothing else, as for a file on one's own wall.
+pub fn pages(results: &[CaseResult], partial: Option<&Partial>) -> String {
+    let lead =
+        "What it comes to, the wall as it was read, and what every method answers.".to_owned();
+    cases(
+        results,
+        ("Collapse of dry-joint masonry", lead),
+        None,
+        partial,
+    )
+}
+
+fn cases(
+    results: &[CaseResult],
+    (heading, lead): (&str, String),
+    after: Option<Markup>,
+    partial: Option<&Partial>,
+) -> String {
     let links = results.iter().map(|result| {
         let name = &result.case.name;
         (format!("case-{name}"), name.clone())
     });
-    let said = partial.map_or(String::new(), |_| "PARTIAL: ".to_owned());
+    let links: Vec<_> = links.collect();
+    let said = partial.map_or("", |_| "PARTIAL: ");
     document(&Document {
-        title: format!("{said}trilith verification manual"),
-        class: "manual",
-        heading: "Verification manual",
-        lead: format!(
-            "{} cases: what each is, what is known of it from elsewhere, what every method answers, and \
-             the residuals that the judge recomputed.",
-            results.len()
-        ),
-        links: links.collect(),
+        title: format!("{said}trilith: {}", heading.to_lowercase()),
+        class: if links.len() > 1 {
+            "manual"
+        } else {
+            "manual single"
+        },
+        heading,
+        lead,
+        links,
         body: html! {
             @if let Some(partial) = partial { p.headline.bad { (partial) } }
-            @for result in results { (case(result)) }
-            section.case id="reading" { h2 { "How to read it" } (prose::reading()) }
-            section id="made-with" { h2 { "Made with" } (prose::made_with(settings)) }
+            @for result in results { (case(result, after.is_some())) }
+            @if let Some(after) = &after { (after) }
         },
     })
 }
 
-fn case(result: &CaseResult) -> Markup {
-    let (name, title, source) = (&result.case.name, &result.case.title, &result.case.source);
+/// A case; the `notes` and residuals of all methods fill more than a sheet.
+fn case(result: &CaseResult, notes: bool) -> Markup {
+    let name = &result.case.name;
     html! {
         section.case id={"case-" (name)} {
             h2 { (name) }
-            @if title != name { p.title { (title) } }
-            @if !source.is_empty() { p.small { "Source: " (source) } }
-            @if let Some(governing) = Governing::of(result) { p.answer { b { "In short: " } (governing.text()) } }
-            p.small { (in_figures(result)) }
+            (verdict(result))
             div.drawings {
-                @if let Some(svg) = foremost(result) { figure.drawing { (PreEscaped(svg)) } }
                 @if let Some(svg) = range_figure(result) { figure.drawing { (PreEscaped(svg)) } }
             }
             @if !result.case.references.is_empty() { (references(result)) }
-            (answers(result))
+            (answers(result, notes))
             (witnesses(name))
             @for conclusion in &result.conclusions {
                 p.answer { b { (conclusion.head_joints.name()) " head joints: " } (conclusion) }
             }
             (open_checks(result))
-            (in_short(result))
+            (in_short(result, notes))
         }
     }
-}
-
-/// How large the case is, one sentence a setting of its head joints.
-fn in_figures(result: &CaseResult) -> String {
-    let mut settings: Vec<String> = Vec::new();
-    for head_joints in &result.case.head_joints {
-        let mut rows = result.rows.iter();
-        let row = rows.find(|row| row.head_joints == *head_joints);
-        let Some(row) = row else { continue };
-        let friction = match row.friction {
-            Some([least, most]) if least == most => format!(", μ = {}", short(least, 4)),
-            Some([least, most]) => format!(", μ = {} to {}", short(least, 4), short(most, 4)),
-            None => String::new(),
-        };
-        settings.push(format!(
-            "{}: {} blocks, {} joints{friction}",
-            head_joints.name(),
-            row.blocks,
-            row.joints
-        ));
-    }
-    let pushes: Vec<&str> = result.case.pushes.iter().map(|push| push.name()).collect();
-    let (settings, pushes) = (settings.join("; "), pushes.join(" and "));
-    format!("Head joints {settings}. Pushed {pushes}.")
 }
 
 fn references(result: &CaseResult) -> Markup {
@@ -121,7 +123,7 @@ fn references(result: &CaseResult) -> Markup {
     plain("Known from elsewhere", &columns, &references)
 }
 
-fn answers(result: &CaseResult) -> Markup {
+fn answers(result: &CaseResult, notes: bool) -> Markup {
     let columns = [
         "method",
         "head_joints",
@@ -134,8 +136,9 @@ fn answers(result: &CaseResult) -> Markup {
         "verdict",
         "note",
     ];
-    let rows = result.rows.iter().map(|row| cells(row, &columns));
-    plain("Answers", &titles(&columns), &rows.collect::<Vec<_>>())
+    let columns = &columns[..columns.len() - usize::from(!notes)];
+    let rows = result.rows.iter().map(|row| cells(row, columns));
+    plain("Answers", &titles(columns), &rows.collect::<Vec<_>>())
 }
 
 /// How many checks hold, and those that do not simply.

@@ -20,4 +20,5 @@ mod sweep;
 mod witnesses;
 
 pub use manual::manual;
+pub(crate) use manual::pages;
 pub use page::page;

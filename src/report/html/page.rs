@@ -39,6 +39,9 @@ pub fn page(
     })
 }
 
+/// Cases that stand before the tables.
+const FEW: usize = 4;
+
 /// Sections as (id, heading, body), those without contents left out.
 fn sections(
     results: &[CaseResult],
@@ -49,7 +52,19 @@ fn sections(
     let mut add = |id: &str, title: &str, body: Markup| {
         sections.push((id.to_owned(), title.to_owned(), body));
     };
-    add("summary", "Summary", summary::summary(results));
+    // A few cases stand first, each with its verdict; of many, a line each.
+    let few = results.len() <= FEW;
+    let cases = |add: &mut dyn FnMut(&str, &str, Markup)| {
+        for result in results {
+            let name = &result.case.name;
+            add(&format!("case-{name}"), name, panel::panel(result));
+        }
+    };
+    if few {
+        cases(&mut add);
+    } else {
+        add("verdicts", "In short", summary::verdicts(results));
+    }
     add("multipliers", "Multipliers", sortable::multipliers(results));
     if let Some(body) = ranges::ranges(results) {
         add("ranges", "Ranges", body);
@@ -58,10 +73,10 @@ fn sections(
         let id = format!("sweep-{}", index + 1);
         add(&id, &sweep::title(table), sweep::section(table));
     }
-    for result in results {
-        let name = &result.case.name;
-        add(&format!("case-{name}"), name, panel::panel(result));
+    if !few {
+        cases(&mut add);
     }
+    add("summary", "Checks", summary::summary(results));
     add("reading", "How to read it", prose::reading());
     add("limitations", "Known limitations", prose::limitations());
     add("made-with", "Made with", prose::made_with(settings));

@@ -3,6 +3,8 @@
 use maud::{Markup, PreEscaped, html};
 
 use super::residuals;
+use crate::case::{Case, geometry_words, push_words};
+use crate::judge::governing;
 use crate::method::{Kind, entry};
 use crate::number::number;
 use crate::picture::{Options, View, common_size, figure, replay as drawn_replay};
@@ -18,9 +20,7 @@ pub fn panel(result: &CaseResult) -> Markup {
     let all: Vec<View> = all.map(|row| view(result, row)).collect();
     let size = common_size(&all, WIDTH);
     html! {
-        @if result.case.title != result.case.name { p.title { (result.case.title) } }
-        @if !result.case.source.is_empty() { p.small { "Source: " (result.case.source) } }
-        @if let Some(governing) = Governing::of(result) { p.answer { b { "In short: " } (governing.text()) } }
+        (verdict(result))
         @for conclusion in &result.conclusions {
             @if let Some(terms) = terms(result, conclusion) {
                 p.small { (conclusion.head_joints.name()) ": " (terms.to_string()) }
@@ -49,14 +49,55 @@ pub fn panel(result: &CaseResult) -> Markup {
     }
 }
 
-/// The drawing of the foremost answer of a case that is not the closed form's.
-pub fn foremost(result: &CaseResult) -> Option<String> {
+/// What the case comes to beside the drawing of that answer, and what it is.
+pub fn verdict(result: &CaseResult) -> Markup {
+    let Case {
+        name,
+        title,
+        source,
+        pushes,
+        ..
+    } = &result.case;
+    let said = Governing::of(result).map(|governing| governing.sentences());
+    html! {
+        @if title != name { p.title { (title) } }
+        div.verdict {
+            div {
+                @if let Some((first, others)) = said {
+                    p.headline.said { (first) }
+                    p.answer { (others.join(" ")) }
+                }
+                dl.inputs {
+                    dt { "Made of" } dd { (geometry_words(&result.case)) }
+                    @if result.case.motion.is_none() { dt { "Pushed" } dd { (push_words(pushes)) } }
+                    @for (head_joints, scenes) in &result.scenes {
+                        dt { "Head joints " (head_joints.in_words()) }
+                        dd { (scenes[0].blocks().len()) " blocks, " (scenes[0].joints().len()) " joints" }
+                    }
+                    @if !source.is_empty() { dt { "Source" } dd { (source) } }
+                }
+            }
+            @if let Some(svg) = governing_drawing(result) { figure.drawing { (PreEscaped(svg)) } }
+        }
+    }
+}
+
+/// The drawing of the answer that governs; of any other where that has nothing to draw.
+fn governing_drawing(result: &CaseResult) -> Option<String> {
+    let first = governing(&result.conclusions).map(|at| &result.conclusions[at]);
+    let governs = |row: &&Row| {
+        first.is_some_and(|of| {
+            row.head_joints == of.head_joints && of.methods.first() == Some(&row.method)
+        })
+    };
     let (rows, further) = drawn(result);
-    let mut rows = rows.into_iter().chain(further).chain(&result.rows);
-    let row = rows.find(|row| row.kind() != Kind::ClosedForm)?;
+    let mut others = rows.into_iter().chain(further).chain(&result.rows);
+    let row = result.rows.iter().find(governs);
+    let row = row.filter(|row| row.outcome.evidence.mechanism().is_some());
+    let row = row.or_else(|| others.find(|row| row.kind() != Kind::ClosedForm))?;
     let options = Options {
         framed: false,
-        ..Options::for_pictures(3)
+        ..Options::for_pictures(2)
     };
     Some(figure(&result.case.name, &[view(result, row)], &options))
 }
@@ -112,11 +153,11 @@ const WIDTH: f64 = 400.0;
 /// compared.
 fn drawings(result: &CaseResult, rows: &[&Row], (scale, height): (f64, f64)) -> Markup {
     let options = Options {
-        forces: false,
         framed: false,
         width: WIDTH,
         scale: Some(scale),
         height,
+        ..Options::for_pictures(3)
     };
     let svg = |row: &Row| figure(&result.case.name, &[view(result, row)], &options);
     html! {
@@ -145,7 +186,7 @@ fn replay(result: &CaseResult, row: &Row) -> Markup {
         None => ("λ =", lambda),
     };
     html! {
-        h3 id=(id) { "The collapse, replayed" }
+        h3.replay-title id=(id) { "The collapse, replayed" }
         figure.replay aria-labelledby=(id) {
             (PreEscaped(replay.svg))
             div.controls {

@@ -31,7 +31,7 @@ pub fn reading() -> Markup {
             "method enters it. The three limit analyses share one program, so that they do not confirm each "
             "other as the closed form, the pushover and an independent code do." }
         p { "A reference is published (p), analytic (a) or from an independent code (i); its error is that of "
-            "the farther end of the range. What is unfolded is printed." }
+            "the farther end of the range. What is folded is not printed." }
     }
 }
 

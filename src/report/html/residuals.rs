@@ -107,13 +107,20 @@ fn within(residual: f64) -> TableCell {
     }
 }
 
-/// One line for everything that an answer puts forward: its residuals by name. Nothing without any.
-pub fn in_short(result: &CaseResult) -> Markup {
+/// One line for everything that an answer puts forward, of `all` answers or of the lowest states that count:
+/// its residuals by name. Nothing without any.
+pub fn in_short(result: &CaseResult, all_answers: bool) -> Markup {
+    let counts = |row: &&Row| {
+        let mut conclusions = result.conclusions.iter();
+        let of_row = conclusions.find(|of| of.head_joints == row.head_joints);
+        all_answers || of_row.is_some_and(|of| of.methods.first() == Some(&row.method))
+    };
     let mut lines = Vec::new();
-    for row in &result.rows {
+    for row in result.rows.iter().filter(counts) {
         let mut all = put_forward(row);
         // Of many collapse states the lowest and the highest.
         let last = (all.len() > 1).then(|| all.pop()).flatten();
+        let last = last.filter(|_| all_answers);
         all.truncate(1);
         for (cells, residuals) in all.into_iter().chain(last) {
             let largest = residuals.iter().map(|(_, value)| *value);

@@ -17,10 +17,6 @@ for (const table of document.querySelectorAll("table.sortable")) {
     head.setAttribute("aria-sort", sign > 0 ? "ascending" : "descending");
   }));
 }
-// What is folded is printed.
-const folded = [...document.querySelectorAll("details:not([open])")];
-addEventListener("beforeprint", () => folded.forEach(one => { one.open = true; }));
-addEventListener("afterprint", () => folded.forEach(one => { one.open = false; }));
 // Replays: poses are displacements and rotations in steps; bodies move as they are.
 for (const figure of document.querySelectorAll("figure.replay")) {
   const { blocks, centres, step, turn, times, frames } = JSON.parse(figure.querySelector("script").textContent);

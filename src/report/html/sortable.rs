@@ -85,13 +85,20 @@ pub fn plain(caption: &str, columns: &[&str], rows: &[Vec<TableCell>]) -> Markup
 
 /// Narrow screens show a row as a list of cells behind the names of their columns; print, which cannot
 /// repeat buttons, takes the names in their stead.
+///
+/// Columns in which no row has anything are left out.
 fn table(caption: &str, columns: &[&str], rows: &[Vec<TableCell>], sorts: bool) -> Markup {
+    let has_any = |&place: &usize| {
+        let mut cells = rows.iter().filter_map(|row| row.get(place));
+        cells.any(|cell| !["", "-"].contains(&cell.text.as_str()))
+    };
+    let kept: Vec<usize> = (0..columns.len()).filter(has_any).collect();
     html! {
         div.scroll tabindex="0" role="region" aria-label=(caption) {
             table.sortable[sorts] {
                 caption { (caption) }
                 thead { tr {
-                    @for column in columns {
+                    @for column in kept.iter().map(|&place| columns[place]) {
                         @if sorts {
                             th scope="col" aria-sort="none" data-name=(column) { button type="button" { (column) } }
                         } @else {
@@ -101,8 +108,8 @@ fn table(caption: &str, columns: &[&str], rows: &[Vec<TableCell>], sorts: bool) 
                 } }
                 tbody {
                     @for row in rows {
-                        tr { @for (cell, (place, name)) in row.iter().zip(columns.iter().enumerate()) {
-                            (shown(place, name, cell))
+                        tr { @for &place in &kept {
+                            (shown(place, columns[place], &row[place]))
                         } }
                     }
                 }

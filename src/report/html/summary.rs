@@ -5,6 +5,7 @@ use maud::{Markup, html};
 use super::sortable::{TableCell, sortable, status_class, verdict_class};
 use crate::answer::Status;
 use crate::judge::{Check, Verdict};
+use crate::report::governing::Governing;
 use crate::run::CaseResult;
 
 /// The verdicts in the order of their tiles, and what is said of the checks.
@@ -15,6 +16,18 @@ const CHECK_TILES: [(Verdict, &str); Verdict::ALL.len()] = [
     (Verdict::NotDecided, "not decided"),
     (Verdict::Violated, "violated"),
 ];
+
+/// What each case comes to, with a link to it.
+pub fn verdicts(results: &[CaseResult]) -> Markup {
+    html! {
+        @for result in results {
+            @let name = &result.case.name;
+            @if let Some(governing) = Governing::of(result) {
+                p.answer { b { a href={"#case-" (name)} { (name) } } ": " (governing.text()) }
+            }
+        }
+    }
+}
 
 /// Counts of verdicts and statuses, then the checks that need a word.
 pub fn summary(results: &[CaseResult]) -> Markup {
@@ -36,7 +49,8 @@ pub fn summary(results: &[CaseResult]) -> Markup {
     let by_status: Vec<_> = by_status.filter(|(count, ..)| *count > 0).collect();
     let by_verdict =
         CHECK_TILES.map(|(verdict, words)| (verdicts(verdict), words, verdict_class(verdict)));
-    let of_results = format!("{} results of {} cases", rows.len(), results.len());
+    let plural = if results.len() == 1 { "" } else { "s" };
+    let of_results = format!("{} results of {} case{plural}", rows.len(), results.len());
     let of_checks = format!("{} checks", checks.len());
     let tiles = [(of_results, by_status), (of_checks, by_verdict.into())];
     html! {

@@ -46,8 +46,8 @@ pub fn weights(large: bool) -> Grid {
         causes: "A column of five blocks that narrow upwards from 1 to 0.6, each 0.5 high, friction \
                  1.5; exact. Lighter upwards, the top block rocks, else the column. Programs give \
                  each block units of its own, and the judge measures it by its own forces. \
-                 pushover: rest and collapse are measured over the whole scene, where a light top \
-                 block does not count, and it is wrong. macro-block: a column has no stagger, so \
+                 pushover: refuses weights that differ by more than 1e4 within one connected part, and \
+                 is exact below. macro-block: a column has no stagger, so \
                  that it declines.",
         cells,
     }
@@ -83,8 +83,8 @@ pub fn light_beside_heavy(large: bool) -> Grid {
         kinds: &[],
         causes: "A heavy block 2 x 2 and, apart from it, a light one four times as high as wide, \
                  friction 0.65; exact: the light one rocks at 0.25. What is measured over the whole \
-                 scene alone does not see it. pushover: rest and collapse are such measures, and it is \
-                 wrong. sequential: loses the light block from 1e8 on.",
+                 scene alone does not see it. pushover: what is not connected is run by itself. \
+                 sequential: in the large atlas it loses the light block from 1e10 on.",
         cells,
     }
 }

@@ -40,7 +40,9 @@ pub fn curves(
     for method in table.distinct("method") {
         let colour = method_look(method, 0).colour;
         let is_of = |row: &&&Vec<Value>| table.words(row, "method") == method;
-        let pieces = pieces(table, x, rows.iter().filter(is_of).copied());
+        let (pieces, missing) = pieces(table, x, rows.iter().filter(is_of).copied());
+        plot.missing
+            .extend(missing.into_iter().map(|x| (x, colour)));
         let last = pieces.len().saturating_sub(1);
         for (index, points) in pieces.into_iter().enumerate() {
             let is_wide = |[_, low, high]: &[f64; 3]| high - low > WIDE * high.abs().max(1e-3);
@@ -65,12 +67,13 @@ pub fn curves(
     plot
 }
 
-/// Points of a curve as abscissa and both ends, in pieces: a point without an answer ends one.
+/// Points of a curve as abscissa and both ends, in pieces: a point without an answer ends one. The
+/// points without an answer beside them.
 fn pieces<'a>(
     table: &SweepTable,
     x: &Variable,
     rows: impl Iterator<Item = &'a Vec<Value>>,
-) -> Vec<Vec<[f64; 3]>> {
+) -> (Vec<Vec<[f64; 3]>>, Vec<f64>) {
     let numbers = x.numbers();
     let place = |row: &[Value]| {
         let value = table.words(row, &x.name);
@@ -84,15 +87,18 @@ fn pieces<'a>(
     };
     let mut points: Vec<_> = rows.filter_map(point).collect();
     points.sort_by(|(a, _), (b, _)| a.total_cmp(b));
-    let mut pieces = vec![Vec::new()];
+    let (mut pieces, mut missing) = (vec![Vec::new()], Vec::new());
     for (x, ends) in points {
         match (ends, pieces.last_mut()) {
             (Some((low, high)), Some(piece)) => piece.push([x, low, high]),
-            _ => pieces.push(Vec::new()),
+            _ => {
+                missing.push(x);
+                pieces.push(Vec::new());
+            }
         }
     }
     pieces.retain(|piece| !piece.is_empty());
-    pieces
+    (pieces, missing)
 }
 
 /// The axis of a variable: numbers as they ask for, words beside one another.

@@ -2,10 +2,12 @@
 
 use super::curves::{KNOWN, curves, heading};
 use super::points::{SweepTable, Variable, VariableKind};
+use crate::method::{Look, Mark};
 use crate::number::number;
 use crate::picture::palette::{INK, SCALE, tone_of};
 use crate::picture::{
     Cells, Field, Filling, PictureCell, Plot, Sample, cells, dashed_line, ends_of, plots,
+    share_axes,
 };
 use crate::run::Value;
 
@@ -67,6 +69,7 @@ fn drawn(table: &SweepTable, together: bool) -> Result<Vec<String>, String> {
             }
         }
     }
+    share_axes(&mut panels);
     Ok(match together {
         true => vec![plots(&title, &panels, &legend(&panels))],
         false => panels
@@ -120,7 +123,7 @@ fn fields(table: &SweepTable, title: &str, x: &Variable, y: &Variable) -> String
         xs: x.values.iter().map(String::as_str).collect(),
         ys: y.values.iter().map(String::as_str).collect(),
         fields,
-        words: "A cell has the lower end of the answer's range; a dash: no answer.",
+        words: "A cell has the lowest that was found; a dash: no answer.",
     })
 }
 
@@ -129,18 +132,28 @@ fn legend(panels: &[Plot]) -> Vec<(Sample, &'static str)> {
     let is_known = panels.iter().any(|panel| !panel.marks.is_empty());
     let shade = (
         Sample::Shade(INK, 0.22),
-        "between the ends of a method's range",
+        "from the lowest to the highest that a method found",
     );
     let known = (
         Sample::Point(KNOWN, Filling::Open),
         "published or by another code",
     );
-    let line = (Sample::Line(dashed_line(INK)), "lower end");
-    [shade]
-        .into_iter()
-        .chain(is_known.then_some(known))
-        .chain([line])
-        .collect()
+    let line = (Sample::Line(dashed_line(INK)), "lowest found");
+    let cross = Look {
+        colour: INK,
+        mark: Mark::Cross,
+    };
+    let none = Sample::Point(cross, Filling::Full);
+    let has_range = panels.iter().any(|panel| !panel.ranges.is_empty());
+    let misses = panels.iter().any(|panel| !panel.missing.is_empty());
+    let all = [
+        (has_range, shade),
+        (is_known, known),
+        (has_range, line),
+        (misses, (none, "no answer")),
+    ];
+    let there = all.into_iter().filter(|(is_there, _)| *is_there);
+    there.map(|(_, entry)| entry).collect()
 }
 
 /// The variable with the most numbers: the overburden, where it has as many.
