@@ -23,7 +23,7 @@ pub struct Case {
     pub head_joints: Vec<HeadJoints>,
     /// How supports move, where they do: then their reaction is the live load.
     pub(crate) motion: Option<SupportMotion>,
-    /// The λ that is demanded of it, positive: answers say how many times it they reach.
+    /// The λ that is demanded of it, positive: answers give λ over it.
     pub demand: Option<f64>,
     /// Whether its file says no weight: then forces are in weights of a unit, and λ depends on none.
     pub is_weight_unsaid: bool,

@@ -191,7 +191,7 @@ impl<'a> Governing<'a> {
             }
             _ if times < 1.0 => {
                 format!(
-                    "That falls short of {written}: it is {} times it.",
+                    "That falls short of {written}: it is only {} times the demand.",
                     below(times, 2)
                 )
             }

@@ -289,7 +289,7 @@ fn a_demand_gives_lambda_over_it() {
     );
     let weak = run("1.5", "interval", &[]);
     let words = format!(
-        "That falls short of the demand of 1.5: it is {} times it.",
+        "That falls short of the demand of 1.5: it is only {} times the demand.",
         floor(1.5)
     );
     assert!(weak.contains(&words), "{weak}");

@@ -37,10 +37,12 @@ pub(in crate::case) fn stay_open(
     wider: &[LeftOpen],
     name: &dyn Fn(usize) -> String,
 ) -> Option<Complaint> {
-    let title = format!(
-        "{} gaps stay open in part, where they are wider than what is closed",
-        wider.len()
-    );
+    let title = match wider.len() {
+        1 => "a gap stays open in part, where it is wider than what is closed".to_owned(),
+        count => {
+            format!("{count} gaps stay open in part, where they are wider than what is closed")
+        }
+    };
     let place = |gap: &LeftOpen| {
         let ([one, other], at, width) = (gap.bodies.map(name), gap.at, gap.width);
         format!(

@@ -180,23 +180,22 @@ fn nearest_to(
     middle: Point,
     farthest: f64,
 ) -> (Point, bool) {
-    let solved = |own: f64, heaviest: f64| {
+    let solved = |own: f64| {
         let mut matrix = Matrix2::identity() * own;
         let mut right = Vector::zeros();
         for (line, weight) in lines.clone() {
             let normal = Vector::new(-line.along.y, line.along.x);
-            let weight = weight / heaviest;
             matrix += normal * normal.transpose() * weight;
             right -= normal * (weight * line.distance(middle));
         }
         (matrix, right)
     };
-    let (plain, _) = solved(0.0, 1.0);
+    let (plain, _) = solved(0.0);
     let spread = |matrix: Matrix2<f64>| matrix.determinant() / matrix.trace().max(1.0);
     let is_sharp = spread(plain) > SPREAD;
     let (matrix, right) = match is_sharp {
-        true => solved(0.0, 1.0),
-        false => solved(1e-3, 1.0),
+        true => solved(0.0),
+        false => solved(1e-3),
     };
     let step = matrix
         .try_inverse()

@@ -35,7 +35,7 @@ const SAID_OTHERWISE: [(&[&str], &str); 6] = [
     (
         &["a_g", "ag", "pga", "ground_acceleration", "seismic"],
         "write `demand = 0.25`, the horizontal acceleration in g that your code demands: λ is the one at which \
-         the wall collapses, and answers then say how many times it they reach",
+         the wall collapses, and answers then give λ over the demand",
     ),
     (
         &["vertical", "vertical_acceleration", "uplift", "av", "a_v"],

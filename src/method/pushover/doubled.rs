@@ -109,13 +109,18 @@ fn light_on_top() -> (&'static str, Scene, f64) {
     )
 }
 
+/// A column that sways, so that its masses grow with the depth; width over height.
+fn tall() -> (&'static str, Scene, f64) {
+    ("column of 24", open([1.0, 1.0], &["1"; 24]), 1.0 / 24.0)
+}
+
 /// The same of the numbers of models and levels, and of ranges, which none of them moves.
 #[test]
 #[ignore = "takes half a minute"]
 fn levels_and_ranges_do_not_hang_on_tuned_numbers() {
     let settings = PushoverSettings::default();
     let mut wrong = Vec::new();
-    let scenes = [scenes(), vec![light_on_top()]].concat();
+    let scenes = [scenes(), vec![light_on_top(), tall()]].concat();
     let contact = wall([4.0, 1.75], 0.65, &["h1h", "11", "h1h"]);
     let contact = contact.scene(HeadJoints::Contact).unwrap();
     let range = |asked| answer(&contact, &Portion::default(), asked).bracket();
