@@ -28,6 +28,11 @@ fn quick(text: String) -> String {
     text.replace(", \"pushover\"", "")
 }
 
+/// As [`quick`], with two starts for each search instead of all: hundredths of the time.
+fn two_starts(text: String) -> String {
+    quick(text) + "\n[settings]\nstarts = 2\n"
+}
+
 /// Overburden ratios 0, 1, … 10.
 fn eleven(text: String) -> String {
     text.replace("count = 40", "count = 11")
@@ -66,20 +71,17 @@ fn outside(rows: &[Row]) -> Vec<(&Row, f64)> {
     outside.collect()
 }
 
+fn told(row: &Row) -> String {
+    format!("{} {} {:?}", row.scene_name(), row.method, row.parameters)
+}
+
 /// Section 3.1.1: "the bounds computed by macro-block model always contain the load factor by
 /// micro-block model whatever overload amount".
 fn assert_contained(rows: &[Row]) {
     let outside = outside(rows);
     let told: Vec<String> = outside
         .iter()
-        .map(|(row, ratio)| {
-            format!(
-                "{} {} {:?} {ratio}",
-                row.scene_name(),
-                row.method,
-                row.parameters
-            )
-        })
+        .map(|(row, ratio)| format!("{} {ratio}", told(row)))
         .collect();
     assert!(told.is_empty(), "outside of the macro range: {told:#?}");
     let judged = rows.iter().filter(|row| row.bracket().is_some()).count();
@@ -165,12 +167,10 @@ fn slides(row: &Row, friction: f64) -> bool {
         .is_some_and(|bracket| (bracket.lower - friction).abs() < 1e-6)
 }
 
-/// The two starts of the study do not find it.
 #[test]
 fn the_lowest_state_of_rough_joints_lies_below_the_range() {
     let rows = rows("study-friction", |text| {
-        let searched = quick(text).replace("[settings]\nstarts = 2", "");
-        let bare = searched.replace("overburden = [0, 1, 4]", "overburden = [0]");
+        let bare = quick(text).replace("overburden = [0, 1, 4]", "overburden = [0]");
         bare.replace("{ from = 0.2, to = 1.2, count = 11 }", "[1.1]")
     });
     assert_eq!(rows.len(), 6);
@@ -186,32 +186,40 @@ fn the_lowest_state_of_rough_joints_lies_below_the_range() {
     assert!(slope(&rows[0]) > 0.93, "{}", slope(&rows[0]));
 }
 
-#[test]
-fn elsewhere_the_range_fails_only_where_the_studies_say_so() {
-    let studies: [(&str, &[(usize, Known)]); 4] = [
+/// Holds that the studies, each changed first, leave the range only where their files say so, and so
+/// many times: `counts` chooses between what two starts and what all find.
+fn assert_known(change: fn(String) -> String, counts: usize) {
+    let studies: [(&str, &[([usize; 2], Known)]); 4] = [
         (
             "study-friction",
             &[
-                (16, |row, ratio| {
+                ([16, 16], |row, ratio| {
                     ratio < 1.0
                         && slides(row, number(row, "friction"))
                         && number(row, "friction") < 0.35
                 }),
-                (12, |row, ratio| {
+                ([12, 12], |row, ratio| {
                     let locked = number(row, "friction") > 0.95 && number(row, "overburden") > 0.0;
                     ratio > 1.0 && locked && row.head_joints == HeadJoints::Contact
+                }),
+                ([0, 1], |row, ratio| {
+                    let rough = number(row, "friction") > 1.05 && number(row, "overburden") == 0.0;
+                    let interval = rough && row.method == "interval";
+                    interval
+                        && row.head_joints == HeadJoints::Contact
+                        && (0.97..0.98).contains(&ratio)
                 }),
             ],
         ),
         (
             "study-unit-aspect",
             &[
-                (12, |row, ratio| {
+                ([12, 12], |row, ratio| {
                     ratio < 1.0 && slides(row, 0.65) && number(row, "aspect") > 3.9
                 }),
-                (1, |row, ratio| {
+                ([1, 2], |row, ratio| {
                     let square = number(row, "aspect") == 1.0 && row.method == "interval";
-                    square && row.head_joints == HeadJoints::Contact && (0.9..0.92).contains(&ratio)
+                    square && row.head_joints == HeadJoints::Contact && (0.9..0.96).contains(&ratio)
                 }),
             ],
         ),
@@ -219,29 +227,30 @@ fn elsewhere_the_range_fails_only_where_the_studies_say_so() {
         ("study-overlap", &[]),
     ];
     for (name, known) in studies {
-        let rows = rows(name, quick);
+        let rows = rows(name, change);
         for row in &rows {
-            let told = format!(
-                "{} {} {:?}: {}",
-                row.scene_name(),
-                row.method,
-                row.parameters,
-                row.outcome.reason()
-            );
-            assert_ne!(row.status(), Status::Failed, "{told}");
+            let told = told(row);
+            let reason = row.outcome.reason();
+            assert_ne!(row.status(), Status::Failed, "{told}: {reason}");
         }
-        let mut counts = vec![0; known.len()];
+        let mut found = vec![0; known.len()];
         for (row, ratio) in outside(&rows) {
             let reason = known.iter().position(|(_, is)| is(row, ratio));
-            let told = format!(
-                "{} {} {:?} {ratio}",
-                row.scene_name(),
-                row.method,
-                row.parameters
-            );
-            counts[reason.unwrap_or_else(|| panic!("no reason for {name}: {told}"))] += 1;
+            let told = told(row);
+            found[reason.unwrap_or_else(|| panic!("no reason for {name}: {told} {ratio}"))] += 1;
         }
-        let told: Vec<usize> = known.iter().map(|(count, _)| *count).collect();
-        assert_eq!(counts, told, "{name}: a deviation is gone or new");
+        let expected: Vec<usize> = known.iter().map(|(each, _)| each[counts]).collect();
+        assert_eq!(found, expected, "{name}: a deviation is gone or new");
     }
+}
+
+#[test]
+fn elsewhere_the_range_fails_only_where_the_studies_say_so() {
+    assert_known(two_starts, 0);
+}
+
+#[test]
+#[ignore = "192 whole searches; about 90 s in release"]
+fn elsewhere_whole_searches_leave_the_range_only_where_the_studies_say_so() {
+    assert_known(quick, 1);
 }
