@@ -101,6 +101,7 @@ impl Moved<'_> {
         let (place, several) = places.of(&blocks);
         let (who, several) = match (blocks.len(), all) {
             (1, 1) => ("the block".to_owned(), false),
+            (2, 2) => ("both blocks".to_owned(), true),
             (count, all) if count == all => (format!("all {all} blocks"), true),
             (count, all) if moving.len() == 1 => {
                 (format!("{place}, {count} of {all} blocks,"), several)

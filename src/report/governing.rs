@@ -19,6 +19,8 @@ pub(crate) struct Governing<'a> {
     /// Other settings and sides without a verified collapse, which may be weaker.
     unanswered: Vec<String>,
     terms: Option<Terms>,
+    /// Whether a search for collapse states ran.
+    searched: bool,
     /// The λ that the case demands.
     demand: Option<f64>,
 }
@@ -45,6 +47,7 @@ impl<'a> Governing<'a> {
                 || joints.any(|joint| joint.class == JointClass::Head),
             unanswered: unanswered.collect(),
             terms: terms(result, conclusion),
+            searched: (result.rows.iter()).any(|row| row.outcome.search().is_some()),
             demand: result.case.demand,
         })
     }
@@ -64,7 +67,7 @@ impl<'a> Governing<'a> {
             false => format!(" ({about})"),
         };
         let others = [
-            Some(self.why()),
+            self.why(),
             self.may_be_weaker(),
             self.against_demand(),
             self.in_use(),
@@ -134,10 +137,10 @@ impl<'a> Governing<'a> {
         })
     }
 
-    fn why(&self) -> String {
+    fn why(&self) -> Option<String> {
         let of = self.conclusion;
         if !of.is_explained() {
-            return "Something speaks against it: see the answer.".to_owned();
+            return Some("Something speaks against it: see the answer.".to_owned());
         }
         let why = match (of.basis, &of.floor) {
             (Basis::LowestState, floor) if of.reaction.is_some() => match floor {
@@ -149,24 +152,29 @@ impl<'a> Governing<'a> {
                 }
             },
             (Basis::LowestState, Some(floor)) => {
-                return format!("A collapse there is verified. It is proved that {floor}.");
+                return Some(format!(
+                    "A collapse there is verified. It is proved that {floor}."
+                ));
             }
             (Basis::LowestState, None) => {
                 "A collapse there is verified; one below may exist, as no lower bound is proved."
+            }
+            (Basis::UpperBound, _) if self.searched => {
+                "That is proved, but no collapse is verified: the λ to use may be lower."
             }
             (Basis::UpperBound, _) => {
                 "That is proved; no collapse is verified: the method `interval` looks for the λ to use."
             }
             (Basis::Observed, _) => "There the simulation collapsed; nothing is proved.",
             (Basis::Estimate, _) => "Nothing is proved.",
-            (Basis::Falls, _) => "The answer names what moves first.",
+            (Basis::Falls, _) => return None,
             (Basis::Stands, _) => "That is proved.",
             (Basis::NoneFound, _) => {
                 "No collapse state was found, which does not prove that none exists."
             }
             (Basis::Nothing, _) => "No method has an answer.",
         };
-        why.to_owned()
+        Some(why.to_owned())
     }
 
     /// What has no answer beside the one that governs; of an upper bound alone that is said already.
@@ -209,7 +217,8 @@ impl<'a> Governing<'a> {
         let tilt = lambda.atan().to_degrees();
         Some(match of.basis {
             Basis::UpperBound => {
-                let (g, tilt) = (above(lambda, 3), above(tilt, 1));
+                let g = above(lambda, decimals(lambda, 3));
+                let tilt = above(tilt, decimals(tilt, 1));
                 format!(
                     "It collapses at {g} g, or where the ground tilts by {tilt}°, at the latest."
                 )
@@ -217,7 +226,8 @@ impl<'a> Governing<'a> {
             _ if of.basis != Basis::LowestState || !of.is_explained() => return None,
             _ if lambda <= 0.0 => "It may fall without a push.".to_owned(),
             _ => {
-                let (g, tilt) = (below(lambda, 3), below(tilt, 1));
+                let g = below(lambda, decimals(lambda, 3));
+                let tilt = below(tilt, decimals(tilt, 1));
                 format!("It may be shaken with up to {g} g, or the ground tilt by {tilt}°.")
             }
         })
@@ -227,8 +237,12 @@ impl<'a> Governing<'a> {
     fn moves(&self) -> Option<String> {
         let terms = self.terms.as_ref()?;
         let (words, _) = terms.mechanism.as_ref()?.split_once(':').unzip();
+        let when = match self.conclusion.basis {
+            Basis::Falls => "As it falls,",
+            _ => "Then",
+        };
         let Some(words) = words else {
-            return Some(format!("Then {}.", terms.mechanism.as_ref()?));
+            return Some(format!("{when} {}.", terms.mechanism.as_ref()?));
         };
         let MovingPart {
             blocks,
@@ -236,12 +250,17 @@ impl<'a> Governing<'a> {
             ..
         } = terms.moving.first()?;
         let of_them = if blocks.len() == 1 {
-            "one"
+            "one block"
         } else {
-            &format!("{} of them", blocks.len())
+            &format!("{} blocks", blocks.len())
         };
-        Some(format!("Then {words}; {of_them} {does}."))
+        Some(format!("{when} {words}; {of_them} {does}."))
     }
+}
+
+/// Decimals for a positive value: so many, and more where else fewer than two digits would be left of it.
+fn decimals(value: f64, least: usize) -> usize {
+    least.max((1.0 - value.log10().floor()).max(0.0) as usize)
 }
 
 /// At which reaction a support's wall gives way, with its part of the weight.

@@ -79,12 +79,12 @@ fn support(
     let (name, support, blocks, shape) = match (&table.support, &table.units, geometry) {
         (None, Some(units), Geometry::Wall(wall)) => {
             let (blocks, shape) = under(units, wall, assembly)?;
-            (
-                format!("units {}", units.get_ref().trim()),
-                0,
-                Some(blocks),
-                shape,
-            )
+            let written = units.get_ref().trim();
+            let unit = match written.parse::<usize>() {
+                Ok(_) => "unit",
+                Err(_) => "units",
+            };
+            (format!("{unit} {written}"), 0, Some(blocks), shape)
         }
         (_, _, Geometry::Wall(_)) => return Err(missing_key(spanned.span(), "units")),
         (Some(word), None, _) => {
