@@ -297,10 +297,9 @@ mod tests {
     use crate::method::{Settings, methods};
     use crate::run::{Plan, run};
 
-    /// Nothing is allowed for where something speaks against the number, and a side without an answer is named.
-    #[test]
-    fn what_is_not_vouched_for_is_no_permission() {
-        let cases = find("buttress").expect("it is built in");
+    /// The result of a built-in case by two methods.
+    fn result(name: &str) -> CaseResult {
+        let cases = find(name).expect("it is built in");
         let mut methods = methods();
         methods.retain(|method| ["associative", "interval"].contains(&method.name()));
         let plan = Plan {
@@ -308,8 +307,32 @@ mod tests {
             settings: Settings::default(),
             head_joints: None,
         };
-        let mut result = run(&cases, &plan, &()).remove(0);
-        let said = |result: &CaseResult| Governing::of(result).expect("it ran").text();
+        run(&cases, &plan, &()).remove(0)
+    }
+
+    fn said(result: &CaseResult) -> String {
+        Governing::of(result).expect("it ran").text()
+    }
+
+    #[test]
+    fn a_small_push_keeps_two_digits() {
+        let text = said(&result("keystone-corbel-of-3-stands"));
+        let use_of_it = "It may be shaken with up to 0.00033 g, or the ground tilt by 0.018°.";
+        assert!(text.contains(use_of_it), "{text}");
+    }
+
+    #[test]
+    fn what_falls_says_how() {
+        let text = said(&result("keystone-corbel-of-2-falls"));
+        let how = "It falls under its own weight. As it falls, both blocks rock about the edge at (0, 1), on the \
+                   base.";
+        assert_eq!(text, how);
+    }
+
+    /// Nothing is allowed for where something speaks against the number, and a side without an answer is named.
+    #[test]
+    fn what_is_not_vouched_for_is_no_permission() {
+        let mut result = result("buttress");
         let text = said(&result);
         assert!(
             text.starts_with("Use λ = ") && text.contains("It may be shaken"),

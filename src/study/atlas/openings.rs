@@ -13,8 +13,10 @@ pub fn openings(large: bool) -> Grid {
         x: "height of the openings in courses",
         y: "openings",
         kinds: &[],
-        causes: "Walls of 4 x 1.75 units, friction 0.65, with openings one unit wide and open head \
-                 joints; HiGHS: one collapse state each, up to 8 % below λ_A. macro-block: knows no \
+        causes: "Walls of 4 x 1.75 units, friction 0.65, with openings one unit wide and open \
+                 head joints; HiGHS: one collapse state each, up to 8 % below λ_A. auto: in the \
+                 large atlas it answers not unique where two openings are three courses high or \
+                 more, as λ_A lies above the one state that is known. macro-block: knows no \
                  openings, so that it declines.",
         cells: pierced(HeadJoints::Open, large),
     }

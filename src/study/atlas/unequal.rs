@@ -43,12 +43,13 @@ pub fn weights(large: bool) -> Grid {
         x: "heaviest over lightest block",
         y: "how the weights follow each other from the bottom",
         kinds: &[],
-        causes: "A column of five blocks that narrow upwards from 1 to 0.6, each 0.5 high, friction \
-                 1.5; exact. Lighter upwards, the top block rocks, else the column. Programs give \
-                 each block units of its own, and the judge measures it by its own forces. \
-                 pushover: refuses weights that differ by more than 1e4 within one connected part, and \
-                 is exact below. macro-block: a column has no stagger, so \
-                 that it declines.",
+        causes: "A column of five blocks that narrow upwards from 1 to 0.6, each 0.5 high, \
+                 friction 1.5; exact. Lighter upwards, the top block rocks, else the column. \
+                 Programs give each block units of its own, and the judge measures it by its own \
+                 forces. pushover: refuses weights that differ by more than 1e4 within one \
+                 connected part, and is right below. sequential: in the large atlas wrong as an \
+                 estimate, or without an answer, from 1e8 on. macro-block: a column has no \
+                 stagger, so that it declines.",
         cells,
     }
 }
@@ -82,9 +83,10 @@ pub fn light_beside_heavy(large: bool) -> Grid {
         y: "width of the light block",
         kinds: &[],
         causes: "A heavy block 2 x 2 and, apart from it, a light one four times as high as wide, \
-                 friction 0.65; exact: the light one rocks at 0.25. What is measured over the whole \
-                 scene alone does not see it. pushover: what is not connected is run by itself. \
-                 sequential: in the large atlas it loses the light block from 1e10 on.",
+                 friction 0.65; exact: the light one rocks at 0.25. What is measured over the \
+                 whole scene alone does not see it. pushover: what is not connected is run by \
+                 itself. sequential: in the large atlas it loses the light block from 1e8 on. \
+                 macro-block: a block has no stagger, so that it declines.",
         cells,
     }
 }
@@ -113,8 +115,10 @@ pub fn load_on_top(large: bool) -> Grid {
         y: "what carries it",
         kinds: &[],
         causes: "cap: a slab on two columns of four blocks 1 x 0.5, friction 0.6; exact: 0.5 \
-                 whatever it weighs. overburden: paper-1 with open head joints, HiGHS. macro-block: a \
-                 range that rests on an assumed mechanism, far wider than 1 %.",
+                 whatever it weighs. overburden: paper-1 with open head joints, HiGHS. pushover: \
+                 in the large atlas it refuses the cap that is more than 1e4 times as heavy as a \
+                 block. macro-block: of the wall a range that rests on an assumed mechanism, far \
+                 wider than 1 %; columns have no stagger.",
         cells,
     }
 }
