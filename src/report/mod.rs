@@ -2,6 +2,7 @@
 
 mod governing;
 pub mod html;
+mod in_use;
 mod library;
 mod rows;
 mod screen;

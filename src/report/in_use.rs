@@ -1,0 +1,60 @@
+//! What the λ that governs allows: against what a case demands, as an acceleration, and as a tilt of the
+//! ground.
+
+use super::governing::Governing;
+use crate::judge::Basis;
+use crate::number::{above, below, short};
+
+impl Governing<'_> {
+    /// How many times the demanded λ the shown one is, never rounded up; of an upper bound never rounded
+    /// down.
+    pub(super) fn against_demand(&self) -> Option<String> {
+        let (of, demand) = (self.conclusion, self.demand?);
+        let times = (1e5 * of.collapse_known()?).round() / 1e5 / demand;
+        let written = format!("the demand of {}", short(demand, 5));
+        Some(match of.basis {
+            Basis::UpperBound => format!("That is at most {} times {written}.", above(times, 2)),
+            _ if of.basis != Basis::LowestState || !of.is_explained() => {
+                format!("That would be {} times {written}.", below(times, 2))
+            }
+            _ if times < 1.0 => {
+                format!(
+                    "That falls short of {written}: it is only {} times the demand.",
+                    below(times, 2)
+                )
+            }
+            _ => format!("That is {} times {written}.", below(times, 2)),
+        })
+    }
+
+    /// The λ as an acceleration and as a tilt of the ground, rounded to the safe side of the digits that
+    /// are shown: of a verified state that nothing speaks against, and of an upper bound.
+    pub(super) fn in_use(&self) -> Option<String> {
+        let of = self.conclusion;
+        // Only where the push is a tilt of the ground.
+        self.terms.as_ref()?.tilt?;
+        let lambda = (1e5 * of.collapse_known()?).round() / 1e5;
+        let tilt = lambda.atan().to_degrees();
+        Some(match of.basis {
+            Basis::UpperBound => {
+                let g = above(lambda, decimals(lambda, 3));
+                let tilt = above(tilt, decimals(tilt, 1));
+                format!(
+                    "It collapses at {g} g, or where the ground tilts by {tilt}°, at the latest."
+                )
+            }
+            _ if of.basis != Basis::LowestState || !of.is_explained() => return None,
+            _ if lambda <= 0.0 => "It may fall without a push.".to_owned(),
+            _ => {
+                let g = below(lambda, decimals(lambda, 3));
+                let tilt = below(tilt, decimals(tilt, 1));
+                format!("It may be shaken with up to {g} g, or the ground tilt by {tilt}°.")
+            }
+        })
+    }
+}
+
+/// Decimals for a positive value: so many, and more where else fewer than two digits would be left of it.
+fn decimals(value: f64, least: usize) -> usize {
+    least.max((1.0 - value.log10().floor()).max(0.0) as usize)
+}
