@@ -54,7 +54,29 @@ impl Governing<'_> {
     }
 }
 
-/// Decimals for a positive value: so many, and more where else fewer than two digits would be left of it.
+/// Decimals for a value: so many, and more where else fewer than two digits would be left of it. No λ has
+/// more than five.
 fn decimals(value: f64, least: usize) -> usize {
-    least.max((1.0 - value.log10().floor()).max(0.0) as usize)
+    match value > 0.0 {
+        true => least.max((1.0 - value.log10().floor()).clamp(0.0, 5.0) as usize),
+        false => least,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::decimals;
+
+    #[test]
+    fn two_digits_are_left_and_nothing_asks_for_more_than_five() {
+        let of = |value| decimals(value, 3);
+        assert_eq!(
+            [0.5, 0.02, 0.0085, 0.00053, 0.00001].map(of),
+            [3, 3, 4, 5, 5]
+        );
+        assert_eq!(
+            [0.0, -0.1, f64::NAN, 1e-300, f64::INFINITY].map(of),
+            [3, 3, 3, 5, 3]
+        );
+    }
 }
