@@ -56,7 +56,7 @@ impl<'a> Governing<'a> {
     /// it means for the wall, and what moves.
     pub fn text(&self) -> String {
         let (first, others) = self.sentences();
-        format!("{first} {}", others.join(" "))
+        [vec![first], others].concat().join(" ")
     }
 
     /// The first sentence of it, and the others.
@@ -160,10 +160,10 @@ impl<'a> Governing<'a> {
                 "A collapse there is verified; one below may exist, as no lower bound is proved."
             }
             (Basis::UpperBound, _) if self.searched => {
-                "That is proved, but no collapse is verified: the λ to use may be lower."
+                "That is proved, but no collapse is verified: it may give way sooner."
             }
             (Basis::UpperBound, _) => {
-                "That is proved; no collapse is verified: the method `interval` looks for the λ to use."
+                "That is proved, but no collapse is verified: the method `interval` looks for one."
             }
             (Basis::Observed, _) => "There the simulation collapsed; nothing is proved.",
             (Basis::Estimate, _) => "Nothing is proved.",
@@ -265,8 +265,16 @@ mod tests {
     #[test]
     fn a_small_push_keeps_two_digits() {
         let text = said(&result("keystone-corbel-of-3-stands"));
-        let use_of_it = "It may be shaken with up to 0.00033 g, or the ground tilt by 0.018°.";
+        let use_of_it = "It may be shaken with up to 0.00033 g, or the ground tilt by 0.019°.";
         assert!(text.contains(use_of_it), "{text}");
+    }
+
+    #[test]
+    fn a_search_in_vain_is_not_recommended() {
+        let text = said(&result("keystone-six-stands"));
+        let in_vain =
+            "no collapse is verified: it may give way sooner. It collapses at 0.0069 g, or";
+        assert!(text.contains(in_vain), "{text}");
     }
 
     #[test]

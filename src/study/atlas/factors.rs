@@ -86,7 +86,7 @@ pub fn friction(large: bool) -> Grid {
                  seven voussoirs, HiGHS. Beyond 1, joints that dilate lock, and λ_A leaves the \
                  one collapse state known of the wall behind, which rocks: auto answers not \
                  unique. pushover: between that state and λ_A, 2 % above it at 1.5, and in the \
-                 large atlas up to 31 % from 10 on. sequential: in the large atlas its programs \
+                 large atlas up to 31 %. sequential: in the large atlas its programs \
                  for the wall fail from 1e2 on. macro-block: a range far wider than 1 %, and \
                  none beyond 1, where its crack would be flatter than the stagger.",
         cells,
