@@ -251,7 +251,7 @@ fn elsewhere_the_range_fails_only_where_the_studies_say_so() {
 }
 
 #[test]
-#[ignore = "192 whole searches; about 90 s in release"]
+#[ignore = "192 whole searches; about 40 s in release"]
 fn elsewhere_whole_searches_leave_the_range_only_where_the_studies_say_so() {
     assert_known(quick, 1);
 }
