@@ -57,7 +57,8 @@ pub(super) struct SweepArguments {
     #[arg(value_name = "FILE")]
     pub file: String,
     /// Vary a key of this case, without a sweep file: a range, as friction=0.4:0.8:5, which is five values
-    /// from 0.4 to 0.8, or values, as friction=0.4,0.65. Given more than once, it makes a grid.
+    /// from 0.4 to 0.8, or values, as friction=0.4,0.65. Given more than once, it makes a grid. A setting is
+    /// a key too, as settings.starts=4, and head_joints=open says which head joints run.
     #[arg(long, value_name = "KEY=VALUES", conflicts_with_all = ["shard", "slurm"])]
     vary: Vec<String>,
     /// Run only these methods, with --vary; in a sweep file, `methods` names them.

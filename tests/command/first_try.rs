@@ -104,6 +104,20 @@ fn a_case_is_swept_without_a_file() {
     );
     assert_eq!(given.lines().count(), 7, "{given}");
 
+    // A setting is set for all points, and one kind of head joints runs.
+    let one = "sweep paper-1 --method interval --out one --vary friction=0.5,0.6";
+    let one: Vec<&str> = one.split(' ').collect();
+    let one = [
+        &one[..],
+        &["--vary", "settings.starts=2", "--vary", "head_joints=open"],
+    ]
+    .concat();
+    let output = trilith(folder, &one);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let rows = fs::read_to_string(folder.join("one/sweep.csv")).unwrap();
+    assert_eq!(rows.lines().count(), 3, "{rows}");
+    assert_eq!(rows.matches("paper-1@open,").count(), 2, "{rows}");
+
     fs::write(
         folder.join("mine.toml"),
         "friction = 0.5\nunit = { length = 2, height = 1 }\n\
@@ -157,6 +171,10 @@ fn a_case_is_swept_without_a_file() {
         (
             &["sweep", "same.sweep.toml", "--vary", "friction=1,2"],
             "is a sweep and not a case",
+        ),
+        (
+            &["sweep", "mine.toml", "--vary", "head_joints=shut"],
+            "the words for `head_joints` are",
         ),
         (&["sweep", "mine.toml", "--method", "associative"], "--vary"),
     ] {

@@ -11,7 +11,8 @@ const FORMS: &str = "write `KEY=FROM:TO:COUNT`, as in `friction=0.4:0.8:5`, or `
 
 impl Sweep {
     /// The sweep of a case in which keys run through values: `KEY=FROM:TO:COUNT` or `KEY=VALUE,VALUE`.
-    /// Several keys make a grid. Without `methods` all run.
+    /// Several keys make a grid. `head_joints=open` says which head joints run, for all points. Without
+    /// `methods` all run.
     ///
     /// # Errors
     /// What is wrong with the case, a key or its values.
@@ -26,7 +27,12 @@ impl Sweep {
         for one in vary {
             let refused = || Complaint::new(format!("--vary {one}")).help(FORMS);
             let (key, values) = one.split_once('=').ok_or_else(refused)?;
-            let (key, values) = (key.trim(), range_or_list(values).ok_or_else(refused)?);
+            let key = key.trim();
+            if key == "head_joints" {
+                text.insert_str(0, &format!("head_joints = {}\n", quoted(values.trim())));
+                continue;
+            }
+            let values = range_or_list(values).ok_or_else(refused)?;
             let _ = writeln!(text, "[[vary]]\n{} = {values}", quoted(key));
             let _ = write!(name, "-{}", plain(key));
         }
