@@ -51,6 +51,7 @@ mod newton;
 mod parameters;
 mod point;
 mod products;
+mod reduced;
 mod slice;
 mod slices;
 mod step;

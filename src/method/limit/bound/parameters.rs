@@ -28,6 +28,9 @@ tuned! {
     /// Interior-point steps of one slice at most: with 80, paper-2 with open head joints was stopped on
     /// its way to a bound at the lowest state.
     steps: usize = 250;
+    /// Steps that the allowed arithmetic never keeps a bound from, however large the lift: one slice of
+    /// paper-1 in contact takes 60.
+    least_steps: usize = 150;
     /// Gain of a slice, over its width, below which the next one is half as wide. Not measured.
     half_gain: f64 = 0.5;
     /// Least share of the distance to the lowest state that a slice spans, and least share of its width
@@ -54,6 +57,15 @@ tuned! {
     hold: [f64; 3] = [1e-2, 1e-9, 1e-4];
     /// Share of the step that makes a number zero which is not gone. Not measured.
     kept_back: f64 = 0.005;
+    /// Corrections of a step towards the centre, at most.
+    corrections: usize = 3;
+    /// By how much longer each of them is to make the step. Not measured.
+    longer: f64 = 0.3;
+    /// Share of that by which it makes it longer at least, or it is not taken. Not measured.
+    worth: f64 = 0.1;
+    /// Share of the mean product, and its inverse, between which products with multipliers are not drawn
+    /// to the centre. Not measured.
+    near_centre: f64 = 0.1;
     /// Steps shorter than this are tried again towards the centre. Not measured.
     short_step: f64 = 0.15;
     /// Share of the mean product that they aim at then. Not measured.

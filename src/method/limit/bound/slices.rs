@@ -108,8 +108,10 @@ impl Search<'_> {
             return Err(Budget::Programs);
         }
         let by_steps = settings.lift_steps.saturating_sub(slices.steps);
-        let by_work = 1e9 * settings.lift_work - slices.work;
-        let by_work = (by_work / self.lift.step_work()).max(0.0) as usize;
+        let step = self.lift.step_work();
+        let least = self.lift.parameters.least_steps as f64 * step;
+        let by_work = (1e9 * settings.lift_work).max(least) - slices.work;
+        let by_work = (by_work / step).max(0.0) as usize;
         match (by_steps, by_work) {
             (0, _) => Err(Budget::Steps),
             (_, 0) => Err(Budget::Work),

@@ -27,6 +27,13 @@ struct Weights {
     values: DMatrix<f64>,
 }
 
+/// A step, and the changes of product times multiplier, and of the scale condition's, that it aims at.
+struct Aimed {
+    step: Point,
+    wanted: DMatrix<f64>,
+    of_scale: f64,
+}
+
 impl<'a> Linearised<'a> {
     pub(super) fn new(program: &'a Lifted<'a>, at: &'a Point, residual: &'a Residual) -> Self {
         let own = &program.products.lift.parameters;
@@ -55,7 +62,7 @@ impl<'a> Linearised<'a> {
         }
     }
 
-    /// Mehrotra's step and how far it goes.
+    /// Mehrotra's step, drawn to the centre, and how far it goes.
     pub(super) fn corrected(&self) -> (Point, Lengths) {
         let (program, at, mean) = (self.program, self.at, self.residual.mean);
         let own = &program.products.lift.parameters;
@@ -70,7 +77,12 @@ impl<'a> Linearised<'a> {
         let bent = predicted.products.component_mul(&predicted.multipliers);
         let wanted = self.towards(-&self.product - bent, centre);
         let of_scale = centre - scaled - predicted.scale[0] * predicted.scale[1];
-        let corrected = self.step(&newton, &wanted, of_scale);
+        let corrected = Aimed {
+            step: self.step(&newton, &wanted, of_scale),
+            wanted,
+            of_scale,
+        };
+        let corrected = self.drawn_to_centre(&newton, corrected, centre);
         let reach = program.lengths(at, &corrected);
         if reach[0].min(reach[1]) >= own.short_step {
             return (corrected, reach);
@@ -84,6 +96,45 @@ impl<'a> Linearised<'a> {
         } else {
             (corrected, reach)
         }
+    }
+
+    /// A step whose products with multipliers are drawn towards the centre where a longer one would leave
+    /// them far off, as long as that makes it longer (Gondzio, Comput. Optim. Appl. 6 (1996) 137-156). The
+    /// factor is there already, so that each correction is one more solution.
+    fn drawn_to_centre(&self, newton: &Newton, mut aimed: Aimed, centre: f64) -> Point {
+        let (program, at) = (self.program, self.at);
+        let own = &program.products.lift.parameters;
+        let range = [own.near_centre * centre, centre / own.near_centre];
+        let mut reach = program.lengths(at, &aimed.step);
+        for _ in 0..own.corrections {
+            let [primal, dual] = reach.map(|length| (length + own.longer).min(1.0));
+            let missing = |[product, by]: [f64; 2], [multiplier, dual_by]: [f64; 2]| {
+                let reached = (product + primal * by) * (multiplier + dual * dual_by);
+                (reached.clamp(range[0], range[1]) - reached).max(-range[1])
+            };
+            let mut wanted = aimed.wanted.clone();
+            for (k, wanted) in wanted.iter_mut().enumerate() {
+                if !program.is_zero[k] {
+                    let product = [at.products[k], aimed.step.products[k]];
+                    *wanted += missing(product, [at.multipliers[k], aimed.step.multipliers[k]]);
+                }
+            }
+            let [first, second] = [0, 1].map(|k| [at.scale[k], aimed.step.scale[k]]);
+            let of_scale = aimed.of_scale + missing(first, second);
+            let step = self.step(newton, &wanted, of_scale);
+            let longer = program.lengths(at, &step);
+            let sum = |lengths: Lengths| lengths[0].min(1.0) + lengths[1].min(1.0);
+            if sum(longer) < sum(reach) + own.worth * own.longer {
+                break;
+            }
+            aimed = Aimed {
+                step,
+                wanted,
+                of_scale,
+            };
+            reach = longer;
+        }
+        aimed.step
     }
 
     /// A wanted change of product times multiplier, that much larger; none where products are zero.
