@@ -54,26 +54,6 @@ impl Cleaner<'_> {
         least.1
     }
 
-    /// Multipliers with those that are free changed so that they leave as little of the identity as they
-    /// can, σ and the others as they are.
-    pub(super) fn completed(
-        &self,
-        mut values: DMatrix<f64>,
-        sigma: f64,
-        is_free: &dyn Fn(usize) -> bool,
-    ) -> DMatrix<f64> {
-        let own = &self.products.lift.parameters;
-        let of_rate = |_, rate, _| if is_free(rate) { 1.0 } else { 0.0 };
-        let weights = values.map_with_location(of_rate);
-        let newton = Newton::new(self.products, &weights, 0.0, 0.0);
-        for _ in 0..own.cleanings {
-            let now = (values, sigma);
-            let moved = newton.solve(&self.left(&now), own.cleaned_to);
-            values = now.0 + self.products.of(&moved).component_mul(&weights);
-        }
-        values
-    }
-
     /// What multipliers and σ leave of the identity.
     fn left(&self, (values, sigma): &(DMatrix<f64>, f64)) -> DMatrix<f64> {
         let products = self.products;

@@ -13,14 +13,12 @@ use nalgebra::DMatrix;
 
 use super::lift::Lift;
 use super::lifted::{Lifted, Request};
-use super::products::Products;
-use super::reduced::Reduced;
 use super::step::Linearised;
 use crate::certificate::Zeros;
 
 /// Multipliers of a slice.
 pub(super) struct Multipliers {
-    /// One row a force condition, one column a rate; none yet of rates that are zero by assumption.
+    /// One row a force condition, one column a rate.
     pub(super) values: DMatrix<f64>,
     /// The products that they belong to: where they are larger, a multiplier is on its way to zero.
     pub(super) products: DMatrix<f64>,
@@ -35,10 +33,7 @@ pub(super) struct Multipliers {
 /// Solves one slice.
 pub(super) fn solve(lift: &Lift, request: Request, zeros: &Zeros) -> Multipliers {
     let own = &lift.parameters;
-    let reduced = Reduced::new(&lift.motion, |rate| zeros.rate(rate));
-    let ends = [request.from, request.to];
-    let products = Products::new(lift, ends, (&reduced.motion, &reduced.pattern));
-    let program = Lifted::new(products, request, zeros);
+    let program = Lifted::new(lift, request, zeros);
     let mut at = program.start();
     let mut stalled = 0;
     let mut best: Option<(f64, Multipliers)> = None;
@@ -52,7 +47,7 @@ pub(super) fn solve(lift: &Lift, request: Request, zeros: &Zeros) -> Multipliers
             let multipliers = Multipliers {
                 values: at.multipliers.clone(),
                 products: at.products.clone(),
-                unknowns: reduced.whole(&at.unknowns),
+                unknowns: at.unknowns.clone(),
                 sigma: residual.sigma,
                 steps,
             };

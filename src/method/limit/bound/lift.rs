@@ -96,6 +96,11 @@ impl Lift {
         free * free * (rates * conditions + free * self.pattern.cost())
     }
 
+    /// Unknowns that are all zero: one column an unknown of the motion.
+    pub(super) fn zero(&self) -> DMatrix<f64> {
+        DMatrix::zeros(self.free(), self.motion.unknowns)
+    }
+
     /// The force conditions of a slice a ≤ λ ≤ b in the free numbers: four a joint, 1, λ − a, b − λ.
     pub(super) fn force_conditions(&self, from: f64, to: f64) -> DMatrix<f64> {
         let mut rows = DMatrix::zeros(self.conditions.force_rows(), self.free());

@@ -2,6 +2,7 @@
 
 use nalgebra::DMatrix;
 
+use super::lift::Lift;
 use super::point::{Lengths, Point};
 use super::products::Products;
 use crate::certificate::Zeros;
@@ -59,8 +60,8 @@ impl Residual {
 }
 
 impl<'a> Lifted<'a> {
-    pub(super) fn new(products: Products<'a>, request: Request, zeros: &Zeros) -> Self {
-        let lift = products.lift;
+    pub(super) fn new(lift: &'a Lift, request: Request, zeros: &Zeros) -> Self {
+        let products = Products::all(lift, [request.from, request.to]);
         let rows = products.conditions.nrows();
         let all = 0..rows * lift.conditions.rate_rows();
         let is_zero: Vec<bool> = all.map(|at| zeros.is_zero(at % rows, at / rows)).collect();
@@ -88,7 +89,7 @@ impl<'a> Lifted<'a> {
             .map(|is_zero| f64::from(u8::from(!is_zero)));
         let start = DMatrix::from_iterator(rows, rates, is_not_zero);
         Point {
-            unknowns: DMatrix::zeros(lift.free(), self.products.motion.unknowns),
+            unknowns: lift.zero(),
             products: start.clone(),
             multipliers: start,
             scale: [1.0, 1.0],

@@ -51,7 +51,6 @@ mod newton;
 mod parameters;
 mod point;
 mod products;
-mod reduced;
 mod slice;
 mod slices;
 mod step;

@@ -112,10 +112,7 @@ impl Motion {
 }
 
 /// A combination of rows, without what cancels.
-pub(super) fn combined(
-    entries: impl Iterator<Item = Entry>,
-    row: impl Fn(usize) -> Vec<Entry>,
-) -> Vec<Entry> {
+fn combined(entries: impl Iterator<Item = Entry>, row: impl Fn(usize) -> Vec<Entry>) -> Vec<Entry> {
     let mut found: Vec<(Entry, f64)> = Vec::new();
     for (place, value) in entries {
         for (k, factor) in row(place) {

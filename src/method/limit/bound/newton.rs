@@ -31,8 +31,6 @@ impl<'a> Newton<'a> {
         let one = &products.one;
         let rates = products.motion.rows.iter().enumerate();
         let mut parts: Vec<_> = rates.map(|(rate, row)| (rate, row, None)).collect();
-        // Rates that are zero by assumption have no unknowns left.
-        parts.retain(|(_, row, _)| !row.is_empty());
         each(&mut parts, &|(rate, _, part)| {
             let mut scaled = products.transposed.clone();
             for (mut column, weight) in scaled.column_iter_mut().zip(&weights.column(*rate)) {

@@ -32,11 +32,7 @@ pub(super) fn best_proof(
         is_zero: &|force, rate| zeros.is_zero(force, rate),
         exponent: if request.exact { 2 } else { 1 },
     };
-    let mut kept = multipliers.values.clone();
-    if (0..kept.ncols()).any(|rate| zeros.rate(rate)) {
-        kept = cleaner.completed(kept, multipliers.sigma, &|rate| zeros.rate(rate));
-    }
-    let kept = &kept;
+    let kept = &multipliers.values;
     let dropped = kept.map_with_location(|force, rate, value| {
         let is_leaving = value < multipliers.products[(force, rate)];
         if is_leaving && !zeros.is_zero(force, rate) {
