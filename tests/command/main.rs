@@ -33,4 +33,5 @@ mod screens;
 mod signals;
 mod surveyed;
 mod sweep;
+mod witnesses;
 mod words;
