@@ -23,8 +23,8 @@ fn main() {
     println!("cargo::rerun-if-changed=cases");
     println!("cargo::rerun-if-changed=Cargo.lock");
     println!("cargo::rustc-env=TRILITH_SOURCES={}", sources());
-    // Half the size of the program; its backtraces read them all the same. Below -O2 lld compresses as
-    // little as zlib can.
+    // Half the size of the program; its backtraces read them all the same. Without -O2 lld compresses
+    // with the lowest level of zlib.
     if env::var("CARGO_CFG_TARGET_OS").is_ok_and(|system| system == "linux") {
         println!("cargo::rustc-link-arg-bins=-Wl,-O2,--compress-debug-sections=zlib");
     }
