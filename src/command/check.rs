@@ -69,9 +69,15 @@ pub(super) fn check(arguments: &CheckArguments) -> Result<u8, Stop> {
         arguments.say(&stray)?;
     }
     let kept = arguments.kept.journal("check.journal");
-    let results = solve(&cases, &plan, kept, show, |results, partial| {
-        hand_out(arguments, results, partial)
-    })?;
+    let certificates = arguments.kept.certificate.as_deref();
+    let results = solve(
+        &cases,
+        &plan,
+        kept,
+        certificates,
+        show,
+        |results, partial| hand_out(arguments, results, partial),
+    )?;
     Ok(status(refuted(&results) || refused.load(Ordering::SeqCst)))
 }
 

@@ -80,7 +80,7 @@ pub(super) fn draw(arguments: &DrawArguments) -> Result<u8, Stop> {
     if path.is_dir() {
         return Err(Stop::not_written(path.display(), "a folder has its name"));
     }
-    let results = solve(&cases, &plan, None, |_| Ok(()), |_, _| Ok(()))?;
+    let results = solve(&cases, &plan, None, None, |_| Ok(()), |_, _| Ok(()))?;
     let [result] = results.as_slice() else {
         return Err(Stop::bad_input("error: there is nothing to draw"));
     };

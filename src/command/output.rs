@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crate::files::{test_folder, write_together, write_whole};
 use crate::method::{Kind, kind};
-use crate::run::{CaseResult, Journal, Keeps, Partial, Task, certificates};
+use crate::run::{CaseResult, Journal, Keeps, Partial, Proof, Task, certificates};
 
 use super::screen::tell;
 use super::stop::Stop;
@@ -70,6 +70,14 @@ pub(super) fn write_certificates(folder: &Path, results: &[CaseResult]) -> Resul
         }
     }
     Ok(())
+}
+
+/// Writes the certificate of a bound that still grew into a folder, whole, and returns its path.
+pub(super) fn write_proof(folder: &Path, proof: &Proof) -> Result<String, Stop> {
+    let path = folder.join(&proof.file);
+    let bytes = proof.so_far.certificate.to_bytes();
+    write_whole(&path, bytes).map_err(|error| Stop::not_written(path.display(), error))?;
+    Ok(path.display().to_string())
 }
 
 /// Opens the journal of this name in a folder that can be written to, and says where it is damaged.

@@ -6,6 +6,8 @@ use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
 
 use super::screen::tells_progress;
+use crate::method::SoFar;
+use crate::number::{below, number};
 use crate::run::{Progress, Remaining, Row, Task};
 use indicatif::{ProgressBar, ProgressState, ProgressStyle};
 
@@ -81,6 +83,18 @@ impl Progress for Bar {
         let now = known.now();
         let expected = [task.expected_seconds(), task.seconds_alone()];
         known.remaining.begin(task.id(), expected, now);
+    }
+
+    fn proved(&self, task: &Task, so_far: &dyn Fn() -> SoFar) {
+        let so_far = so_far();
+        let (lower, state) = (below(so_far.lower, 6), number(so_far.state, 6));
+        if tells_progress() {
+            let (name, push) = (task.scene_name(), so_far.push.name());
+            eprintln!("proved {name} {push} {lower} {state}");
+        }
+        let method = task.describe();
+        let message = format!("({method}: λ ≥ {lower} proved, lowest state {state})");
+        self.bar.set_message(message);
     }
 
     fn done(&self, task: &Task, row: &Row) {

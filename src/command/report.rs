@@ -60,6 +60,7 @@ pub(super) fn report(arguments: &ReportArguments) -> Result<u8, Stop> {
         &cases,
         &plan,
         kept,
+        None,
         |_| Ok(()),
         |results, partial| {
             let path = hand_out(arguments, results, &settings, &sweeps, partial)?;

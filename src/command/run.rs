@@ -67,9 +67,10 @@ pub(super) struct KeptArguments {
     #[arg(long, value_name = "DIR", hide_short_help = true)]
     resume: Option<PathBuf>,
     /// Write the certificates of lower bounds into this folder, one file a scene and direction of the
-    /// push: CASE.right.bound, CASE@open.left.bound.
+    /// push: CASE.right.bound, CASE@open.left.bound. Ending the run early (Ctrl-C) keeps what is proved by
+    /// then.
     #[arg(long, value_name = "DIR", hide_short_help = true)]
-    certificate: Option<PathBuf>,
+    pub(super) certificate: Option<PathBuf>,
 }
 
 impl KeptArguments {
@@ -116,9 +117,15 @@ pub(super) fn run(arguments: &RunArguments) -> Result<u8, Stop> {
     print(&format.heading())?;
     let show = |result: &CaseResult| print(&format.case(result));
     let kept = arguments.kept.journal("run.journal");
-    let results = solve(&cases, &plan, kept, show, |results, partial| {
-        hand_out(arguments, results, partial)
-    })?;
+    let certificates = arguments.kept.certificate.as_deref();
+    let results = solve(
+        &cases,
+        &plan,
+        kept,
+        certificates,
+        show,
+        |results, partial| hand_out(arguments, results, partial),
+    )?;
     let changed = match &arguments.record {
         Some(folder) => compare(folder, &results, arguments)?,
         None => false,

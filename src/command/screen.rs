@@ -29,7 +29,8 @@ pub(super) struct ScreenArguments {
     #[arg(long, global = true, value_name = "WHEN", default_value = "auto", help_heading = HEADING)]
     color: clap::ColorChoice,
     /// How standard error tells how far long work is: a bar on a terminal, or lines for a program,
-    /// `progress SHARE SECONDS`: the share of the work that is done, and the time left.
+    /// `progress SHARE SECONDS`, the share of the work that is done and the time left, and `proved SCENE
+    /// PUSH LOWER STATE`, a lower bound as it grows and the lowest state.
     #[arg(long, global = true, value_name = "HOW", default_value = "bar", help_heading = HEADING,
           hide_short_help = true)]
     progress: ProgressArgument,

@@ -6,7 +6,9 @@ use std::path::Path;
 use std::sync::Mutex;
 
 use crate::case::Case;
-use crate::run::{CaseResult, CaseRuns, Journal, Keeps, Partial, Plan, Progress, Row, Task};
+use crate::run::{
+    CaseResult, CaseRuns, Journal, Keeps, Partial, Plan, Progress, Proof, Row, Task,
+};
 
 use super::progress::Bar;
 use super::screen::tell;
@@ -19,7 +21,8 @@ const NAMED: usize = 10;
 /// Runs the plan with progress and a journal, where there is a folder for one; shows each case's
 /// result as soon as those before it are shown, and hands them out. On a signal, or where the journal
 /// cannot be written, what is finished is shown and handed out as partial, and standard error says
-/// why and what is missing.
+/// why, what is missing, and what lower bounds were proved of that by then; what proves these goes into
+/// `certificates`, where that is given.
 ///
 /// # Errors
 /// Where results cannot be shown or handed out, or the journal cannot be written.
@@ -27,6 +30,7 @@ pub(super) fn solve(
     cases: &[Case],
     plan: &Plan,
     kept: Option<(&Path, &str)>,
+    certificates: Option<&Path>,
     show: impl Fn(&CaseResult) -> Result<(), Stop> + Sync,
     hand_out: impl Fn(&[CaseResult], Option<&Partial>) -> Result<(), Stop>,
 ) -> Result<Vec<CaseResult>, Stop> {
@@ -57,6 +61,7 @@ pub(super) fn solve(
             _ => hand_out(&results, partial.as_ref()),
         };
         tell(why, &runs, journal.as_ref(), handed_out);
+        keep_proofs(&runs.proofs(), certificates);
     };
     or_leave(&bar, || runs.run(journal.as_ref(), &bar, &show), leave)?;
     let (results, _) = runs.finished();
@@ -86,6 +91,17 @@ fn tell(why: &str, runs: &CaseRuns, journal: Option<&Journal>, handed_out: Resul
     if let Some(journal) = journal {
         let path = journal.path().display();
         tell!("run the same command again to go on from {path}");
+    }
+}
+
+/// Says on standard error what tasks that are not finished have proved, and writes what proves it.
+fn keep_proofs(proofs: &[Proof], certificates: Option<&Path>) {
+    for proof in proofs {
+        match certificates.map(|folder| output::write_proof(folder, proof)) {
+            Some(Ok(path)) => tell!("proved by then: {proof}; see {path}"),
+            Some(Err(stop)) => tell!("{}", stop.text),
+            None => tell!("proved by then: {proof}; `--certificate DIR` would keep the proof"),
+        }
     }
 }
 

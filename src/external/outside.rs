@@ -7,7 +7,7 @@ use super::process::{self, External};
 use super::{reading, scene};
 use crate::answer::{Outcome, Status};
 use crate::fingerprint::Fingerprint;
-use crate::method::{Method, Settings};
+use crate::method::{Method, Settings, Watch};
 use crate::scene::Scene;
 
 /// Largest file whose text counts, in bytes.
@@ -39,11 +39,16 @@ impl Method for External {
     }
 
     fn solve(&self, scene: &Scene, settings: &Settings) -> Outcome {
-        self.solve_timed(scene, settings).0
+        self.solve_watched(scene, settings, &()).0
     }
 
     /// CPU time of the program and of those children that it waited for.
-    fn solve_timed(&self, scene: &Scene, _settings: &Settings) -> (Outcome, Option<Duration>) {
+    fn solve_watched(
+        &self,
+        scene: &Scene,
+        _settings: &Settings,
+        _watch: &dyn Watch,
+    ) -> (Outcome, Option<Duration>) {
         let failed = |failure| Outcome::without_number(Status::Failed, failure);
         match process::run(self, scene::export(scene)) {
             Ok(finished) => {

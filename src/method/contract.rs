@@ -1,10 +1,12 @@
 //! What every method does.
 
+use std::sync::Arc;
 use std::time::Duration;
 
 use super::Settings;
 use crate::answer::Outcome;
-use crate::scene::Scene;
+use crate::certificate::Certificate;
+use crate::scene::{Push, Scene};
 
 /// A way to find the collapse multiplier of a scene. It sees neither another method's answer nor
 /// a published value, and holds no clock.
@@ -21,11 +23,38 @@ pub trait Method: Sync {
     /// The answer for one scene. Every ending is a status; nothing here panics on a valid scene.
     fn solve(&self, scene: &Scene, settings: &Settings) -> Outcome;
 
-    /// The same with the CPU time spent, from a method that works in a process of its own, where the
-    /// runner's clock cannot see it; `None` from all others.
-    fn solve_timed(&self, scene: &Scene, settings: &Settings) -> (Outcome, Option<Duration>) {
+    /// The same; `watch` is told of what is proved meanwhile. With the CPU time spent, from a method that
+    /// works in a process of its own, where the runner's clock cannot see it; `None` from all others.
+    fn solve_watched(
+        &self,
+        scene: &Scene,
+        settings: &Settings,
+        _watch: &dyn Watch,
+    ) -> (Outcome, Option<Duration>) {
         (self.solve(scene, settings), None)
     }
+}
+
+/// Who is told of a lower bound each time that it has grown, while the method goes on.
+pub trait Watch: Sync {
+    /// It has grown to what `so_far` makes, which takes a moment.
+    fn proved(&self, _so_far: &dyn Fn() -> SoFar) {}
+}
+
+/// Nobody.
+impl Watch for () {}
+
+/// A lower bound that a method has proved so far.
+#[derive(Clone, Debug)]
+pub struct SoFar {
+    /// Direction of the push of the scene that it is about.
+    pub push: Push,
+    /// No collapse state in which the push does work has its λ below this.
+    pub lower: f64,
+    /// λ of the lowest verified state.
+    pub state: f64,
+    /// What proves it.
+    pub certificate: Arc<Certificate>,
 }
 
 impl<M: Method + ?Sized> Method for &M {
@@ -41,7 +70,12 @@ impl<M: Method + ?Sized> Method for &M {
         (**self).solve(scene, settings)
     }
 
-    fn solve_timed(&self, scene: &Scene, settings: &Settings) -> (Outcome, Option<Duration>) {
-        (**self).solve_timed(scene, settings)
+    fn solve_watched(
+        &self,
+        scene: &Scene,
+        settings: &Settings,
+        watch: &dyn Watch,
+    ) -> (Outcome, Option<Duration>) {
+        (**self).solve_watched(scene, settings, watch)
     }
 }

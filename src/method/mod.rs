@@ -15,6 +15,7 @@ mod settings;
 pub(crate) use at_once::borrowed;
 pub use auto::Auto;
 pub use contract::Method;
+pub(crate) use contract::{SoFar, Watch};
 pub(crate) use entries::{
     Changes, Kind, Look, METHODS, Mark, MethodEntry, entry, expected_cost, kind, method_look,
     without_lower_bounds,

@@ -2,13 +2,14 @@
 
 use std::collections::BTreeMap;
 use std::io;
-use std::sync::OnceLock;
+use std::sync::{Mutex, OnceLock};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 use super::execute::run_tasks;
 use super::journal::Journal;
 use super::kept::Keeps;
 use super::progress::Progress;
+use super::proofs::{LastProofs, Proof, Proofs};
 use super::results::{CaseResult, CaseScenes, Plan};
 use super::row::Row;
 use super::schedule::InOrder;
@@ -35,6 +36,8 @@ pub struct CaseRuns<'a> {
     /// Tasks of each case that are not finished.
     open: Vec<AtomicUsize>,
     results: InOrder<CaseResult>,
+    /// Lower bounds of tasks that go on.
+    proofs: Mutex<LastProofs>,
 }
 
 impl<'a> CaseRuns<'a> {
@@ -63,6 +66,7 @@ impl<'a> CaseRuns<'a> {
             case_of,
             open,
             results: InOrder::default(),
+            proofs: Mutex::default(),
         }
     }
 
@@ -104,7 +108,7 @@ impl<'a> CaseRuns<'a> {
             &self.case_of,
             keeps,
             journal,
-            progress,
+            &Proofs::new(&self.proofs, progress),
             &finished,
         )
     }
@@ -124,6 +128,12 @@ impl<'a> CaseRuns<'a> {
         });
         results.extend(rest);
         (results, shown)
+    }
+
+    /// What tasks that go on have proved by now.
+    pub fn proofs(&self) -> Vec<Proof> {
+        let proofs = self.proofs.lock().expect("no other thread panicked");
+        proofs.values().cloned().collect()
     }
 
     /// Rows that are finished, and all.

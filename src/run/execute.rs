@@ -49,7 +49,7 @@ pub fn run_tasks(
             return;
         }
         progress.begun(&tasks[index]);
-        let row = keeps.of(tasks[index].run());
+        let row = keeps.of(tasks[index].run(progress));
         finished(index, row.clone());
         progress.done(&tasks[index], &row);
         // Last, so that what the journal has is handed out too, should the program be told to end.

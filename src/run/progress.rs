@@ -2,6 +2,7 @@
 
 use super::row::Row;
 use super::task::Task;
+use crate::method::SoFar;
 
 /// Who is told.
 pub trait Progress: Sync {
@@ -13,6 +14,9 @@ pub trait Progress: Sync {
 
     /// A task is begun.
     fn begun(&self, _task: &Task) {}
+
+    /// A task that goes on has proved a higher lower bound.
+    fn proved(&self, _task: &Task, _so_far: &dyn Fn() -> SoFar) {}
 
     /// A task is done.
     fn done(&self, _task: &Task, _row: &Row) {}

@@ -33,7 +33,7 @@ impl fmt::Display for Stored {
 }
 
 /// Name of the file with the certificate of a scene.
-fn file_name(case: &str, head_joints: HeadJoints, push: Push) -> String {
+pub(super) fn file_name(case: &str, head_joints: HeadJoints, push: Push) -> String {
     let scene = scene_name(case, head_joints);
     format!("{scene}.{}.bound", push.name())
 }

@@ -8,12 +8,13 @@ use std::time::Duration;
 
 use cpu_time::ThreadTime;
 
+use super::progress::Progress;
 use super::row::{Row, scene_name};
 use super::sides::{OtherSide, governing};
 use crate::answer::{Outcome, Status, Work};
 use crate::fingerprint::Fingerprint;
 use crate::judge::judge;
-use crate::method::{Method, Settings, borrowed, expected_cost};
+use crate::method::{Method, Settings, SoFar, Watch, borrowed, expected_cost};
 use crate::scene::{HeadJoints, JointClass, Scene};
 
 /// Fingerprint of the sources that this program was compiled from.
@@ -111,12 +112,14 @@ impl<'a> Task<'a> {
         &*self.method
     }
 
+    /// Name of the scene in tables and files.
+    pub fn scene_name(&self) -> String {
+        scene_name(&self.subject.case, self.subject.head_joints)
+    }
+
     /// What the task is, for people: case, method and parameters.
     pub fn describe(&self) -> String {
-        let Subject {
-            case, head_joints, ..
-        } = &self.subject;
-        let mut text = format!("{} {}", scene_name(case, *head_joints), self.method.name());
+        let mut text = format!("{} {}", self.scene_name(), self.method.name());
         for (name, value) in &self.subject.parameters {
             text.push_str(&format!(" {name}={value}"));
         }
@@ -135,13 +138,18 @@ impl<'a> Task<'a> {
     }
 
     /// Runs and judges the method on every side of the push; the side that governs answers.
-    /// A method that panics has failed.
+    /// A method that panics has failed. `progress` is told of bounds that grow.
     ///
     /// # Panics
     /// Where the subject has no scene.
-    pub fn run(&self) -> Row {
+    pub fn run(&self, progress: &dyn Progress) -> Row {
         let scenes = (self.subject.sides)();
-        let answers: Vec<_> = scenes.iter().map(|scene| self.answer(scene)).collect();
+        let watch = Watched {
+            task: self,
+            progress,
+        };
+        let answers = scenes.iter().map(|scene| self.answer(scene, &watch));
+        let answers: Vec<_> = answers.collect();
         let seconds = answers.iter().map(|(_, seconds)| seconds).sum();
         let work = answers.iter().map(|(side, _)| side.outcome.work);
         let work = work.fold(Work::default(), |sum, work| sum + work);
@@ -176,14 +184,14 @@ impl<'a> Task<'a> {
     }
 
     /// The judged answer for one side, and its CPU seconds.
-    fn answer(&self, scene: &Scene) -> (OtherSide, f64) {
+    fn answer(&self, scene: &Scene, watch: &dyn Watch) -> (OtherSide, f64) {
         let (clock, before) = (ThreadTime::now(), borrowed());
         let elapsed = || {
             let seconds = clock.elapsed().as_secs_f64() + borrowed() - before;
             Duration::from_secs_f64(seconds.max(0.0))
         };
         let solved = catch_unwind(AssertUnwindSafe(|| {
-            let (mut outcome, spent) = self.method.solve_timed(scene, &self.settings);
+            let (mut outcome, spent) = self.method.solve_watched(scene, &self.settings, watch);
             let spent = spent.unwrap_or_else(elapsed);
             let residuals = judge(scene, &mut outcome).residuals;
             (outcome, residuals, spent)
@@ -202,13 +210,25 @@ impl<'a> Task<'a> {
     }
 }
 
+/// Says of which task a proof is.
+struct Watched<'a, 'b> {
+    task: &'a Task<'b>,
+    progress: &'a dyn Progress,
+}
+
+impl Watch for Watched<'_, '_> {
+    fn proved(&self, so_far: &dyn Fn() -> SoFar) {
+        self.progress.proved(self.task, so_far);
+    }
+}
+
 /// A method's judged answer on scenes of no case: one scene, or one a direction of the push, of which
 /// the one that governs answers.
 ///
 /// # Panics
 /// Where there is no scene.
 pub fn answer(sides: &[Scene], method: &dyn Method, settings: Settings) -> Row {
-    Task::new(Subject::of_scenes("", sides), method, settings).run()
+    Task::new(Subject::of_scenes("", sides), method, settings).run(&())
 }
 
 /// Least and largest coefficient of friction of the joints.

@@ -5,6 +5,7 @@
 use crate::long;
 
 use std::fs;
+use std::io::{BufRead, BufReader, Read};
 use std::process::{Command, Stdio};
 
 use crate::long::{Long, TIMELESS};
@@ -66,6 +67,54 @@ fn what_has_just_begun_ends_with_its_programs() {
         state.trim().is_empty() || state.starts_with('Z'),
         "{program} runs: {state}"
     );
+}
+
+/// A wall whose bound grows for long after its first proof.
+const GROWS: &str = r#"
+unit = { length = 4.0, height = 1.75, weight = 1.0 }
+courses = ["1111", "h111h", "1111"]
+friction = 1.2
+"#;
+
+/// A bound is told as it grows, and what is proved when a signal comes is kept with its certificate.
+#[test]
+fn what_is_proved_by_then_is_kept() {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("grows.toml"), GROWS).unwrap();
+    let bound = ["grows.toml", "--method", "bound", "--certificate", "proofs"];
+    let lines = ["--progress", "lines"];
+    let mut child = Long::of("run", &[&bound[..], &lines].concat()).start(folder.path());
+    let mut error = BufReader::new(child.stderr.take().unwrap());
+    let mut told = String::new();
+    error.read_line(&mut told).unwrap();
+    long::send(&child, "INT");
+    let mut said = String::new();
+    error.read_to_string(&mut said).unwrap();
+    assert_eq!(child.wait().unwrap().code(), Some(130), "{told}{said}");
+    let told: Vec<&str> = told.split_whitespace().collect();
+    let [word, scene, push, lower, state] = told[..] else {
+        panic!("{told:?}");
+    };
+    assert_eq!([word, scene, push], ["proved", "grows", "right"]);
+    let [lower, state] = [lower, state].map(|number| number.parse::<f64>().unwrap());
+    assert!(0.0 < lower && lower <= state, "{told:?}");
+    assert!(
+        said.contains("proved by then: grows, pushed to the right: no collapse state lies below 0."),
+        "{said}"
+    );
+    let file = folder.path().join("proofs/grows.right.bound");
+    assert!(said.contains("see proofs/grows.right.bound"), "{said}");
+    assert!(file.exists());
+    let check = Command::new(env!("CARGO_BIN_EXE_trilith"))
+        .args(["check", "grows.toml", "--certificates", "proofs"])
+        .current_dir(folder.path())
+        .output()
+        .unwrap();
+    let checked = String::from_utf8(check.stdout).unwrap();
+    assert_eq!(check.status.code(), Some(0), "{checked}");
+    let wanted = format!("{:.4}", (lower * 1e4).floor() / 1e4);
+    let proves = checked.split_whitespace().any(|word| word.starts_with(&wanted));
+    assert!(proves, "{wanted} is not in {checked}");
 }
 
 /// `nohup` starts a program that ignores SIGHUP, and it goes on to its end.

@@ -164,7 +164,7 @@ mod tests {
             prover: Some(&prover),
             settings: &settings,
         };
-        search.run(&mut slices, LOWEST);
+        search.run(&mut slices, LOWEST, &|_| {});
         let lower = slices.lower;
         (
             slices

@@ -59,6 +59,7 @@ mod tuned;
 mod vanishing;
 
 use std::sync::Arc;
+use std::time::Duration;
 
 use super::ending::Ending;
 use super::interval::{Interval, lowest};
@@ -67,7 +68,7 @@ use crate::answer::{BoundFact, Evidence, Fact, LimitFact, Outcome, Status, Work,
 use crate::certificate::{Certificate, Conditions, Proved, Prover, Unknown};
 use crate::mechanics::CollapseState;
 use crate::method::settings::LP_TOLERANCE;
-use crate::method::{Method, Settings};
+use crate::method::{Method, Settings, SoFar, Watch};
 use crate::scene::{Point, Scene};
 use lift::Lift;
 use parameters::Parameters;
@@ -82,12 +83,29 @@ impl Method for Bound {
     }
 
     fn solve(&self, scene: &Scene, settings: &Settings) -> Outcome {
-        solve_with(scene, settings, Parameters::TUNED)
+        solve_with(scene, settings, Parameters::TUNED, &())
+    }
+
+    fn solve_watched(
+        &self,
+        scene: &Scene,
+        settings: &Settings,
+        watch: &dyn Watch,
+    ) -> (Outcome, Option<Duration>) {
+        (
+            solve_with(scene, settings, Parameters::TUNED, watch),
+            None,
+        )
     }
 }
 
 /// The answer with these tuned numbers.
-fn solve_with(scene: &Scene, settings: &Settings, parameters: Parameters) -> Outcome {
+fn solve_with(
+    scene: &Scene,
+    settings: &Settings,
+    parameters: Parameters,
+    watch: &dyn Watch,
+) -> Outcome {
     let mut proving = *settings;
     proving.programs.lp_tolerance = LP_TOLERANCE;
     let found = lowest(scene, &proving, f64::NEG_INFINITY);
@@ -123,7 +141,22 @@ fn solve_with(scene: &Scene, settings: &Settings, parameters: Parameters) -> Out
     let unit = scene.multiplier_unit();
     let mut slices = Slices::default();
     for _ in 0..lift.parameters.restarts {
-        search.run(&mut slices, state.lambda / unit);
+        let told = |slices: &Slices| {
+            let Some((opening, prover)) = opening.as_ref().zip(prover.as_ref()) else {
+                return;
+            };
+            watch.proved(&|| {
+                let cap = settings.bound.lift_cap;
+                let (own, _) = slices.certificate(scene, prover, cap, opening.clone());
+                SoFar {
+                    push: scene.push(),
+                    lower: own.lower.min(state.lambda),
+                    state: state.lambda,
+                    certificate: Arc::new(own),
+                }
+            });
+        };
+        search.run(&mut slices, state.lambda / unit, &told);
         let gap = state.lambda - slices.lower * unit;
         if gap <= settings.bound.bound_gap * magnitude(state.lambda, unit) {
             break;

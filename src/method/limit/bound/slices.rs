@@ -61,8 +61,9 @@ impl Search<'_> {
     /// Solves slices until the bound meets the lowest state or the budget is spent, always of the
     /// branch with the lowest bound. A slice begins where the last one ended: the whole distance to
     /// the state at first, half as far after one that gained less than half of its width, twice as far
-    /// after one without states. Where short ones gain nothing either, the branch is divided.
-    pub(super) fn run(&mut self, slices: &mut Slices, state: f64) {
+    /// after one without states. Where short ones gain nothing either, the branch is divided. `told`
+    /// gets the slices each time that the bound has grown.
+    pub(super) fn run(&mut self, slices: &mut Slices, state: f64, told: &dyn Fn(&Slices)) {
         let own = &self.lift.parameters;
         slices.ended_by = None;
         let tolerance = self.settings.bound_gap * state.max(1e-3);
@@ -76,7 +77,7 @@ impl Search<'_> {
             };
             let at = slices.leaves.lowest();
             if self.exclude(slices, at, state) {
-                slices.lower = slices.leaves.lower();
+                slices.raise(told);
                 continue;
             }
             let request = Request {
@@ -91,13 +92,14 @@ impl Search<'_> {
             } else if seen.gain < own.half_gain {
                 leaf.share *= 0.5;
             }
-            if leaf.share < own.least_share || seen.gain < own.least_gain {
+            let divides = leaf.share < own.least_share || seen.gain < own.least_gain;
+            slices.raise(told);
+            if divides {
                 let Some(pair) = seen.violated else {
                     return;
                 };
                 slices.leaves.divide(at, pair);
             }
-            slices.lower = slices.leaves.lower();
         }
     }
 
@@ -249,6 +251,15 @@ impl Search<'_> {
 }
 
 impl Slices {
+    /// Takes the bound that its leaves have by now.
+    fn raise(&mut self, told: &dyn Fn(&Slices)) {
+        let before = self.lower;
+        self.lower = self.leaves.lower();
+        if self.lower > before {
+            told(self);
+        }
+    }
+
     fn count(&mut self, steps: usize, lift: &Lift) {
         self.steps += steps;
         self.work += steps as f64 * lift.step_work();

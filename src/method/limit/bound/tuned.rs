@@ -15,7 +15,7 @@ fn proofs_do_not_hang_on_tuned_numbers() {
         let scene = small_wall(head_joints);
         for by in [0.5, 2.0] {
             for (name, parameters) in Parameters::TUNED.each_times(by) {
-                let outcome = solve_with(&scene, &Settings::default(), parameters);
+                let outcome = solve_with(&scene, &Settings::default(), parameters, &());
                 let bracket = outcome.bracket().expect("there is a bound and a state");
                 let certificate = outcome.evidence.certificate().expect("it is certified");
                 let proved = prove(&scene, certificate);
