@@ -6,9 +6,7 @@ use std::path::Path;
 use std::sync::Mutex;
 
 use crate::case::Case;
-use crate::run::{
-    CaseResult, CaseRuns, Journal, Keeps, Partial, Plan, Progress, Proof, Row, Task,
-};
+use crate::run::{CaseResult, CaseRuns, Journal, Keeps, Partial, Plan, Progress, Proof, Row, Task};
 
 use super::progress::Bar;
 use super::screen::tell;

@@ -99,7 +99,9 @@ fn what_is_proved_by_then_is_kept() {
     let [lower, state] = [lower, state].map(|number| number.parse::<f64>().unwrap());
     assert!(0.0 < lower && lower <= state, "{told:?}");
     assert!(
-        said.contains("proved by then: grows, pushed to the right: no collapse state lies below 0."),
+        said.contains(
+            "proved by then: grows, pushed to the right: no collapse state lies below 0."
+        ),
         "{said}"
     );
     let file = folder.path().join("proofs/grows.right.bound");
@@ -113,7 +115,9 @@ fn what_is_proved_by_then_is_kept() {
     let checked = String::from_utf8(check.stdout).unwrap();
     assert_eq!(check.status.code(), Some(0), "{checked}");
     let wanted = format!("{:.4}", (lower * 1e4).floor() / 1e4);
-    let proves = checked.split_whitespace().any(|word| word.starts_with(&wanted));
+    let proves = checked
+        .split_whitespace()
+        .any(|word| word.starts_with(&wanted));
     assert!(proves, "{wanted} is not in {checked}");
 }
 

@@ -76,6 +76,16 @@ def test_many_cases_run_at_once_and_tell_how_far_they_are(capsys):
     assert "█" in capsys.readouterr().err
 
 
+def test_a_bound_is_shown_as_it_grows(capsys):
+    stretched = trilith.Wall(["1111", "h111h", "1111"], (4.0, 1.75), 1.2)
+    result = trilith.run(stretched, ["bound"], progress=True, bound_gap=0.02)[0]
+    said = capsys.readouterr().err
+    shown = re.findall(r"pushed to the right: λ ≥ ([0-9.]+) proved, lowest state ([0-9.]+)", said)
+    assert shown, said
+    assert 0 < float(shown[0][0]) <= result.lower + 1e-6
+    assert all(float(state) >= result.lower for _, state in shown)
+
+
 def test_nothing_is_left_behind(tmp_path, monkeypatch):
     work, temporary = tmp_path / "work", tmp_path / "temporary"
     work.mkdir()

@@ -11,9 +11,10 @@ import sys
 import sysconfig
 import threading
 from collections.abc import Sequence
-from typing import Callable, NamedTuple
+from typing import NamedTuple
 
 from trilith._errors import CaseError, ProgramError
+from trilith._progress import Bar
 
 VERSION = "0.1.0"
 
@@ -91,7 +92,7 @@ def _check(path: str) -> None:
 
 def run(
     arguments: Sequence[str],
-    progress: Callable[[float, float], None] | None = None,
+    progress: Bar | None = None,
     folder: str = "",
     keeps: bool = False,
 ) -> Finished:
@@ -99,7 +100,7 @@ def run(
 
     Args:
         arguments: behind the program's name.
-        progress: is told the share of the work that is done and the seconds left.
+        progress: shows the share of the work that is done, the seconds left and bounds as they grow.
         folder: a temporary folder, which messages leave out.
         keeps: whether the caller wants what is finished after Ctrl-C.
 
@@ -162,7 +163,7 @@ def _read(process: subprocess.Popen[bytes]) -> tuple[bytes, int]:
 def _listen(
     process: subprocess.Popen[bytes],
     lines: list[str],
-    progress: Callable[[float, float], None] | None,
+    progress: Bar | None,
 ) -> None:
     """Its standard error, line by line."""
     assert process.stderr is not None
@@ -172,6 +173,8 @@ def _listen(
             if progress and line.startswith("progress "):
                 share, left = line.split()[1:3]
                 progress(float(share), float(left))
+            elif progress and line.startswith("proved "):
+                progress.proved(*line.split()[1:5])
             else:
                 lines.append(line)
 

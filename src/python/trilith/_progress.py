@@ -16,13 +16,23 @@ class Bar:
     def __init__(self) -> None:
         self._began = time.monotonic()
         self._width = 0
+        self._state = ""
+        self._proved = ""
 
     def __call__(self, share: float, left: float) -> None:
-        if time.monotonic() - self._began < SHORT:
-            return
         full = int(share * CELLS)
         cells = "█" * full + "░" * (CELLS - full)
-        self._draw(f"{cells} {100 * share:3.0f} %, about {left:.0f} s left")
+        self._state = f"{cells} {100 * share:3.0f} %, about {left:.0f} s left "
+        self._show()
+
+    def proved(self, scene: str, push: str, lower: str, state: str) -> None:
+        """Shows a lower bound as it grows, and the lowest state, both as the program writes them."""
+        self._proved = f"({scene}, pushed to the {push}: λ ≥ {lower} proved, lowest state {state})"
+        self._show()
+
+    def _show(self) -> None:
+        if time.monotonic() - self._began >= SHORT:
+            self._draw(self._state + self._proved)
 
     def clear(self) -> None:
         """Takes the bar away."""

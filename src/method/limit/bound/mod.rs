@@ -92,10 +92,7 @@ impl Method for Bound {
         settings: &Settings,
         watch: &dyn Watch,
     ) -> (Outcome, Option<Duration>) {
-        (
-            solve_with(scene, settings, Parameters::TUNED, watch),
-            None,
-        )
+        (solve_with(scene, settings, Parameters::TUNED, watch), None)
     }
 }
 
