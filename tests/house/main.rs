@@ -2,4 +2,5 @@
 
 mod floors;
 mod public;
+mod records;
 mod sources;
