@@ -68,16 +68,10 @@ pub(super) fn check(arguments: &CheckArguments) -> Result<u8, Stop> {
         refused.store(true, Ordering::SeqCst);
         arguments.say(&stray)?;
     }
-    let kept = arguments.kept.journal("check.journal");
-    let certificates = arguments.kept.certificate.as_deref();
-    let results = solve(
-        &cases,
-        &plan,
-        kept,
-        certificates,
-        show,
-        |results, partial| hand_out(arguments, results, partial),
-    )?;
+    let keeping = arguments.kept.keeping("check.journal");
+    let results = solve(&cases, &plan, keeping, show, |results, partial| {
+        hand_out(arguments, results, partial)
+    })?;
     Ok(status(refuted(&results) || refused.load(Ordering::SeqCst)))
 }
 

@@ -15,7 +15,7 @@ use super::output;
 use super::plan::PlanArguments;
 use super::run::RESULTS;
 use super::screen::{print, print_lines};
-use super::solve::solve;
+use super::solve::{Keeping, solve};
 use super::stop::Stop;
 
 #[derive(Args)]
@@ -80,7 +80,7 @@ pub(super) fn draw(arguments: &DrawArguments) -> Result<u8, Stop> {
     if path.is_dir() {
         return Err(Stop::not_written(path.display(), "a folder has its name"));
     }
-    let results = solve(&cases, &plan, None, None, |_| Ok(()), |_, _| Ok(()))?;
+    let results = solve(&cases, &plan, Keeping::default(), |_| Ok(()), |_, _| Ok(()))?;
     let [result] = results.as_slice() else {
         return Err(Stop::bad_input("error: there is nothing to draw"));
     };

@@ -14,7 +14,7 @@ use super::output;
 use super::plan::PlanArguments;
 use super::run::{RESULTS, files, refuted};
 use super::screen::print_lines;
-use super::solve::solve;
+use super::solve::{Keeping, solve};
 use super::stop::{Stop, status};
 
 #[derive(Args)]
@@ -38,6 +38,10 @@ pub(super) struct ReportArguments {
     /// Folder for report.html, manual.html or page.html, results.csv, results.json and one record a case.
     #[arg(long, value_name = "DIR")]
     out: PathBuf,
+    /// Also put the scene and the forces and velocities of every answer into results.json, in the formats
+    /// of outside programs (`trilith schema`).
+    #[arg(long, hide_short_help = true)]
+    states: bool,
     #[command(flatten)]
     plan: PlanArguments,
 }
@@ -55,12 +59,14 @@ pub(super) fn report(arguments: &ReportArguments) -> Result<u8, Stop> {
     let sweeps = arguments.sweep.iter().map(|path| read(path));
     let sweeps = sweeps.collect::<Result<Vec<_>, Stop>>()?;
     let settings = plan.settings;
-    let kept = Some((arguments.out.as_path(), "report.journal"));
+    let keeping = Keeping {
+        journal: Some((arguments.out.as_path(), "report.journal")),
+        ..Keeping::default()
+    };
     let results = solve(
         &cases,
         &plan,
-        kept,
-        None,
+        keeping,
         |_| Ok(()),
         |results, partial| {
             let path = hand_out(arguments, results, &settings, &sweeps, partial)?;
@@ -87,7 +93,7 @@ fn hand_out(
     } else {
         ("report.html", page(results, settings, sweeps, partial))
     };
-    let mut files = files(results, false, partial);
+    let mut files = files(results, arguments.states, partial);
     files.push((name.to_owned(), text));
     output::write(folder, files)?;
     Ok(folder.join(name).display().to_string())

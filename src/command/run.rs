@@ -13,7 +13,7 @@ use clap::{Args, ValueEnum};
 use super::output;
 use super::plan::PlanArguments;
 use super::screen::{layout, print, tell};
-use super::solve::solve;
+use super::solve::{Keeping, solve};
 use super::stop::{Stop, status};
 
 /// Where the help has what comes of a run.
@@ -70,7 +70,7 @@ pub(super) struct KeptArguments {
     /// push: CASE.right.bound, CASE@open.left.bound. Ending the run early (Ctrl-C) keeps what is proved by
     /// then.
     #[arg(long, value_name = "DIR", hide_short_help = true)]
-    pub(super) certificate: Option<PathBuf>,
+    certificate: Option<PathBuf>,
 }
 
 impl KeptArguments {
@@ -80,9 +80,12 @@ impl KeptArguments {
         folders.try_for_each(|folder| output::test(folder))
     }
 
-    pub(super) fn journal(&self, name: &'static str) -> Option<(&Path, &'static str)> {
+    pub(super) fn keeping(&self, journal: &'static str) -> Keeping<'_> {
         let folder = self.resume.as_deref().or(self.out.as_deref());
-        folder.map(|folder| (folder, name))
+        Keeping {
+            journal: folder.map(|folder| (folder, journal)),
+            certificates: self.certificate.as_deref(),
+        }
     }
 
     pub(super) fn write(
@@ -116,16 +119,10 @@ pub(super) fn run(arguments: &RunArguments) -> Result<u8, Stop> {
     let format = arguments.format;
     print(&format.heading())?;
     let show = |result: &CaseResult| print(&format.case(result));
-    let kept = arguments.kept.journal("run.journal");
-    let certificates = arguments.kept.certificate.as_deref();
-    let results = solve(
-        &cases,
-        &plan,
-        kept,
-        certificates,
-        show,
-        |results, partial| hand_out(arguments, results, partial),
-    )?;
+    let keeping = arguments.kept.keeping("run.journal");
+    let results = solve(&cases, &plan, keeping, show, |results, partial| {
+        hand_out(arguments, results, partial)
+    })?;
     let changed = match &arguments.record {
         Some(folder) => compare(folder, &results, arguments)?,
         None => false,

@@ -16,25 +16,34 @@ use super::{interrupt, output};
 /// Missing results that are named one by one.
 const NAMED: usize = 10;
 
+/// Where a run keeps what it has by then, so that ending it early loses nothing.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Keeping<'a> {
+    /// The folder and the name of a journal of finished results.
+    pub(super) journal: Option<(&'a Path, &'a str)>,
+    /// The folder for certificates of lower bounds.
+    pub(super) certificates: Option<&'a Path>,
+}
+
 /// Runs the plan with progress and a journal, where there is a folder for one; shows each case's
 /// result as soon as those before it are shown, and hands them out. On a signal, or where the journal
 /// cannot be written, what is finished is shown and handed out as partial, and standard error says
-/// why, what is missing, and what lower bounds were proved of that by then; what proves these goes into
-/// `certificates`, where that is given.
+/// why, what is missing, and what lower bounds were proved of that by then.
 ///
 /// # Errors
 /// Where results cannot be shown or handed out, or the journal cannot be written.
 pub(super) fn solve(
     cases: &[Case],
     plan: &Plan,
-    kept: Option<(&Path, &str)>,
-    certificates: Option<&Path>,
+    keeping: Keeping,
     show: impl Fn(&CaseResult) -> Result<(), Stop> + Sync,
     hand_out: impl Fn(&[CaseResult], Option<&Partial>) -> Result<(), Stop>,
 ) -> Result<Vec<CaseResult>, Stop> {
     let scenes = plan.scenes(cases);
     let runs = CaseRuns::new(cases, &scenes, plan);
-    let journal = kept.map(|(folder, name)| output::journal(folder, name, Keeps::Everything));
+    let journal = keeping
+        .journal
+        .map(|(folder, name)| output::journal(folder, name, Keeps::Everything));
     let journal = journal.transpose()?;
     if let Some(journal) = &journal {
         output::tell_known(journal, runs.tasks());
@@ -59,7 +68,7 @@ pub(super) fn solve(
             _ => hand_out(&results, partial.as_ref()),
         };
         tell(why, &runs, journal.as_ref(), handed_out);
-        keep_proofs(&runs.proofs(), certificates);
+        keep_proofs(&runs.proofs(), keeping.certificates);
     };
     or_leave(&bar, || runs.run(journal.as_ref(), &bar, &show), leave)?;
     let (results, _) = runs.finished();
