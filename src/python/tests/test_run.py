@@ -14,6 +14,9 @@ import pytest
 
 import trilith
 
+# Whoever runs the tests in the background may ignore Ctrl-C, which they and the program would inherit.
+signal.signal(signal.SIGINT, signal.default_int_handler)
+
 SECONDS = re.compile(r'"seconds":[-0-9.e]+')
 
 
