@@ -9,6 +9,19 @@ use super::progress::Progress;
 use super::row::Row;
 use super::schedule::{Expected, next_and_longest};
 use super::task::Task;
+use crate::method::{SoFar, Watch};
+
+/// Says of which task a proof is.
+struct Watched<'a, 'b> {
+    task: &'a Task<'b>,
+    progress: &'a dyn Progress,
+}
+
+impl Watch for Watched<'_, '_> {
+    fn proved(&self, so_far: &dyn Fn() -> SoFar) {
+        self.progress.proved(self.task, so_far);
+    }
+}
 
 /// Runs every task that the journal does not know. Each row goes to `finished` with the place of its
 /// task as it finishes, then to `progress`, then to the journal; rows that the journal knows go to
@@ -49,7 +62,11 @@ pub fn run_tasks(
             return;
         }
         progress.begun(&tasks[index]);
-        let row = keeps.of(tasks[index].run(progress));
+        let watch = Watched {
+            task: &tasks[index],
+            progress,
+        };
+        let row = keeps.of(tasks[index].run(&watch));
         finished(index, row.clone());
         progress.done(&tasks[index], &row);
         // Last, so that what the journal has is handed out too, should the program be told to end.

@@ -8,13 +8,12 @@ use std::time::Duration;
 
 use cpu_time::ThreadTime;
 
-use super::progress::Progress;
 use super::row::{Row, scene_name};
 use super::sides::{OtherSide, governing};
 use crate::answer::{Outcome, Status, Work};
 use crate::fingerprint::Fingerprint;
 use crate::judge::judge;
-use crate::method::{Method, Settings, SoFar, Watch, borrowed, expected_cost};
+use crate::method::{Method, Settings, Watch, borrowed, expected_cost};
 use crate::scene::{HeadJoints, JointClass, Scene};
 
 /// Fingerprint of the sources that this program was compiled from.
@@ -138,17 +137,13 @@ impl<'a> Task<'a> {
     }
 
     /// Runs and judges the method on every side of the push; the side that governs answers.
-    /// A method that panics has failed. `progress` is told of bounds that grow.
+    /// A method that panics has failed. `watch` is told of bounds that grow.
     ///
     /// # Panics
     /// Where the subject has no scene.
-    pub fn run(&self, progress: &dyn Progress) -> Row {
+    pub fn run(&self, watch: &dyn Watch) -> Row {
         let scenes = (self.subject.sides)();
-        let watch = Watched {
-            task: self,
-            progress,
-        };
-        let answers = scenes.iter().map(|scene| self.answer(scene, &watch));
+        let answers = scenes.iter().map(|scene| self.answer(scene, watch));
         let answers: Vec<_> = answers.collect();
         let seconds = answers.iter().map(|(_, seconds)| seconds).sum();
         let work = answers.iter().map(|(side, _)| side.outcome.work);
@@ -207,18 +202,6 @@ impl<'a> Task<'a> {
             residuals,
         };
         (side, spent.as_secs_f64())
-    }
-}
-
-/// Says of which task a proof is.
-struct Watched<'a, 'b> {
-    task: &'a Task<'b>,
-    progress: &'a dyn Progress,
-}
-
-impl Watch for Watched<'_, '_> {
-    fn proved(&self, so_far: &dyn Fn() -> SoFar) {
-        self.progress.proved(self.task, so_far);
     }
 }
 

@@ -67,7 +67,7 @@ use super::program::Program;
 use crate::answer::{BoundFact, Evidence, Fact, LimitFact, Outcome, Status, Work, magnitude};
 use crate::certificate::{Certificate, Conditions, Proved, Prover, Unknown};
 use crate::mechanics::CollapseState;
-use crate::method::settings::LP_TOLERANCE;
+use crate::method::settings::{BoundSettings, LP_TOLERANCE};
 use crate::method::{Method, Settings, SoFar, Watch};
 use crate::scene::{Point, Scene};
 use lift::Lift;
@@ -125,13 +125,13 @@ fn solve_with(
     let Some(lift) = Lift::new(conditions.clone(), &orders(scene), parameters) else {
         return answer(state, None, work, vec![BoundFact::NoState.into()]);
     };
-    let opening = opening(scene, &mut work);
-    let prover = opening
-        .as_deref()
-        .and_then(|opening| Prover::new(scene, conditions, opening).ok());
+    let opened = opening(scene, &mut work).and_then(|opening| {
+        let prover = Prover::new(scene, conditions, &opening).ok()?;
+        Some(Opened { prover, opening })
+    });
     let mut search = Search {
         lift: &lift,
-        prover: prover.as_ref(),
+        prover: opened.as_ref().map(|own| &own.prover),
         settings: &settings.bound,
     };
     let mut state = state;
@@ -139,35 +139,21 @@ fn solve_with(
     let mut slices = Slices::default();
     for _ in 0..lift.parameters.restarts {
         let told = |slices: &Slices| {
-            let Some((opening, prover)) = opening.as_ref().zip(prover.as_ref()) else {
-                return;
-            };
-            watch.proved(&|| {
-                let cap = settings.bound.lift_cap;
-                let (own, _) = slices.certificate(scene, prover, cap, opening.clone());
-                SoFar {
-                    push: scene.push(),
-                    lower: own.lower.min(state.lambda),
-                    state: state.lambda,
-                    certificate: Arc::new(own),
-                }
-            });
+            if let Some(own) = &opened {
+                watch.proved(&|| own.so_far(scene, &settings.bound, slices, state.lambda));
+            }
         };
         search.run(&mut slices, state.lambda / unit, &told);
         let gap = state.lambda - slices.lower * unit;
         if gap <= settings.bound.bound_gap * magnitude(state.lambda, unit) {
             break;
         }
-        // States of the lift lead to states that other starts miss.
-        let mut few = proving;
-        few.interval.starts = 1;
-        let lower = Interval.solve_from(scene, &few, &slices.normals);
+        let (lower, searched) = lowest_of_lift(scene, &proving, &slices);
         work = Work {
             modelled: work.modelled,
-            ..work + lower.work
+            ..work + searched
         };
-        let least = lower.evidence.states().first().cloned();
-        match least.filter(|least| least.lambda < state.lambda - lift.parameters.lower_state * unit)
+        match lower.filter(|lower| lower.lambda < state.lambda - lift.parameters.lower_state * unit)
         {
             Some(lower) => state = lower,
             None => break,
@@ -175,17 +161,9 @@ fn solve_with(
     }
     work.programs += slices.programs + slices.small_programs;
     work.iterations += slices.steps;
-    let (certificate, mut facts) = match (opening, &prover) {
-        (Some(opening), Some(prover)) => {
-            let cap = settings.bound.lift_cap;
-            let (certificate, proved) = slices.certificate(scene, prover, cap, opening);
-            let push_moves = push_moves(&found).map(Fact::from);
-            // A state that moves farther than the cap may lie below what is proved up to the cap.
-            let lower = proved.lower.min(state.lambda);
-            let facts = [BoundFact::Proved(Proved { lower, ..proved }).into()].into_iter();
-            (Some(certificate), facts.chain(push_moves).collect())
-        }
-        _ => (None, vec![Fact::from(BoundFact::Uncertified)]),
+    let (certificate, mut facts) = match &opened {
+        Some(own) => own.claim(scene, &settings.bound, &slices, (&found, state.lambda)),
+        None => (None, vec![Fact::from(BoundFact::Uncertified)]),
     };
     let lower = certificate
         .as_ref()
@@ -195,6 +173,71 @@ fn solve_with(
     facts.extend(slices.ended().map(Fact::from));
     let bounded = Some((lower, certificate.map(Arc::new)));
     answer(state, bounded, work, facts)
+}
+
+/// A scene that does not lock, so that its bounds can be proved.
+struct Opened {
+    prover: Prover,
+    /// A motion that opens every joint.
+    opening: Vec<f64>,
+}
+
+impl Opened {
+    /// The certificate of the slices so far, and what it proves.
+    fn certificate(
+        &self,
+        scene: &Scene,
+        settings: &BoundSettings,
+        slices: &Slices,
+    ) -> (Certificate, Proved) {
+        slices.certificate(scene, &self.prover, settings.lift_cap, self.opening.clone())
+    }
+
+    /// The certificate, and what is claimed of states below this one, which a search has found.
+    fn claim(
+        &self,
+        scene: &Scene,
+        settings: &BoundSettings,
+        slices: &Slices,
+        (found, state): (&Outcome, f64),
+    ) -> (Option<Certificate>, Vec<Fact>) {
+        let (certificate, proved) = self.certificate(scene, settings, slices);
+        // A state that moves farther than the cap may lie below what is proved up to the cap.
+        let lower = proved.lower.min(state);
+        let proved = Fact::from(BoundFact::Proved(Proved { lower, ..proved }));
+        let push_moves = push_moves(found).map(Fact::from);
+        let facts = [proved].into_iter().chain(push_moves);
+        (Some(certificate), facts.collect())
+    }
+
+    /// What the slices prove so far of states below this one.
+    fn so_far(
+        &self,
+        scene: &Scene,
+        settings: &BoundSettings,
+        slices: &Slices,
+        state: f64,
+    ) -> SoFar {
+        let (certificate, _) = self.certificate(scene, settings, slices);
+        SoFar {
+            push: scene.push(),
+            lower: certificate.lower.min(state),
+            state,
+            certificate: Arc::new(certificate),
+        }
+    }
+}
+
+/// The lowest state that the states of a lift lead to, which other starts may miss, and the work.
+fn lowest_of_lift(
+    scene: &Scene,
+    proving: &Settings,
+    slices: &Slices,
+) -> (Option<CollapseState>, Work) {
+    let mut few = *proving;
+    few.interval.starts = 1;
+    let found = Interval.solve_from(scene, &few, &slices.normals);
+    (found.evidence.states().first().cloned(), found.work)
 }
 
 /// That nothing falls on which the push does no work, where forces without friction at some λ prove it:
