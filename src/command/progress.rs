@@ -87,7 +87,7 @@ impl Progress for Bar {
 
     fn proved(&self, task: &Task, so_far: &dyn Fn() -> SoFar) {
         let so_far = so_far();
-        let (lower, state) = (below(so_far.lower, 6), number(so_far.state, 6));
+        let (lower, state) = (below(so_far.proved.lower, 6), number(so_far.state, 6));
         if tells_progress() {
             let (name, push) = (task.scene_name(), so_far.push.name());
             eprintln!("proved {name} {push} {lower} {state}");

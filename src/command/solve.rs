@@ -105,9 +105,9 @@ fn tell(why: &str, runs: &CaseRuns, journal: Option<&Journal>, handed_out: Resul
 fn keep_proofs(proofs: &[Proof], certificates: Option<&Path>) {
     for proof in proofs {
         match certificates.map(|folder| output::write_proof(folder, proof)) {
-            Some(Ok(path)) => tell!("proved by then: {proof}; see {path}"),
+            Some(Ok(path)) => tell!("by then: {proof}; the certificate is {path}"),
             Some(Err(stop)) => tell!("{}", stop.text),
-            None => tell!("proved by then: {proof}; `--certificate DIR` would keep the proof"),
+            None => tell!("by then: {proof}; `--certificate DIR` keeps the certificate"),
         }
     }
 }

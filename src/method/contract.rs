@@ -5,7 +5,7 @@ use std::time::Duration;
 
 use super::Settings;
 use crate::answer::Outcome;
-use crate::certificate::Certificate;
+use crate::certificate::{Certificate, Proved};
 use crate::scene::{Push, Scene};
 
 /// A way to find the collapse multiplier of a scene. It sees neither another method's answer nor
@@ -49,8 +49,10 @@ impl Watch for () {}
 pub struct SoFar {
     /// Direction of the push of the scene that it is about.
     pub push: Push,
-    /// No collapse state in which the push does work has its λ below this.
-    pub lower: f64,
+    /// Whether λ is the change of a support's reaction.
+    pub of_reaction: bool,
+    /// What is proved.
+    pub proved: Proved,
     /// λ of the lowest verified state.
     pub state: f64,
     /// What proves it.

@@ -9,7 +9,7 @@ use super::row::Row;
 use super::stored::file_name;
 use super::task::Task;
 use crate::method::SoFar;
-use crate::number::{below, number};
+use crate::number::number;
 use crate::scene::Push;
 
 /// What a task has proved by now.
@@ -25,14 +25,19 @@ pub struct Proof {
 
 impl fmt::Display for Proof {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (scene, so_far) = (&self.scene, &self.so_far);
-        write!(
-            f,
-            "{scene}, pushed to the {}: no collapse state lies below {}, and the lowest one found at {}",
-            so_far.push.name(),
-            below(so_far.lower, 6),
-            number(so_far.state, 6)
-        )
+        let SoFar {
+            push,
+            of_reaction,
+            proved,
+            state,
+            ..
+        } = &self.so_far;
+        write!(f, "{}, pushed to the {}: ", self.scene, push.name())?;
+        if *of_reaction {
+            write!(f, "by the change of the reaction, ")?;
+        }
+        let state = number(*state, 6);
+        write!(f, "{proved}; the lowest state found is at {state}")
     }
 }
 
@@ -68,6 +73,10 @@ impl Progress for Proofs<'_> {
 
     fn proved(&self, task: &Task, so_far: &dyn Fn() -> SoFar) {
         let so_far = so_far();
+        // Rounding may leave nothing of it for motions of any size.
+        if so_far.proved.lower <= 0.0 {
+            return;
+        }
         let subject = task.subject();
         let (case, head_joints) = (&subject.case, subject.head_joints);
         let proof = Proof {

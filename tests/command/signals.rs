@@ -100,12 +100,15 @@ fn what_is_proved_by_then_is_kept() {
     assert!(0.0 < lower && lower <= state, "{told:?}");
     assert!(
         said.contains(
-            "proved by then: grows, pushed to the right: no collapse state lies below 0."
+            "by then: grows, pushed to the right: it is proved that no collapse state with 0 ≤ λ < 0."
         ),
         "{said}"
     );
     let file = folder.path().join("proofs/grows.right.bound");
-    assert!(said.contains("see proofs/grows.right.bound"), "{said}");
+    assert!(
+        said.contains("the certificate is proofs/grows.right.bound"),
+        "{said}"
+    );
     assert!(file.exists());
     let check = Command::new(env!("CARGO_BIN_EXE_trilith"))
         .args(["check", "grows.toml", "--certificates", "proofs"])

@@ -218,10 +218,14 @@ impl Opened {
         slices: &Slices,
         state: f64,
     ) -> SoFar {
-        let (certificate, _) = self.certificate(scene, settings, slices);
+        let (certificate, proved) = self.certificate(scene, settings, slices);
         SoFar {
             push: scene.push(),
-            lower: certificate.lower.min(state),
+            of_reaction: scene.reaction().is_some(),
+            proved: Proved {
+                lower: proved.lower.min(state),
+                ..proved
+            },
             state,
             certificate: Arc::new(certificate),
         }
