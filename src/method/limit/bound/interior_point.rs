@@ -42,8 +42,7 @@ pub(super) fn solve(lift: &Lift, request: Request, zeros: &Zeros) -> Multipliers
         if !residual.is_finite() {
             break;
         }
-        let of_left = own.of_left.max(residual.size);
-        let merit = residual.sigma.min(request.enough) - of_left * residual.left;
+        let merit = residual.sigma.min(request.enough) - own.of_left * residual.left;
         if best.as_ref().is_none_or(|(most, _)| merit > *most) {
             let multipliers = Multipliers {
                 values: at.multipliers.clone(),

@@ -51,18 +51,11 @@ pub(super) struct Residual {
     /// The largest residuals of the identity and of a product.
     pub(super) left: f64,
     violated: f64,
-    /// The sum of the unknowns' sizes: what a unit left of the identity may add to the bound.
-    pub(super) size: f64,
 }
 
 impl Residual {
     pub(super) fn is_finite(&self) -> bool {
         self.sigma.is_finite() && self.left.is_finite()
-    }
-
-    /// By how much the bound may be too high, as the identity does not hold yet.
-    fn unsure(&self) -> f64 {
-        self.size * self.left
     }
 }
 
@@ -83,7 +76,7 @@ impl<'a> Lifted<'a> {
         }
     }
 
-    /// All products and multipliers alike that can be.
+    /// All products and multipliers 1 that can be.
     pub(super) fn start(&self) -> Point {
         let lift = self.products.lift;
         let (rows, rates) = (
@@ -94,7 +87,7 @@ impl<'a> Lifted<'a> {
             .is_zero
             .iter()
             .map(|is_zero| f64::from(u8::from(!is_zero)));
-        let start = lift.parameters.start * DMatrix::from_iterator(rows, rates, is_not_zero);
+        let start = DMatrix::from_iterator(rows, rates, is_not_zero);
         Point {
             unknowns: lift.zero(),
             products: start.clone(),
@@ -115,7 +108,6 @@ impl<'a> Lifted<'a> {
             above: self.cost.dot(&at.unknowns) + self.request.most,
             left: identity.amax(),
             violated: products.amax(),
-            size: at.unknowns.lp_norm(1),
             products,
             identity,
         }
@@ -132,11 +124,9 @@ impl<'a> Lifted<'a> {
             ..
         } = *residual;
         let Request { from, enough, .. } = self.request;
-        let unsure = residual.unsure();
-        let excludes = sigma - unsure > enough && left < own.left;
+        let excludes = sigma > enough && left < own.left;
         // A lifted state well inside the slice: where exactly the bound ends is of no use.
-        let of_optimum = (above - sigma).abs() + unsure;
-        let inside = of_optimum < own.rough * (above - from).min(enough - above);
+        let inside = above - sigma < own.rough * (above - from).min(enough - above);
         let leave = |most: f64| left < most && violated < most;
         let is_optimal = above - sigma < own.gap && leave(own.left);
         let is_rough = inside && leave(own.roughly_left);

@@ -47,12 +47,8 @@ tuned! {
     state_weight: f64 = 1e-6;
 
     // The interior point.
-    /// Products and multipliers at the start. From 1, multipliers first gave bounds down to -190 on paper-1
-    /// with open head joints, and two slices took 73 steps; from 0.01 and 0.03 they take 50. On a wall of
-    /// 12 blocks of friction 1.2 it was 144 and 65, on ten random ones of 12 to 20 blocks 356 and 269.
-    start: f64 = 0.01;
-    /// Change of a product for a change of its multiplier, as a share of the mean of product times
-    /// multiplier over that at the start, and its least and most (proximal terms: Friedlander and Orban, Math. Prog. Comp. 4 (2012) 71-107; tied to the
+    /// Change of a product for a change of its multiplier, as a share of the mean product, and its least
+    /// and most (proximal terms: Friedlander and Orban, Math. Prog. Comp. 4 (2012) 71-107; tied to the
     /// mean product as by Pougkakiotis and Gondzio, Comput. Optim. Appl. 78 (2021) 307-351). Without it
     /// and `hold` the iteration breaks down on walls of more than about 20 blocks, where weights span 20
     /// decades. Chosen on paper-1.
@@ -91,8 +87,8 @@ tuned! {
     /// What multipliers may leave of the identity at the end of the iteration; a last step takes more.
     /// Not measured.
     left: f64 = 1e-8;
-    /// What a unit of what multipliers leave of the identity costs of their bound at least, to compare
-    /// them. Not measured.
+    /// What a unit of what multipliers leave of the identity costs of their bound, to compare them. Not
+    /// measured.
     of_left: f64 = 1e4;
     /// Share of the right side that a step's linear system leaves. Not measured.
     solved_to: f64 = 1e-11;

@@ -37,8 +37,7 @@ struct Aimed {
 impl<'a> Linearised<'a> {
     pub(super) fn new(program: &'a Lifted<'a>, at: &'a Point, residual: &'a Residual) -> Self {
         let own = &program.products.lift.parameters;
-        let mean = residual.mean / own.start.powi(2);
-        let of_mean = |[share, least, most]: [f64; 3]| (share * mean).clamp(least, most);
+        let of_mean = |[share, least, most]: [f64; 3]| (share * residual.mean).clamp(least, most);
         let softness = of_mean(own.softness);
         let soften = |product, multiplier| 1.0 / (product + softness * multiplier);
         let softened = at.products.zip_map(&at.multipliers, soften);
