@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crate::files::{test_folder, write_together, write_whole};
 use crate::method::{Kind, kind};
-use crate::run::{CaseResult, Journal, Keeps, Partial, Proof, Task, certificates};
+use crate::run::{CaseResult, Journal, Keeps, Partial, Task, certificates};
 
 use super::screen::tell;
 use super::stop::Stop;
@@ -53,8 +53,7 @@ pub(super) fn said(partial: Option<&Partial>) -> String {
 pub(super) fn write_certificates(folder: &Path, results: &[CaseResult]) -> Result<(), Stop> {
     for result in results {
         for (name, bytes) in certificates(result) {
-            let path = folder.join(name);
-            write_whole(&path, bytes).map_err(|error| Stop::not_written(path.display(), error))?;
+            write_certificate(folder, &name, bytes)?;
         }
         for row in &result.rows {
             if kind(&row.method) == Kind::LowerBound
@@ -72,12 +71,15 @@ pub(super) fn write_certificates(folder: &Path, results: &[CaseResult]) -> Resul
     Ok(())
 }
 
-/// Writes the certificate of a bound that still grew into a folder, whole, and returns its path.
-pub(super) fn write_proof(folder: &Path, proof: &Proof) -> Result<String, Stop> {
-    let path = folder.join(&proof.file);
-    let bytes = proof.so_far.certificate.to_bytes();
+/// Writes a certificate into a folder, whole, and returns its path.
+pub(super) fn write_certificate(
+    folder: &Path,
+    name: &str,
+    bytes: Vec<u8>,
+) -> Result<PathBuf, Stop> {
+    let path = folder.join(name);
     write_whole(&path, bytes).map_err(|error| Stop::not_written(path.display(), error))?;
-    Ok(path.display().to_string())
+    Ok(path)
 }
 
 /// Opens the journal of this name in a folder that can be written to, and says where it is damaged.

@@ -6,6 +6,7 @@ use std::path::Path;
 use std::sync::Mutex;
 
 use crate::case::Case;
+use crate::method::SoFar;
 use crate::run::{CaseResult, CaseRuns, Journal, Keeps, Partial, Plan, Progress, Proof, Row, Task};
 
 use super::progress::Bar;
@@ -59,6 +60,8 @@ pub(super) fn solve(
     };
     let leave = |why: &str| {
         bar.clear();
+        // First: what is finished meanwhile is proved no less, and its certificate takes the place.
+        keep_proofs(&runs.proofs(), keeping.certificates);
         let (results, shown) = runs.finished();
         let [finished, of] = runs.counts();
         let partial = output::partial(Some(why).filter(|_| finished < of), finished, of);
@@ -68,7 +71,6 @@ pub(super) fn solve(
             _ => hand_out(&results, partial.as_ref()),
         };
         tell(why, &runs, journal.as_ref(), handed_out);
-        keep_proofs(&runs.proofs(), keeping.certificates);
     };
     or_leave(&bar, || runs.run(journal.as_ref(), &bar, &show), leave)?;
     let (results, _) = runs.finished();
@@ -104,10 +106,14 @@ fn tell(why: &str, runs: &CaseRuns, journal: Option<&Journal>, handed_out: Resul
 /// Says on standard error what tasks that are not finished have proved, and writes what proves it.
 fn keep_proofs(proofs: &[Proof], certificates: Option<&Path>) {
     for proof in proofs {
-        match certificates.map(|folder| output::write_proof(folder, proof)) {
-            Some(Ok(path)) => tell!("by then: {proof}; the certificate is {path}"),
-            Some(Err(stop)) => tell!("{}", stop.text),
-            None => tell!("by then: {proof}; `--certificate DIR` keeps the certificate"),
+        let write = |folder| {
+            let bytes = proof.so_far.certificate.to_bytes();
+            output::write_certificate(folder, &proof.file, bytes)
+        };
+        match certificates.map(write) {
+            Some(Ok(path)) => tell!("so far, {proof}; the certificate is {}", path.display()),
+            Some(Err(stop)) => tell!("{}", stop.text.trim_end()),
+            None => tell!("so far, {proof}; `--certificate DIR` keeps the certificate"),
         }
     }
 }
@@ -139,6 +145,14 @@ impl Progress for Kept {
 
     fn known(&self, _: &Task, row: &Row) {
         self.add(row);
+    }
+
+    fn begun(&self, task: &Task) {
+        self.bar.begun(task);
+    }
+
+    fn proved(&self, task: &Task, so_far: &dyn Fn() -> SoFar) {
+        self.bar.proved(task, so_far);
     }
 
     fn done(&self, task: &Task, row: &Row) {

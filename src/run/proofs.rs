@@ -10,7 +10,6 @@ use super::stored::file_name;
 use super::task::Task;
 use crate::method::SoFar;
 use crate::number::number;
-use crate::scene::Push;
 
 /// What a task has proved by now.
 #[derive(Clone, Debug)]
@@ -92,11 +91,9 @@ impl Progress for Proofs<'_> {
     }
 
     fn done(&self, task: &Task, row: &Row) {
-        for push in [Push::Left, Push::Right] {
-            let of = (task.id().to_owned(), push.name());
-            let mut last = self.last.lock().expect("no other thread panicked");
-            last.remove(&of);
-        }
+        let mut last = self.last.lock().expect("no other thread panicked");
+        last.retain(|(id, _), _| id != task.id());
+        drop(last);
         self.progress.done(task, row);
     }
 }

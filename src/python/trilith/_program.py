@@ -174,7 +174,7 @@ def _listen(
                 share, left = line.split()[1:3]
                 progress(float(share), float(left))
             elif progress and line.startswith("proved "):
-                progress.proved(*line.split()[1:5])
+                progress.proved(*line.removeprefix("proved ").rsplit(maxsplit=3))
             else:
                 lines.append(line)
 
