@@ -3,6 +3,7 @@
 use super::geometry::Geometry;
 use super::model::Case;
 use crate::scene::{Forces, Friction, Push};
+use crate::text::counted;
 
 /// What the case is made of, in one paragraph.
 pub(crate) fn geometry_words(case: &Case) -> String {
@@ -52,8 +53,7 @@ fn forces(forces: &Forces) -> String {
     let weight = live(forces);
     match forces.extra.len() {
         0 => weight,
-        1 => format!("{weight}, and 1 load"),
-        count => format!("{weight}, and {count} loads"),
+        count => format!("{weight}, and {}", counted(count, "load")),
     }
 }
 

@@ -8,6 +8,7 @@ use super::part_words::RigidMotion;
 use super::places::Places;
 use super::residual::live_power;
 use crate::scene::{JointClass, Point, Side};
+use crate::text::counted;
 
 /// Blocks and joints that are named.
 const NAMED: usize = 3;
@@ -160,10 +161,8 @@ impl Moved<'_> {
 
     /// How a part moves by itself, or that it does not.
     pub fn in_figures(&self, part: usize) -> String {
-        let (s, count) = match self.parts[part].blocks.len() {
-            1 => ("s", "1 block".to_owned()),
-            count => ("", format!("{count} blocks")),
-        };
+        let count = self.parts[part].blocks.len();
+        let (s, count) = (if count == 1 { "s" } else { "" }, counted(count, "block"));
         match self.parts[part].moves {
             true => format!("{count} {}", self.part_words(part, s)),
             false => format!("{count} stand{s} still"),

@@ -3,7 +3,7 @@
 
 use super::openings::{Opening, openings, place_words, storey_words};
 use crate::scene::{Point, Scene};
-use crate::text::enumerated;
+use crate::text::{counted, enumerated};
 
 /// Regions that are named.
 const NAMED: usize = 3;
@@ -107,10 +107,7 @@ impl<'a> Places<'a> {
 
     /// So many blocks, and of which region most of them are.
     pub fn counted(&self, blocks: &[usize]) -> String {
-        let count = match blocks.len() {
-            1 => "1 block".to_owned(),
-            count => format!("{count} blocks"),
-        };
+        let count = counted(blocks.len(), "block");
         match self.by_size(blocks)[..] {
             [(region, _)] => format!("{count} {}", self.regions[region].blocks_of),
             _ => count,

@@ -15,7 +15,7 @@ use crate::judge::{Verdict, comparisons};
 use crate::number::{number, short};
 use crate::record::fixed_width;
 use crate::run::{CaseResult, Row};
-use crate::text::{GridColumn, Layout, bold, ended, grid, numbers, sentence, words};
+use crate::text::{GridColumn, Layout, bold, counted, ended, grid, numbers, sentence, words};
 
 /// Columns of a reference beside what was computed.
 fn grid_columns() -> [GridColumn; 9] {
@@ -305,17 +305,13 @@ fn closing(results: &[CaseResult], layout: Layout) -> String {
         let mut rows = result.rows.iter();
         rows.any(|row| row.method == reference.method && is_about(row.head_joints))
     });
-    let count = |count: usize, of: &str| match count {
-        1 => format!("1 {of}"),
-        _ => format!("{count} {of}s"),
-    };
     let counts = format!(
         "{}, {}, {} of {} compared, {}:",
-        count(results.len(), "case"),
-        count(rows(results).count(), "result"),
+        counted(results.len(), "case"),
+        counted(rows(results).count(), "result"),
         compared.count(),
-        count(references().count(), "reference value"),
-        count(checks().count(), "check"),
+        counted(references().count(), "reference value"),
+        counted(checks().count(), "check"),
     );
     let style = of_verdict(if violated + failed > 0 {
         Verdict::Violated

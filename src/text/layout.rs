@@ -103,6 +103,14 @@ pub fn sentence(clause: &str) -> String {
     }
 }
 
+/// So many of a word that takes an s.
+pub fn counted(count: usize, word: &str) -> String {
+    match count {
+        1 => format!("1 {word}"),
+        _ => format!("{count} {word}s"),
+    }
+}
+
 /// Names with commas, and with "and" before the last.
 pub fn enumerated(names: &[String]) -> String {
     match names {

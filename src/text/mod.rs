@@ -5,5 +5,5 @@ mod layout;
 mod worded;
 
 pub use grid::{GridColumn, grid, numbers, words};
-pub use layout::{LEAST_WIDTH, Layout, bold, ended, enumerated, sentence, wrapped};
+pub use layout::{LEAST_WIDTH, Layout, bold, counted, ended, enumerated, sentence, wrapped};
 pub(crate) use worded::worded;

@@ -5,7 +5,7 @@ use std::fmt;
 use serde::{Deserialize, Serialize};
 
 use crate::answer::bracket::is_same_multiplier;
-use crate::text::worded;
+use crate::text::{counted, worded};
 
 /// How every start of a search for collapse states ended, in the order in which they ran.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -100,10 +100,7 @@ impl fmt::Display for SearchFacts {
             lowest_met,
             unseen,
         } = self.coverage();
-        let counted = |count: usize, word: &str| match count {
-            1 => format!("1 {word}"),
-            _ => format!("{count} {word}s"),
-        };
+
         let starts = counted(starts, "start");
         if verified > 0 {
             let (states, times) = (

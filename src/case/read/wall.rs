@@ -15,6 +15,7 @@ use super::values::{CoursesValue, Number};
 use crate::case::complaint::{Complaint, Document};
 use crate::number::short;
 use crate::scene::{Course, HeadJoints, Own, Push, Wall, WallError};
+use crate::text::counted;
 
 /// Units longer or higher than this times the other side would fall under the joint search's
 /// tolerance.
@@ -57,11 +58,11 @@ fn heights(file: &CaseFile, laid: &PlacedCourses, wall: &Wall) -> Result<Vec<f64
     let (strings, courses) = (laid.strings.len(), wall.courses.len());
     let given = list.get_ref().len();
     if given != courses && (given != strings || given == 0) {
-        let many = |count: usize, what: &str| match count {
-            1 => format!("1 {what}"),
-            count => format!("{count} {what}s"),
-        };
-        let title = format!("{} for {}", many(given, "height"), many(courses, "course"));
+        let title = format!(
+            "{} for {}",
+            counted(given, "height"),
+            counted(courses, "course")
+        );
         let complaint = list.wrong(title, "here");
         return Err(complaint.help(match strings {
             0 => "write a height for every course, from bottom to top",
