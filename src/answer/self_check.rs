@@ -3,6 +3,7 @@
 use std::fmt;
 
 use serde::{Deserialize, Serialize};
+use thiserror::Error;
 
 use super::bracket::Bracket;
 use crate::number::number;
@@ -62,7 +63,11 @@ worded! {
 }
 
 /// One of the pushovers over which an answer is a range.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Error, PartialEq, Serialize, Deserialize)]
+#[error(
+    "on the {} with contact stiffness × {stiffness}",
+    if *.mirrored { "mirrored scene" } else { "scene as it is" }
+)]
 pub struct Variation {
     /// Contact stiffness, as a multiple of what the substep allows.
     pub stiffness: f64,
@@ -125,17 +130,6 @@ impl fmt::Display for SelfCheck {
                 answer: Err(reason),
             } => write!(f, "{} the pushover has no answer: {reason}", with.name()),
         }
-    }
-}
-
-impl fmt::Display for Variation {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let side = if self.mirrored {
-            "on the mirrored scene"
-        } else {
-            "on the scene as it is"
-        };
-        write!(f, "{side} with contact stiffness × {}", self.stiffness)
     }
 }
 

@@ -5,6 +5,7 @@
 //! and velocities.
 
 use serde::{Deserialize, Serialize};
+use thiserror::Error;
 
 use super::mechanism::{JointRate, Mechanism};
 use super::residual::{balances, live_unit};
@@ -28,7 +29,12 @@ const OF_WEIGHTLESS: f64 = 1e-9;
 const SLOW: f64 = 1e-2;
 
 /// The largest violation of one block's conditions, and which block it is.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, Error, PartialEq, Serialize, Deserialize)]
+#[error(
+    "block {} violates its conditions by {value:.1e} of its own forces or velocities, and at most \
+     {VERIFIED_BLOCK:.0e} is allowed",
+    .block + 1
+)]
 pub struct BlockResidual {
     /// Violation as a share of the block's own forces, or velocities, or both.
     pub value: f64,

@@ -21,7 +21,7 @@ mod state;
 mod thrust;
 
 pub use block_residual::BlockResidual;
-pub(crate) use block_residual::{VERIFIED_BLOCK, reach};
+pub(crate) use block_residual::reach;
 pub use crack::Crack;
 pub(crate) use crack::{VELOCITY_THRESHOLDS, crack_slope, crack_slope_by_gap};
 pub use friction_excess::friction_excess;

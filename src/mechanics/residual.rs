@@ -1,9 +1,8 @@
 //! Residuals of force states and mechanisms, scaled: total weight, height, and the live power for
 //! λ* = 1 are 1.
 
-use std::fmt;
-
 use serde::{Deserialize, Serialize};
+use thiserror::Error;
 
 use super::mechanism::Mechanism;
 use super::state::JointForce;
@@ -13,7 +12,8 @@ use crate::scene::{Block, Point, Scene, Vector, Wrench};
 pub const VERIFIED_RESIDUAL: f64 = 1e-8;
 
 /// Violations of static admissibility, as fractions of the total weight.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, Error, PartialEq, Serialize, Deserialize)]
+#[error("equilibrium {equilibrium:.1e}, tension {tension:.1e}, friction {friction:.1e}")]
 pub struct StaticResidual {
     /// Largest unbalanced force, or moment over the height.
     pub equilibrium: f64,
@@ -58,16 +58,6 @@ impl StaticResidual {
     /// The largest of all.
     pub fn largest(&self) -> f64 {
         self.equilibrium.max(self.tension).max(self.friction)
-    }
-}
-
-impl fmt::Display for StaticResidual {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "equilibrium {:.1e}, tension {:.1e}, friction {:.1e}",
-            self.equilibrium, self.tension, self.friction
-        )
     }
 }
 
@@ -182,7 +172,11 @@ fn flow_violation(scene: &Scene, mechanism: &Mechanism, unit: f64) -> f64 {
 }
 
 /// Violations of the zero-dilatancy collapse conditions, beyond static admissibility.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Copy, Debug, Default, Error, PartialEq, Serialize, Deserialize)]
+#[error(
+    "penetration {penetration:.1e}, force at an opening {open_contact:.1e}, \
+     idle friction {idle_friction:.1e}, gap {gap:.1e}"
+)]
 pub struct CollapseResidual {
     /// Largest closing rate.
     pub penetration: f64,
@@ -225,15 +219,5 @@ impl CollapseResidual {
             .max(self.open_contact)
             .max(self.idle_friction)
             .max(self.gap)
-    }
-}
-
-impl fmt::Display for CollapseResidual {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "penetration {:.1e}, force at an opening {:.1e}, idle friction {:.1e}, gap {:.1e}",
-            self.penetration, self.open_contact, self.idle_friction, self.gap
-        )
     }
 }

@@ -1,9 +1,10 @@
 //! Results of work that did not come to its end, marked as such inside every file.
 
-use std::fmt;
+use thiserror::Error;
 
 /// Why results are not complete, and how far they go.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, Error, PartialEq, Eq)]
+#[error("PARTIAL: {why}, {finished} of {of} results are finished")]
 pub struct Partial {
     /// What ended the work, such as `interrupted by SIGTERM`.
     pub why: String,
@@ -11,13 +12,6 @@ pub struct Partial {
     pub finished: usize,
     /// Results that were to be.
     pub of: usize,
-}
-
-impl fmt::Display for Partial {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Partial { why, finished, of } = self;
-        write!(f, "PARTIAL: {why}, {finished} of {of} results are finished")
-    }
 }
 
 /// What the last line of a partial CSV begins with.

@@ -1,13 +1,11 @@
 //! Facts that the judge finds.
 
-use std::fmt;
-
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use super::super::status::Status;
 use crate::certificate::Refusal;
-use crate::mechanics::{BlockResidual, Recomputed, VERIFIED_BLOCK, residual_words};
+use crate::mechanics::{BlockResidual, Recomputed, residual_words};
 
 /// What the judge finds.
 #[derive(Clone, Debug, Error, PartialEq, Serialize, Deserialize)]
@@ -77,16 +75,4 @@ fn unproved(residuals: &[Recomputed]) -> String {
     let worst = named.iter().max_by(|a, b| a.0.total_cmp(&b.0));
     let worst = worst.expect("the list is not empty").1;
     format!(" to be a collapse state, because {worst}")
-}
-
-impl fmt::Display for BlockResidual {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "block {} violates its conditions by {:.1e} of its own forces or velocities, and at most \
-             {VERIFIED_BLOCK:.0e} is allowed",
-            self.block + 1,
-            self.value
-        )
-    }
 }

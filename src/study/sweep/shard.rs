@@ -1,16 +1,19 @@
 //! Beyond one machine: the points of a sweep dealt out in shards, and their rows merged again.
 
 use std::collections::BTreeMap;
-use std::fmt;
+
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
+
+use thiserror::Error;
 
 use crate::case::Complaint;
 use crate::files::{Input, read_input, write_whole};
 use crate::run::{Row, Task, lines, read_line};
 
 /// The `index`-th of `count` shards, from 1.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Error, PartialEq, Eq)]
+#[error("{index}/{count}")]
 pub struct Shard {
     index: usize,
     count: usize,
@@ -32,12 +35,6 @@ impl FromStr for Shard {
                 "write K/N with K from 1 to N and N up to {MOST_SHARDS}, such as `2/4`"
             )),
         }
-    }
-}
-
-impl fmt::Display for Shard {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}/{}", self.index, self.count)
     }
 }
 
