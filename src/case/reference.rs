@@ -32,60 +32,41 @@ pub(super) fn known_method_names() -> impl Iterator<Item = &'static str> {
     METHODS.iter().map(|method| method.name())
 }
 
-/// A number of a result.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Quantity {
-    /// The collapse multiplier: both ends of the bracket.
-    Lambda,
-    /// The lower end of the bracket.
-    Lower,
-    /// The upper end of the bracket.
-    Upper,
-    /// Slope of the crack.
-    TanBeta,
-    /// Width that moves as one rigid body along the top, in the case's unit of length.
-    C,
-    /// Width that moves at all along the top.
-    E,
-    /// The reaction of a support that moves: both ends of the bracket.
-    Reaction,
-    /// 1 where the scene stands under its dead load, 0 where it falls.
-    AtRest,
+worded! {
+    /// A number of a result.
+    #[derive(PartialOrd, Ord)]
+    Quantity {
+        /// The collapse multiplier: both ends of the bracket.
+        Lambda = "lambda",
+        /// The lower end of the bracket.
+        Lower = "lower",
+        /// The upper end of the bracket.
+        Upper = "upper",
+        /// Slope of the crack.
+        TanBeta = "tan_beta",
+        /// Width that moves as one rigid body along the top, in the case's unit of length.
+        C = "c",
+        /// Width that moves at all along the top.
+        E = "e",
+        /// The reaction of a support that moves: both ends of the bracket.
+        Reaction = "reaction",
+        /// 1 where the scene stands under its dead load, 0 where it falls.
+        AtRest = "at_rest",
+    }
 }
 
 impl Quantity {
-    /// Every quantity.
-    pub(crate) const ALL: [Quantity; 8] = [
-        Quantity::Lambda,
-        Quantity::Lower,
-        Quantity::Upper,
-        Quantity::TanBeta,
-        Quantity::C,
-        Quantity::E,
-        Quantity::Reaction,
-        Quantity::AtRest,
-    ];
-
     /// What it is, in words.
     pub fn words(self) -> &'static str {
-        self.name_and_words().1
-    }
-
-    /// The word in case files.
-    pub fn name(self) -> &'static str {
-        self.name_and_words().0
-    }
-
-    fn name_and_words(self) -> (&'static str, &'static str) {
         match self {
-            Quantity::Lambda => ("lambda", "λ"),
-            Quantity::Lower => ("lower", "the lower λ"),
-            Quantity::Upper => ("upper", "the upper λ"),
-            Quantity::TanBeta => ("tan_beta", "tan β"),
-            Quantity::C => ("c", "the width c"),
-            Quantity::E => ("e", "the width e"),
-            Quantity::Reaction => ("reaction", "the reaction"),
-            Quantity::AtRest => ("at_rest", "the rest under its own weight"),
+            Quantity::Lambda => "λ",
+            Quantity::Lower => "the lower λ",
+            Quantity::Upper => "the upper λ",
+            Quantity::TanBeta => "tan β",
+            Quantity::C => "the width c",
+            Quantity::E => "the width e",
+            Quantity::Reaction => "the reaction",
+            Quantity::AtRest => "the rest under its own weight",
         }
     }
 }
