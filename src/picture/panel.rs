@@ -12,7 +12,7 @@ use super::wall;
 use super::words::fitting;
 use crate::answer::Evidence;
 use crate::number::{number, short};
-use crate::run::column;
+
 use crate::scene::{HeadJoints, JointClass, Point, Push, Vector};
 
 /// Pixels for the heading above a picture.
@@ -252,10 +252,7 @@ impl<'a> Panel<'a> {
             ];
         }
         let mut lines = match outcome.bracket() {
-            Some(_) => vec![format!(
-                "{what} {}, {status}",
-                (column("lambda").value)(row).shown()
-            )],
+            Some(_) => vec![format!("{what} {}, {status}", row.value("lambda").shown())],
             None => vec![format!("no multiplier: {status}")],
         };
         if let [lowest, ..] = outcome.evidence.states() {

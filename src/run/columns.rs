@@ -243,9 +243,28 @@ pub fn column(name: &str) -> &'static Column {
     found.unwrap_or_else(|| panic!("no column `{name}`"))
 }
 
+impl Row {
+    /// What it says in the column of this name.
+    pub(crate) fn value(&self, name: &str) -> Value {
+        (column(name).value)(self)
+    }
+}
+
 /// What a row says in the columns of these names.
 pub fn values(row: &Row, names: &[&str]) -> Vec<Value> {
-    names.iter().map(|name| (column(name).value)(row)).collect()
+    names.iter().map(|name| row.value(name)).collect()
+}
+
+/// A heading, and what stands below it of a thing.
+pub type Heading<T> = (&'static str, fn(&T) -> Value);
+
+/// CSV of these headings, a line a thing.
+pub fn csv_of<T>(columns: &[Heading<T>], things: &[T]) -> String {
+    let line = |thing| columns.iter().map(|(_, value)| value(thing)).collect();
+    csv(
+        columns.iter().map(|(name, _)| *name),
+        things.iter().map(line),
+    )
 }
 
 /// CSV of these headings, and of lines that are as long.

@@ -24,7 +24,9 @@ pub(crate) mod task;
 
 pub(crate) use cases::CaseRuns;
 pub use cases::run;
-pub(crate) use columns::{COLUMNS, Column, ColumnKind, Value, column, csv, values};
+pub(crate) use columns::{
+    COLUMNS, Column, ColumnKind, Heading, Value, column, csv, csv_of, values,
+};
 pub(crate) use execute::run_rows;
 pub(crate) use journal::Journal;
 pub(crate) use kept::{Keeps, lines, read_line};

@@ -135,7 +135,7 @@ pub fn titles(names: &[&str]) -> Vec<&'static str> {
 
 pub fn cells(row: &Row, names: &[&str]) -> Vec<TableCell> {
     let cell = |name: &&str| {
-        let text = (column(name).value)(row).shown().replace(" - ", " – ");
+        let text = row.value(name).shown().replace(" - ", " – ");
         match *name {
             "method" | "head_joints" | "note" => TableCell::text(text),
             "status" => TableCell::status(row.status()),

@@ -10,41 +10,28 @@ use crate::answer::Bracket;
 use crate::number::nine_digits;
 use crate::picture::palette::{INACCURATE, REFUSED, RIGHT, Tone, WRONG};
 use crate::picture::{self, Cells, Field, Sample};
-use crate::run::{self, Partial, Value, titled, values};
+use crate::run::{Heading, Partial, Value, csv_of, titled};
 use crate::text::{self, Layout, bold, numbers, words};
 
-pub fn csv(cells: &[Cell]) -> String {
-    let headings = [
-        "grid",
-        "method",
-        "x",
-        "y",
-        "verdict",
-        "status",
-        "lower",
-        "upper",
-        "reference",
-        "error",
-        "reason",
-        "reference_upper",
-    ];
-    run::csv(headings, cells.iter().map(line))
-}
+const COLUMNS: [Heading<Cell>; 12] = [
+    ("grid", |cell| cell.grid.into()),
+    ("method", |cell| cell.row.value("method")),
+    ("x", |cell| cell.x.as_str().into()),
+    ("y", |cell| cell.y.as_str().into()),
+    ("verdict", |cell| cell.verdict.name().into()),
+    ("status", |cell| cell.row.value("status")),
+    ("lower", |cell| cell.row.value("lower")),
+    ("upper", |cell| cell.row.value("upper")),
+    ("reference", |cell| Value::Number(cell.reference.lower)),
+    ("error", |cell| cell.error.into()),
+    ("reason", |cell| cell.row.value("reason")),
+    ("reference_upper", |cell| {
+        Value::Number(cell.reference.upper)
+    }),
+];
 
-fn line(cell: &Cell) -> Vec<Value> {
-    let row = |names| values(&cell.row, names);
-    [
-        vec![cell.grid.into()],
-        row(&["method"]),
-        [cell.x.as_str(), &cell.y, cell.verdict.name()]
-            .map(Value::from)
-            .to_vec(),
-        row(&["status", "lower", "upper"]),
-        vec![Value::Number(cell.reference.lower), cell.error.into()],
-        row(&["reason"]),
-        vec![Value::Number(cell.reference.upper)],
-    ]
-    .concat()
+pub fn csv(cells: &[Cell]) -> String {
+    csv_of(&COLUMNS, cells)
 }
 
 /// Counts by grid and method, the causes under each grid, and every wrong cell.

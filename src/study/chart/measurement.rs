@@ -7,10 +7,10 @@ use std::io;
 use super::ladder::{Step, ladder};
 use super::reference::{ReferenceRange, reference};
 use crate::answer::{Bracket, Status};
-use crate::case::{Case, Reference};
+use crate::case::Case;
 use crate::method::Method;
 use crate::run::{
-    self, Journal, Progress, Row, Subject, Task, Value, fingerprint, run_rows, values,
+    Heading, Journal, Progress, Row, Subject, Task, Value, csv_of, fingerprint, run_rows,
 };
 use crate::scene::HeadJoints;
 
@@ -49,6 +49,12 @@ impl Measurement {
     /// a wide truth looks exact; `None` where there is no answer.
     pub fn error(&self) -> Option<f64> {
         self.distances().map(|[_, farther]| farther)
+    }
+
+    /// Relative width of what the method gives, an answer or not.
+    fn width(&self) -> Option<f64> {
+        let bracket = self.row.bracket()?;
+        Some(bracket.relative_width(self.row.multiplier_unit))
     }
 
     /// Whether the answer's lower end is not above the lowest state that is known.
@@ -188,54 +194,40 @@ impl<'a> Planned<'a> {
     }
 }
 
-/// The table as CSV: numbers with nine digits, empty where there is no answer.
-pub fn csv(entries: &[Measurement]) -> String {
-    let headings = [
-        "case",
-        "method",
-        "setting",
-        "status",
-        "lower",
-        "upper",
-        "error",
-        "width",
-        "seconds",
-        "runs",
-        "reference",
-        "reference_upper",
-        "reference_kind",
-        "reference_method",
-        "reference_source",
-        "reason",
-    ];
-    run::csv(headings, entries.iter().map(line))
+const COLUMNS: [Heading<Measurement>; 16] = [
+    ("case", |m| m.row.value("case")),
+    ("method", |m| m.row.value("method")),
+    ("setting", |m| m.setting().into()),
+    ("status", |m| m.row.value("status")),
+    ("lower", |m| m.row.value("lower")),
+    ("upper", |m| m.row.value("upper")),
+    ("error", |m| m.error().into()),
+    ("width", |m| m.width().into()),
+    ("seconds", |m| m.row.value("seconds")),
+    ("runs", |m| Value::Count(m.runs)),
+    ("reference", |m| {
+        known(m, |of| Value::Number(of.range.lower))
+    }),
+    ("reference_upper", |m| {
+        known(m, |of| Value::Number(of.range.upper))
+    }),
+    ("reference_kind", |m| {
+        known(m, |of| of.lowest.kind.name().into())
+    }),
+    ("reference_method", |m| {
+        known(m, |of| of.lowest.method.as_str().into())
+    }),
+    ("reference_source", |m| {
+        known(m, |of| of.lowest.source.as_str().into())
+    }),
+    ("reason", |m| m.row.value("reason")),
+];
+
+fn known(entry: &Measurement, value: fn(&ReferenceRange) -> Value) -> Value {
+    entry.reference.as_ref().map_or(Value::Nothing, value)
 }
 
-fn line(entry: &Measurement) -> Vec<Value> {
-    let known = entry.reference.as_ref();
-    let bracket = entry.row.bracket();
-    let width = bracket.map(|bracket| bracket.relative_width(entry.row.multiplier_unit));
-    let of_reference = known.map_or(vec![Value::Nothing; 5], |known| {
-        let Reference {
-            kind,
-            method,
-            source,
-            ..
-        } = &known.lowest;
-        let ends = [known.range.lower, known.range.upper].map(Value::Number);
-        let words = [kind.name(), method, source].map(Value::from);
-        [ends.as_slice(), &words].concat()
-    });
-    let row = |names| values(&entry.row, names);
-    [
-        row(&["case", "method"]),
-        vec![entry.setting().into()],
-        row(&["status", "lower", "upper"]),
-        vec![entry.error().into(), width.into()],
-        row(&["seconds"]),
-        vec![Value::Count(entry.runs)],
-        of_reference,
-        row(&["reason"]),
-    ]
-    .concat()
+/// The table as CSV: numbers with nine digits, empty where there is no answer.
+pub fn csv(entries: &[Measurement]) -> String {
+    csv_of(&COLUMNS, entries)
 }

@@ -5,7 +5,7 @@ use indexmap::IndexSet;
 
 use super::measurement::Measurement;
 use crate::number::number;
-use crate::run::{self, Value};
+use crate::run::{Heading, Value, csv_of};
 use crate::text::{Layout, grid, numbers, words};
 
 /// What one method with one setting is worth over all scenes that it ran on.
@@ -86,23 +86,17 @@ pub fn table(summaries: &[Summary], layout: Layout) -> String {
     format!("{}\n{legend}", grid(layout, 0, &columns, &lines))
 }
 
+const COLUMNS: [Heading<Summary>; 8] = [
+    ("method", |s| s.method.as_str().into()),
+    ("setting", |s| s.setting.as_str().into()),
+    ("scenes", |s| Value::Count(s.scenes)),
+    ("seconds", |s| Value::Number(s.seconds)),
+    ("within_0.1", |s| Value::Number(s.within[0])),
+    ("within_1", |s| Value::Number(s.within[1])),
+    ("within_5", |s| Value::Number(s.within[2])),
+    ("answered", |s| Value::Number(s.answered)),
+];
+
 pub fn csv(summaries: &[Summary]) -> String {
-    let headings = [
-        "method",
-        "setting",
-        "scenes",
-        "seconds",
-        "within_0.1",
-        "within_1",
-        "within_5",
-        "answered",
-    ];
-    let line = |s: &Summary| {
-        let [a, b, c] = s.within;
-        let mut line = vec![s.method.as_str().into(), s.setting.as_str().into()];
-        line.push(Value::Count(s.scenes));
-        line.extend([s.seconds, a, b, c, s.answered].map(Value::Number));
-        line
-    };
-    run::csv(headings, summaries.iter().map(line))
+    csv_of(&COLUMNS, summaries)
 }
