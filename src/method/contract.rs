@@ -58,26 +58,3 @@ pub struct SoFar {
     /// What proves it.
     pub certificate: Arc<Certificate>,
 }
-
-impl<M: Method + ?Sized> Method for &M {
-    fn name(&self) -> &str {
-        (**self).name()
-    }
-
-    fn determined_by(&self) -> Vec<String> {
-        (**self).determined_by()
-    }
-
-    fn solve(&self, scene: &Scene, settings: &Settings) -> Outcome {
-        (**self).solve(scene, settings)
-    }
-
-    fn solve_watched(
-        &self,
-        scene: &Scene,
-        settings: &Settings,
-        watch: &dyn Watch,
-    ) -> (Outcome, Option<Duration>) {
-        (**self).solve_watched(scene, settings, watch)
-    }
-}

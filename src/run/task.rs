@@ -66,14 +66,14 @@ pub(crate) fn fingerprint(scene: &Scene) -> String {
 /// One method with its settings on one subject.
 pub struct Task<'a> {
     subject: Subject<'a>,
-    method: Box<dyn Method + Send + 'a>,
+    method: &'a dyn Method,
     settings: Settings,
     id: String,
 }
 
 impl<'a> Task<'a> {
     /// A task. Its id is the fingerprint of everything in it, and of the program's sources.
-    pub fn new(subject: Subject<'a>, method: impl Method + Send + 'a, settings: Settings) -> Self {
+    pub fn new(subject: Subject<'a>, method: &'a dyn Method, settings: Settings) -> Self {
         let mut id = Fingerprint::new();
         let mut add = |text: &str| id.add(text.as_bytes());
         add(SOURCES);
@@ -90,7 +90,7 @@ impl<'a> Task<'a> {
         method.determined_by().iter().for_each(|text| add(text));
         Self {
             id: id.hex(),
-            method: Box::new(method),
+            method,
             subject,
             settings,
         }
@@ -108,7 +108,7 @@ impl<'a> Task<'a> {
 
     /// The method.
     pub fn method(&self) -> &dyn Method {
-        &*self.method
+        self.method
     }
 
     /// Name of the scene in tables and files.

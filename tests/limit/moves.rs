@@ -13,7 +13,7 @@ fn solved(text: &str, method: &str) -> Row {
     let methods = methods();
     let method = methods.iter().find(|known| known.name() == method);
     let sides = case.sides(HeadJoints::Contact);
-    answer(&sides, method.expect("its name"), Settings::default())
+    answer(&sides, *method.expect("its name"), Settings::default())
 }
 
 /// Both methods that prove something find this reaction, to a part of the weight, which is 1.
@@ -266,7 +266,7 @@ fn a_case_without_a_move_has_no_reaction() {
         .remove(0);
     let sides = case.sides(HeadJoints::Contact);
     let methods = methods();
-    let row = answer(&sides, &methods[1], Settings::default());
+    let row = answer(&sides, methods[1], Settings::default());
     assert!(row.reaction.is_none());
     assert!(!row.reason().contains("reaction"));
 }

@@ -59,7 +59,7 @@ fn solved(case: &Case, head_joints: HeadJoints, method: &str) -> Row {
     let methods = methods();
     let method = methods.iter().find(|known| known.name() == method);
     let sides = case.sides(head_joints);
-    answer(&sides, method.expect("its name"), Settings::default())
+    answer(&sides, *method.expect("its name"), Settings::default())
 }
 
 /// What it reads as a change of the reaction: larger is later, whichever way the support moves.
