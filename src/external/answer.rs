@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 /// The answer to one scene, in its units: one JSON object. Forces and velocities come in the order
 /// of the scene's joints and blocks. What an answer claims to prove is recomputed from them.
-#[derive(Clone, Debug, PartialEq, Deserialize, Serialize, JsonSchema)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(title = "trilith answer")]
 pub struct AnswerFile {
@@ -48,14 +48,7 @@ impl AnswerFile {
     pub(super) fn of(kind: AnswerKind) -> Self {
         Self {
             kind,
-            lambda: None,
-            upper: None,
-            stated_error: None,
-            forces: None,
-            velocities: None,
-            ray: None,
-            ceiling: None,
-            reason: None,
+            ..Self::default()
         }
     }
 }

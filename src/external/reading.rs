@@ -6,7 +6,7 @@ use crate::answer::{Bracket, Evidence, Fact, Outcome, ProgramFailure, Status};
 use crate::mechanics::{
     Ceiling, CollapseState, ForceState, JointForce, Mechanism, Motion, kinematic_multiplier,
 };
-use crate::scene::{Scene, Vector};
+use crate::scene::Scene;
 
 /// Longest reason that is kept, in characters.
 const REASON_LENGTH: usize = 300;
@@ -46,6 +46,7 @@ pub(super) fn outcome(scene: &Scene, output: &[u8]) -> Result<Outcome, ProgramFa
 fn evidence(scene: &Scene, answer: &AnswerFile) -> Result<Evidence, ProgramFailure> {
     let of_joints = |list, key| list_of(list, scene.joints().len(), [key, "joints"], force);
     let of_blocks = |list, key| {
+        let motion = |numbers: &[f64; 3]| Motion::from(*numbers);
         let motions = list_of(list, scene.blocks().len(), [key, "blocks"], motion)?;
         Ok(motions.map(|motions| Mechanism { motions }))
     };
@@ -159,11 +160,6 @@ fn below(scene: &Scene, lower: f64, mechanism: Mechanism) -> (f64, Ceiling) {
 fn force(&[n1, n2, shear]: &[f64; 3]) -> JointForce {
     let normal = [n1, n2];
     JointForce { normal, shear }
-}
-
-fn motion(&[x, y, rotation]: &[f64; 3]) -> Motion {
-    let velocity = Vector::new(x, y);
-    Motion { velocity, rotation }
 }
 
 /// The list of this key, an entry for each of the scene's joints or blocks.

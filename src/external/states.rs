@@ -113,8 +113,5 @@ fn forces(list: &[JointForce]) -> Vec<[f64; 3]> {
 }
 
 fn velocities(mechanism: &Mechanism) -> Vec<[f64; 3]> {
-    let motions = mechanism.motions.iter();
-    motions
-        .map(|m| [m.velocity.x, m.velocity.y, m.rotation])
-        .collect()
+    mechanism.motions.iter().map(|&of| of.into()).collect()
 }

@@ -213,6 +213,6 @@ fn side(push: Push, outcome: &Outcome) -> Json {
 
 fn frame(moved: &Mechanism) -> Json {
     let motions = moved.motions.iter();
-    let numbers = motions.map(|m| [m.velocity.x, m.velocity.y, m.rotation]);
+    let numbers = motions.map(|&of| <[f64; 3]>::from(of));
     numbers.map(|numbers| json!(numbers.map(digits))).collect()
 }
