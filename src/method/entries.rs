@@ -52,6 +52,11 @@ pub struct Look {
     pub mark: Mark,
 }
 
+/// The look of this colour and mark.
+pub const fn look(colour: &'static str, mark: Mark) -> Look {
+    Look { colour, mark }
+}
+
 /// Rough CPU time of a method with default settings, which grows with a power of the blocks.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cost {
@@ -182,10 +187,6 @@ impl MethodEntry {
     pub fn name(&self) -> &'static str {
         self.method.name()
     }
-}
-
-const fn look(colour: &'static str, mark: Mark) -> Look {
-    Look { colour, mark }
 }
 
 const fn cost(of_33_blocks: f64, growth: f64, contact: f64) -> Cost {

@@ -17,7 +17,7 @@ pub use auto::Auto;
 pub use contract::Method;
 pub(crate) use contract::{SoFar, Watch};
 pub(crate) use entries::{
-    Changes, Kind, Look, METHODS, Mark, MethodEntry, entry, expected_cost, kind, method_look,
+    Changes, Kind, Look, METHODS, Mark, MethodEntry, entry, expected_cost, kind, look, method_look,
     without_lower_bounds,
 };
 pub use entries::{defaults, methods};

@@ -4,7 +4,7 @@ use super::marks::{Filling, mark};
 use super::palette::{INK, OPENING, SQUARE_LINE, WHITE};
 use super::svg::{Anchor, Path, Pixel, Style, Svg, style};
 use super::words::text_width;
-use crate::method::{Look, Mark};
+use crate::method::{Look, Mark, look};
 
 /// Pixels of a line of the legend, between two entries, and the size of its words.
 const LINE: f64 = 20.0;
@@ -32,8 +32,7 @@ pub enum Sample {
 impl Sample {
     /// A disc of ink, filled so.
     pub fn disc(filling: Filling) -> Self {
-        let mark = Mark::Circle;
-        Self::Point(Look { colour: INK, mark }, filling)
+        Self::Point(look(INK, Mark::Circle), filling)
     }
 }
 

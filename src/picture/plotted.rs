@@ -8,7 +8,7 @@ use super::palette::LEADER;
 use super::plot::{Line, Plot, PlotPoint, Ticks};
 use super::svg::{Anchor, Path, Pixel, Style, Svg, style};
 use super::words::{text_width, written};
-use crate::method::{Look, Mark};
+use crate::method::{Look, Mark, look};
 
 /// Pixels of a plot: narrow enough to be read on a telephone and beside text in print.
 const SIZE: [f64; 2] = [480.0, 350.0];
@@ -152,15 +152,7 @@ fn lines(svg: &mut Svg, lines: &[Line], area: &Area) {
         };
         svg.path(&Path::through(&points, false), style.class("curve"), "");
         if let [point] = points[..] {
-            mark(
-                svg,
-                point,
-                Look {
-                    colour: line.colour,
-                    mark: Mark::Circle,
-                },
-                Filling::Full,
-            );
+            mark(svg, point, look(line.colour, Mark::Circle), Filling::Full);
         }
     }
 }
@@ -187,15 +179,7 @@ fn missing(svg: &mut Svg, missing: &[(f64, &'static str)], area: &Area) {
         let [x, _] = area.at([*x, area.y[0]]);
         let at = [x, area.bottom() - 7.0 - 9.0 * below as f64];
         svg.open(style().class("missing"), "no answer");
-        mark(
-            svg,
-            at,
-            Look {
-                colour,
-                mark: Mark::Cross,
-            },
-            Filling::Full,
-        );
+        mark(svg, at, look(colour, Mark::Cross), Filling::Full);
         svg.close();
     }
 }

@@ -8,7 +8,7 @@ use super::palette::{FAINT, INK};
 use super::svg::{Anchor, Path, Pixel, Svg, style};
 use super::words::text_width;
 use super::words::written;
-use crate::method::{Look, Mark};
+use crate::method::{Look, Mark, look};
 use crate::number::number;
 
 /// Pixels of the picture, of a range, and of what is left, right of and below all of them.
@@ -47,10 +47,7 @@ pub struct RangeMark {
     pub known: Vec<f64>,
 }
 
-pub const KNOWN: Look = Look {
-    colour: INK,
-    mark: Mark::Cross,
-};
+pub const KNOWN: Look = look(INK, Mark::Cross);
 
 /// The ranges as a whole SVG file. `title` is its name for those who cannot see it.
 pub fn ranges(picture: &Ranges, entries: &[(Sample, &str)], title: &str) -> String {

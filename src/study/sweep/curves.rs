@@ -2,7 +2,7 @@
 
 use super::points::{SweepTable, Variable, VariableKind};
 use crate::case::{Geometry, Quantity, Reference, find, library};
-use crate::method::{Kind, Look, Mark, kind, method_look};
+use crate::method::{Kind, Look, Mark, kind, look, method_look};
 use crate::number::{number, short};
 use crate::picture::palette::INK;
 use crate::picture::{Filling, Line, Plot, PlotAxis, PlotPoint, Ticks};
@@ -12,10 +12,7 @@ use crate::scene::{HeadJoints, Wall};
 /// Relative width from which on a bracket is a band.
 const WIDE: f64 = 2e-3;
 
-pub const KNOWN: Look = Look {
-    colour: INK,
-    mark: Mark::Circle,
-};
+pub const KNOWN: Look = look(INK, Mark::Circle);
 
 /// The curves of all methods on one scene.
 pub fn curves(

@@ -2,7 +2,7 @@
 
 use super::curves::{KNOWN, curves, heading};
 use super::points::{SweepTable, Variable, VariableKind};
-use crate::method::{Look, Mark};
+use crate::method::{Mark, look};
 use crate::number::number;
 use crate::picture::palette::{INK, SCALE, tone_of};
 use crate::picture::{
@@ -139,11 +139,7 @@ fn legend(panels: &[Plot]) -> Vec<(Sample, &'static str)> {
         "published or by another code",
     );
     let line = (Sample::Line(dashed_line(INK)), "lowest found");
-    let cross = Look {
-        colour: INK,
-        mark: Mark::Cross,
-    };
-    let none = Sample::Point(cross, Filling::Full);
+    let none = Sample::Point(look(INK, Mark::Cross), Filling::Full);
     let has_range = panels.iter().any(|panel| !panel.ranges.is_empty());
     let misses = panels.iter().any(|panel| !panel.missing.is_empty());
     let all = [
