@@ -34,7 +34,7 @@ pub use model::Case;
 pub(crate) use name::plain;
 pub(crate) use outside_name::outside_name;
 pub(crate) use printable::printable;
-pub(crate) use read::{explain, read_by_visitor};
+pub(crate) use read::{Written, explain, read_by_visitor};
 pub use reference::{Quantity, Reference, SourceKind};
 pub(crate) use suggestion::{listed, nearest};
 pub(crate) use template::Template;

@@ -15,7 +15,7 @@ use serde::Deserialize;
 use toml::Spanned;
 
 use super::process::External;
-use crate::case::{Complaint, Document, explain, outside_name};
+use crate::case::{Complaint, Document, Written, explain, outside_name};
 use crate::files::{Input, read_input};
 use crate::method::METHODS;
 
@@ -85,21 +85,23 @@ pub fn parse(path: &str, text: &str) -> Result<Vec<External>, Complaint> {
         path: path.to_owned(),
         text: text.into(),
     };
-    let list: ProgramList = toml::from_str(text).map_err(|error| explain(&document, &error))?;
+    let list = toml::from_str(text).map_err(|error| explain(&document, &error))?;
+    of_list(path, list).map_err(|complaint| complaint.in_document(&document))
+}
+
+fn of_list(path: &str, list: ProgramList) -> Result<Vec<External>, Complaint> {
     let mut methods: Vec<External> = Vec::new();
     for entry in list.method {
         let name = entry.name.get_ref();
-        let wrong_name = |(title, help): (String, String)| {
-            let complaint = document.complain(entry.name.span(), title, "this name");
-            complaint.help(help)
-        };
+        let wrong_name =
+            |(title, help): (String, String)| entry.name.wrong(title, "this name").help(help);
         check_name(name).map_err(wrong_name)?;
         if methods.iter().any(|other| other.name == *name) {
             let title = format!("two methods are named `{name}`");
             return Err(wrong_name((title, "give each a name of its own".into())));
         }
         if entry.command.get_ref().is_empty() {
-            let complaint = document.complain(entry.command.span(), "no command", "empty");
+            let complaint = entry.command.wrong("no command", "empty");
             return Err(complaint.help("write `command = [\"python3\", \"highs.py\"]`"));
         }
         let limit = match &entry.time_limit {
@@ -109,7 +111,7 @@ pub fn parse(path: &str, text: &str) -> Result<Vec<External>, Complaint> {
             }
             Some(limit) => {
                 let title = "a time limit that no program can be held to";
-                let complaint = document.complain(limit.span(), title, "seconds");
+                let complaint = limit.wrong(title, "seconds");
                 return Err(complaint.help(format!("write seconds, up to {MAX_TIME_LIMIT}")));
             }
         };

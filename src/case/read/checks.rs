@@ -21,7 +21,7 @@ pub(super) const MOST_BLOCKS: usize = 100_000;
 pub(super) const HEAD_JOINTS: [HeadJoints; 2] = [HeadJoints::Contact, HeadJoints::Open];
 
 /// A value of the file, which knows where it stands.
-pub(super) trait Written {
+pub(crate) trait Written {
     /// A complaint about it, with a label below it.
     fn wrong(&self, title: impl Into<String>, label: impl Into<String>) -> Complaint;
 }

@@ -28,24 +28,26 @@ pub(super) struct CsvBlock {
 /// The outlines of a CSV, in the order of their first rows, and warnings about it. Rows of a block
 /// stand together; blank lines and lines that begin with `#` are left out.
 pub(super) fn outlines(document: &Document) -> Result<(Vec<CsvBlock>, Vec<Complaint>), Complaint> {
+    let (blocks, found) = blocks(document).map_err(|complaint| complaint.in_document(document))?;
+    let found = found.map(|complaint| complaint.in_document(document));
+    Ok((blocks, found.into_iter().collect()))
+}
+
+fn blocks(document: &Document) -> Result<(Vec<CsvBlock>, Option<Complaint>), Complaint> {
     let table = table(document, &COLUMNS, NEEDED, ROWS)?;
     let mut blocks: Vec<CsvBlock> = Vec::new();
     let mut places: HashMap<String, usize> = HashMap::new();
     let mut decimals = Decimals::default();
     for row in &table.rows {
-        let corner = corner(document, &table, row, &mut decimals)?;
+        let corner = corner(&table, row, &mut decimals)?;
         let line = row.line.clone();
         let place = Place::new(document, line.clone());
         let known = places.get(corner.name).copied();
         let block = match known {
             Some(known) if known + 1 == blocks.len() => &mut blocks[known],
             Some(_) => {
-                return Err(document
-                    .complain(
-                        line,
-                        format!("block `{}` comes a second time", corner.name),
-                        "here again",
-                    )
+                let title = format!("block `{}` comes a second time", corner.name);
+                return Err(Complaint::at(line, title, "here again")
                     .help("write the rows of a block one below the other, and each name once"));
             }
             None => {
@@ -70,10 +72,10 @@ pub(super) fn outlines(document: &Document) -> Result<(Vec<CsvBlock>, Vec<Compla
         }
     }
     if blocks.is_empty() {
-        let complaint = document.complain(table.header, "a CSV without corners", "no row below");
+        let complaint = Complaint::at(table.header, "a CSV without corners", "no row below");
         return Err(complaint.help(ROWS));
     }
-    Ok((blocks, left_aside(document, &table)))
+    Ok((blocks, left_aside(&table)))
 }
 
 /// Gives a block the weight in one of its rows, which all rows that have one agree in.
@@ -86,8 +88,8 @@ fn weigh(
     match &block.weight {
         Some((known, _)) if *known != weight => {
             let title = format!("block `{}` has two weights", block.outline.name);
-            Err(document
-                .complain(cell.place.clone(), title, format!("above it is {known}"))
+            let label = format!("above it is {known}");
+            Err(Complaint::at(cell.place.clone(), title, label)
                 .help("write the weight in one row of the block, or the same in all"))
         }
         Some(_) => Ok(()),
@@ -99,14 +101,12 @@ fn weigh(
 }
 
 /// A word about columns that are not read.
-fn left_aside(document: &Document, table: &Table) -> Vec<Complaint> {
-    let Some(first) = table.others.first() else {
-        return Vec::new();
-    };
+fn left_aside(table: &Table) -> Option<Complaint> {
+    let first = table.others.first()?;
     let title = format!("columns that are not read: {}", first_texts(&table.others));
-    let warning = document.complain(first.place.clone(), title, "left aside");
+    let warning = Complaint::at(first.place.clone(), title, "left aside");
     let help = "the columns that count are `block`, `x`, `y`, `weight` and `layer`";
-    vec![warning.help(help).into_warning()]
+    Some(warning.help(help).into_warning())
 }
 
 /// A row.
@@ -118,7 +118,6 @@ struct Corner<'a> {
 }
 
 fn corner<'a>(
-    document: &Document,
     table: &Table,
     row: &'a Row<'a>,
     decimals: &mut Decimals,
@@ -141,26 +140,22 @@ fn corner<'a>(
             separator => format!("part the cells by {}, as in the header", separator.name()),
         };
         let label = format!("the header has {count}");
-        return Err(document.complain(row.line.clone(), title, label).help(help));
+        return Err(Complaint::at(row.line.clone(), title, label).help(help));
     }
     let cell = |column: usize| table.columns[column].and_then(|place| row.cells.get(place));
     let [Some(name), Some(x), Some(y)] = [cell(0), cell(1), cell(2)] else {
         let title = format!("a row of {} columns", row.cells.len());
-        let complaint = document.complain(row.line.clone(), title, "a cell is missing");
+        let complaint = Complaint::at(row.line.clone(), title, "a cell is missing");
         return Err(complaint.help(ROWS));
     };
     if name.text.is_empty() {
-        return Err(document
-            .complain(
-                row.line.clone(),
-                "a corner of no block",
-                "no name in its column",
-            )
-            .help("write the block's name in every row"));
+        let (title, label) = ("a corner of no block", "no name in its column");
+        let complaint = Complaint::at(row.line.clone(), title, label);
+        return Err(complaint.help("write the block's name in every row"));
     }
     let mut number = |cell: &Cell, smallest: f64, what: &str| {
         let complain = |title: String, help: String| {
-            let complaint = document.complain(cell.place.clone(), title, "here");
+            let complaint = Complaint::at(cell.place.clone(), title, "here");
             Err(complaint.help(help))
         };
         match decimals.number(&cell.text, table.separator) {

@@ -11,19 +11,21 @@ use crate::case::complaint::{Complaint, Document};
 
 /// A complaint for an error of the TOML reader.
 pub(crate) fn explain(document: &Document, error: &toml::de::Error) -> Complaint {
+    explained(document, error).in_document(document)
+}
+
+fn explained(document: &Document, error: &toml::de::Error) -> Complaint {
     let message = error.message();
     let span = error.span().unwrap_or(0..0);
     if message == "missing field `weight`" && key_of_line(document, span.start) == "live" {
-        document
-            .complain(span, "a live load of nothing", "no `weight` in here")
+        Complaint::at(span, "a live load of nothing", "no `weight` in here")
             .help("write `live = { weight = [1, 0.3] }`")
     } else if let Some(key) = message.strip_prefix("missing field ") {
-        missing_key(span, key.trim_matches('`')).in_document(document)
+        missing_key(span, key.trim_matches('`'))
     } else if message.starts_with("unknown field ") {
-        unknown_key(document, span, message)
+        unknown_key(span, message)
     } else if message.starts_with("invalid length ") {
-        document
-            .complain(span, "not as many as belong here", "here")
+        Complaint::at(span, "not as many as belong here", "here")
             .help(format!("write two names, as in `{}`", example("between")))
     } else if message == "duplicate field `joint`" {
         // The reader does not say where.
@@ -31,18 +33,15 @@ pub(crate) fn explain(document: &Document, error: &toml::de::Error) -> Complaint
             .text
             .find("[[joint]]")
             .map(|at| at..at + "[[joint]]".len());
-        document
-            .complain(
-                place.unwrap_or(span),
-                "`joint` beside `joints`",
-                "the two are one key",
-            )
-            .help("write all joints as `[[joint]]`, or all of them in `joints = [...]`")
+        Complaint::at(
+            place.unwrap_or(span),
+            "`joint` beside `joints`",
+            "the two are one key",
+        )
+        .help("write all joints as `[[joint]]`, or all of them in `joints = [...]`")
     } else if message == "duplicate key" {
         let title = format!("the key `{}` is written twice", document.at(span.clone()));
-        document
-            .complain(span, title, "the second time here")
-            .help("remove one of the two")
+        Complaint::at(span, title, "the second time here").help("remove one of the two")
     } else if let Some(types) = message.strip_prefix("invalid type: ") {
         wrong_type(document, span, types)
     } else {
@@ -69,7 +68,7 @@ fn wrong_type(document: &Document, span: Range<usize>, types: &str) -> Complaint
     };
     let before = document.text.get(..span.start).unwrap_or_default();
     if (expected, found) == ("a number", "a list") && before.trim_end().ends_with(['[', ',']) {
-        let complaint = document.complain(
+        let complaint = Complaint::at(
             span,
             "a block has one outline, and no holes",
             "a corner is two numbers",
@@ -85,14 +84,13 @@ fn wrong_type(document: &Document, span: Range<usize>, types: &str) -> Complaint
         "a number" | "a whole number" | "a coefficient of friction" => "1",
         _ => "",
     };
-    document
-        .complain(
-            span.clone(),
-            format!("expected {expected}, found {found}"),
-            format!("expected {expected}"),
-        )
-        .help(help)
-        .mended(span, sound)
+    Complaint::at(
+        span.clone(),
+        format!("expected {expected}, found {found}"),
+        format!("expected {expected}"),
+    )
+    .help(help)
+    .mended(span, sound)
 }
 
 /// What to write instead of `written` where `expected` is wanted.
@@ -203,28 +201,26 @@ fn number_help(written: &str, bare: &str, whole: bool) -> String {
 fn syntax(document: &Document, span: Range<usize>, message: &str) -> Complaint {
     if let Some(comma) = decimal_comma(&document.text, span.start) {
         let point = document.at(comma.clone()).replace(',', ".");
-        return document
-            .complain(
-                comma.clone(),
-                "a number with a decimal comma",
-                "a comma parts values",
-            )
-            .help(format!("write a decimal point: `{point}`"))
-            .mended(comma, point);
+        return Complaint::at(
+            comma.clone(),
+            "a number with a decimal comma",
+            "a comma parts values",
+        )
+        .help(format!("write a decimal point: `{point}`"))
+        .mended(comma, point);
     }
     let rest = document.at(span.start..document.text.len());
     let written = rest.lines().next().unwrap_or_default().trim();
     let word = document.at(span.clone()).trim();
     let unquoted = message.starts_with("string values must be quoted");
     if unquoted && (written.is_empty() || written.starts_with('#')) {
-        return document
-            .complain(
-                span.clone(),
-                "a key without a value",
-                "nothing behind the `=`",
-            )
-            .help("write a value behind the `=`, such as `friction = 0.65`")
-            .mended(span, "");
+        return Complaint::at(
+            span.clone(),
+            "a key without a value",
+            "nothing behind the `=`",
+        )
+        .help("write a value behind the `=`, such as `friction = 0.65`")
+        .mended(span, "");
     }
     let help = if unquoted && !word.contains([' ', '"', '\'']) {
         format!("put words in quotes: `\"{word}\"`")
@@ -232,7 +228,7 @@ fn syntax(document: &Document, span: Range<usize>, message: &str) -> Complaint {
         let help = SYNTAX.iter().find(|(part, _)| message.contains(part));
         help.map_or(ANY_SYNTAX, |(_, help)| help).into()
     };
-    let complaint = document.complain(span.clone(), format!("not TOML: {message}"), "here");
+    let complaint = Complaint::at(span.clone(), format!("not TOML: {message}"), "here");
     match unquoted && !word.contains([' ', '"', '\'']) {
         true => complaint.help(help).mended(span, format!("\"{word}\"")),
         false => complaint.help(help),

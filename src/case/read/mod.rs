@@ -32,6 +32,7 @@ mod unknown_key;
 mod values;
 mod wall;
 
+pub(crate) use checks::Written;
 pub(crate) use explain::explain;
 #[cfg(test)]
 pub(super) use file::CASE_KEYS;

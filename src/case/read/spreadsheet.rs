@@ -9,6 +9,7 @@ use std::ops::Range;
 
 use crate::case::complaint::{Complaint, Document, shorten};
 use crate::case::suggestion::listed;
+use crate::text::worded;
 
 /// A cell: its text without spaces and quotes around it, and its place.
 #[derive(Clone, Debug)]
@@ -24,30 +25,21 @@ pub(super) struct Row<'a> {
     pub cells: Vec<Cell<'a>>,
 }
 
-/// What parts the cells of a table.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Separator {
-    Comma,
-    Semicolon,
-    Tab,
+worded! {
+    /// What parts the cells of a table.
+    Separator {
+        Comma = "commas",
+        Semicolon = "semicolons",
+        Tab = "tabs",
+    }
 }
 
 impl Separator {
-    const ALL: [Separator; 3] = [Separator::Comma, Separator::Semicolon, Separator::Tab];
-
     fn letter(self) -> char {
         match self {
             Separator::Comma => ',',
             Separator::Semicolon => ';',
             Separator::Tab => '\t',
-        }
-    }
-
-    pub fn name(self) -> &'static str {
-        match self {
-            Separator::Comma => "commas",
-            Separator::Semicolon => "semicolons",
-            Separator::Tab => "tabs",
         }
     }
 }
@@ -81,7 +73,7 @@ pub(super) fn table<'a>(
     };
     let _ = lines.next_if(is_hint);
     let Some((at, header)) = lines.next() else {
-        let complaint = document.complain(0..0, "a CSV without rows", "nothing in here");
+        let complaint = Complaint::at(0..0, "a CSV without rows", "nothing in here");
         return Err(complaint.help(help));
     };
     let found = Separator::ALL.map(|separator| {
@@ -97,13 +89,8 @@ pub(super) fn table<'a>(
         columns[..needed].iter().all(Option::is_some)
     };
     let Some((separator, header, columns)) = found.iter().find(understood) else {
-        return Err(not_understood(
-            document,
-            &found.map(|(s, row, _)| (s, row)),
-            wanted,
-            needed,
-            help,
-        ));
+        let found = found.map(|(s, row, _)| (s, row));
+        return Err(not_understood(&found, &wanted[..needed], help));
     };
     let twice = |name: &&&str| {
         let same = header
@@ -114,9 +101,8 @@ pub(super) fn table<'a>(
     };
     if let Some(name) = wanted.iter().find(twice) {
         let title = format!("two columns are named `{name}`");
-        return Err(document
-            .complain(header.line.clone(), title, "the first row")
-            .help("name each column once"));
+        let complaint = Complaint::at(header.line.clone(), title, "the first row");
+        return Err(complaint.help("name each column once"));
     }
     let others = header.cells.iter().enumerate();
     let others =
@@ -134,17 +120,11 @@ pub(super) fn table<'a>(
 }
 
 /// A header without the wanted columns: says what it was read as.
-fn not_understood(
-    document: &Document,
-    found: &[(Separator, Row); 3],
-    wanted: &[&str],
-    needed: usize,
-    help: &str,
-) -> Complaint {
+fn not_understood(found: &[(Separator, Row); 3], needed: &[&str], help: &str) -> Complaint {
     // The separator that parts it into most columns.
     let most = found.iter().rev().max_by_key(|(_, row)| row.cells.len());
     let (separator, row) = most.expect("there are separators");
-    let names = wanted[..needed].join(",");
+
     let label = match row.cells.len() {
         1 => "one column: no comma, semicolon or tab parts it".to_owned(),
         count => {
@@ -152,8 +132,8 @@ fn not_understood(
             format!("{count} columns parted by {}: {texts}", separator.name())
         }
     };
-    let title = format!("the header of the CSV is not `{names}`");
-    document.complain(row.line.clone(), title, label).help(help)
+    let title = format!("the header of the CSV is not `{}`", needed.join(","));
+    Complaint::at(row.line.clone(), title, label).help(help)
 }
 
 /// What stands in the first of some cells.

@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use super::file::CASE_KEYS;
 use super::not_modelled::not_modelled;
-use crate::case::complaint::{Complaint, Document};
+use crate::case::complaint::Complaint;
 use crate::case::suggestion::{listed, nearest};
 
 /// What people look for, by the words that they write, and how it is said here.
@@ -49,13 +49,13 @@ const SAID_OTHERWISE: [(&[&str], &str); 6] = [
 ];
 
 /// A complaint about a key that has no place where it stands.
-pub(super) fn unknown_key(document: &Document, span: Range<usize>, message: &str) -> Complaint {
+pub(super) fn unknown_key(span: Range<usize>, message: &str) -> Complaint {
     // unknown field `a`, expected one of `b`, `c`: every second piece is a word.
     let words: Vec<&str> = message.split('`').skip(1).step_by(2).collect();
     let (key, known) = words.split_first().unwrap_or((&"", &[]));
     if let Some(entry) = not_modelled(key) {
         let title = format!("{} is not modelled", entry.what);
-        let complaint = document.complain(span.clone(), title, "known, but in none of the methods");
+        let complaint = Complaint::at(span.clone(), title, "known, but in none of the methods");
         return complaint.help(entry.nearest).mended(span, "");
     }
     let near = nearest(key, known.iter().copied());
@@ -74,12 +74,11 @@ pub(super) fn unknown_key(document: &Document, span: Range<usize>, message: &str
         known.iter().find(|known| **known == first).copied()
     });
     let sound = sound.unwrap_or_default().to_owned();
-    document
-        .complain(
-            span.clone(),
-            format!("unknown key `{key}`"),
-            "no such key here",
-        )
-        .help(help)
-        .mended(span, sound)
+    Complaint::at(
+        span.clone(),
+        format!("unknown key `{key}`"),
+        "no such key here",
+    )
+    .help(help)
+    .mended(span, sound)
 }

@@ -93,9 +93,7 @@ fn complaint(document: &Document, error: &toml::de::Error) -> Complaint {
                 listed(known.iter().copied())
             )
         };
-        return document
-            .complain(span, format!("unknown key `{key}`"), "no such key here")
-            .help(help);
+        return Complaint::at(span, format!("unknown key `{key}`"), "no such key here").help(help);
     }
     if error.message().starts_with("missing field ") {
         let (title, help) = match *key {
@@ -110,16 +108,14 @@ fn complaint(document: &Document, error: &toml::de::Error) -> Complaint {
         };
         let first_line = 0..document.text.lines().next().map_or(0, str::len);
         let span = if *key == "case" { first_line } else { span };
-        return document
-            .complain(span, title, format!("`{key}` is missing"))
-            .help(help);
+        return Complaint::at(span, title, format!("`{key}` is missing")).help(help);
     }
     if let Some(types) = error.message().strip_prefix("invalid type: ")
         && let Some((_, expected)) = types.rsplit_once(", expected ")
         && let Some((_, help)) = EXPECTED.iter().find(|(known, _)| *known == expected)
     {
         let title = format!("expected {expected}");
-        return document.complain(span, title, "not this").help(*help);
+        return Complaint::at(span, title, "not this").help(*help);
     }
     explain(document, error)
 }

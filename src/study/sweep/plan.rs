@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::file::{self, CaseSource, File};
 use super::variants::{Base, Variant, axes, settings, variants};
-use crate::case::{self, Complaint, Document, UnreadCase, listed, nearest, printable};
+use crate::case::{self, Complaint, Document, UnreadCase, Written, listed, nearest, printable};
 use crate::method::{METHODS, Method, defaults, methods as all_methods};
 use crate::run::Task;
 
@@ -34,12 +34,16 @@ impl Sweep {
     /// The same with a name of its own.
     pub(super) fn named(name: String, path: &str, bytes: &[u8]) -> Result<Self, Complaint> {
         let document = Document::read(path, bytes)?;
-        let file = file::parse(&document)?;
-        let methods = methods(&document, &file)?;
-        let settings = settings(&document, &file)?;
-        let axes = axes(&document, &file)?;
-        let bases = bases(&document, &file, &name)?;
-        let variants = variants(&document, &bases, &axes, settings)?;
+        let sweep = file::parse(&document).and_then(|file| Self::of_file(name, path, &file));
+        sweep.map_err(|complaint| complaint.in_document(&document))
+    }
+
+    fn of_file(name: String, path: &str, file: &File) -> Result<Self, Complaint> {
+        let methods = methods(file)?;
+        let settings = settings(file)?;
+        let axes = axes(file)?;
+        let bases = bases(path, file, &name)?;
+        let variants = variants(&bases, &axes, settings)?;
         Ok(Self {
             title: printable(file.title.as_deref().unwrap_or(&name)),
             source: printable(file.source.as_deref().unwrap_or_default()),
@@ -93,7 +97,7 @@ fn sweep_name(path: &str) -> Result<String, Complaint> {
         .help("use letters, digits, `-`, `_` and `.`, and let the name end in `.sweep.toml`"))
 }
 
-fn methods(document: &Document, file: &File) -> Result<Vec<&'static dyn Method>, Complaint> {
+fn methods(file: &File) -> Result<Vec<&'static dyn Method>, Complaint> {
     let Some(written) = &file.methods else {
         return Ok(defaults());
     };
@@ -107,29 +111,25 @@ fn methods(document: &Document, file: &File) -> Result<Vec<&'static dyn Method>,
                 None => format!("methods are {}", listed(names.iter().copied())),
             };
             let title = format!("there is no method named `{name}`");
-            return Err(document
-                .complain(word.span(), title, "not a method")
-                .help(help));
+            return Err(word.wrong(title, "not a method").help(help));
         }
         if words[..index].iter().any(|other| other.get_ref() == name) {
             let title = format!("the method `{name}` is named twice");
-            return Err(document
-                .complain(word.span(), title, "the second time here")
-                .help("remove one of the two"));
+            let complaint = word.wrong(title, "the second time here");
+            return Err(complaint.help("remove one of the two"));
         }
     }
     if words.is_empty() {
-        return Err(document
-            .complain(written.span(), "a sweep without methods", "none in here")
-            .help("name a method, or drop `methods` for all of them"));
+        let complaint = written.wrong("a sweep without methods", "none in here");
+        return Err(complaint.help("name a method, or drop `methods` for all of them"));
     }
     let named = |method: &&dyn Method| words.iter().any(|word| word.get_ref() == method.name());
     Ok(all_methods().into_iter().filter(named).collect())
 }
 
 /// The cases before anything is replaced in them.
-fn bases(document: &Document, file: &File, name: &str) -> Result<Vec<Base>, Complaint> {
-    let folder = Path::new(&document.path).parent().unwrap_or(Path::new(""));
+fn bases(path: &str, file: &File, name: &str) -> Result<Vec<Base>, Complaint> {
+    let folder = Path::new(path).parent().unwrap_or(Path::new(""));
     let mut bases: Vec<Base> = Vec::new();
     let mut add = |argument: &str, span: std::ops::Range<usize>| -> Result<(), Complaint> {
         let beside = folder.join(argument);
@@ -139,20 +139,13 @@ fn bases(document: &Document, file: &File, name: &str) -> Result<Vec<Base>, Comp
             argument.to_owned()
         };
         let found = case::locate(&argument).map_err(|inner| {
-            document
-                .complain(span.clone(), inner.title(), "named here")
-                .help(inner.advice())
+            Complaint::at(span.clone(), inner.title(), "named here").help(inner.advice())
         })?;
         for one in found {
             let path = &one.path;
             if bases.iter().any(|base| base.found.path == *path) {
-                return Err(document
-                    .complain(
-                        span.clone(),
-                        format!("the case {path} comes twice"),
-                        "again",
-                    )
-                    .help("name each case once"));
+                let title = format!("the case {path} comes twice");
+                return Err(Complaint::at(span, title, "again").help("name each case once"));
             }
             bases.push(Base::read(one)?);
         }
@@ -176,18 +169,18 @@ fn bases(document: &Document, file: &File, name: &str) -> Result<Vec<Base>, Comp
         }
     }
     if bases.is_empty() {
-        return Err(document
-            .complain(file.case.span(), "a sweep without a case", "none in here")
-            .help("write `case = \"paper-1\"`"));
+        let complaint = file.case.wrong("a sweep without a case", "none in here");
+        return Err(complaint.help("write `case = \"paper-1\"`"));
     }
     if let Some(word) = &file.head_joints {
         let known = ["contact", "open", "both"];
         let written = word.get_ref().as_str();
         if !known.contains(&written) {
             let title = format!("unknown head_joints `{written}`");
-            return Err(document
-                .complain(word.span(), title, "not one of the known words")
-                .help(format!("the words for `head_joints` are {}", listed(known))));
+            let complaint = word.wrong(title, "not one of the known words");
+            return Err(
+                complaint.help(format!("the words for `head_joints` are {}", listed(known)))
+            );
         }
         for base in &mut bases {
             base.table.insert("head_joints".to_owned(), written.into());

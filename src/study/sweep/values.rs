@@ -6,7 +6,7 @@ use std::ops;
 use toml::{Spanned, Value};
 
 use super::file::{Scalar, ValueRange, Values};
-use crate::case::{Complaint, Document};
+use crate::case::{Complaint, Written};
 use crate::number::nine_digits;
 
 const MOST_VALUES: usize = 100_000;
@@ -15,50 +15,27 @@ const MOST_VALUES: usize = 100_000;
 pub(super) type Placed = (Value, ops::Range<usize>);
 
 /// Every value of a key, in order. No value comes twice.
-pub(super) fn values(
-    document: &Document,
-    key: &str,
-    written: &Spanned<Values>,
-) -> Result<Vec<Placed>, Complaint> {
+pub(super) fn values(key: &str, written: &Spanned<Values>) -> Result<Vec<Placed>, Complaint> {
     let values: Vec<Placed> = match written.get_ref() {
         Values::List(list) => list
             .iter()
             .map(|scalar| (scalar.get_ref().0.clone(), scalar.span()))
             .collect(),
         Values::ValueRange(range) => {
-            let numbers = range_values(document, range)?;
+            let numbers = range_values(range)?;
             numbers.map(|value| (value, written.span())).collect()
         }
     };
-    none_twice(document, key, written, &values)?;
-    Ok(values)
-}
-
-fn none_twice(
-    document: &Document,
-    key: &str,
-    written: &Spanned<Values>,
-    values: &[Placed],
-) -> Result<(), Complaint> {
     if values.is_empty() {
-        return Err(document
-            .complain(
-                written.span(),
-                format!("`{key}` runs through no value"),
-                "nothing in here",
-            )
-            .help("write at least one value, or drop the key"));
+        let complaint = written.wrong(format!("`{key}` runs through no value"), "nothing in here");
+        return Err(complaint.help("write at least one value, or drop the key"));
     }
     let mut texts = HashSet::new();
-    match values.iter().find(|(value, _)| !texts.insert(text(value))) {
-        None => Ok(()),
-        Some((value, span)) => {
-            let title = format!("`{key}` runs through {} twice", text(value));
-            Err(document
-                .complain(span.clone(), title, "again")
-                .help("write each value once"))
-        }
+    if let Some((value, span)) = values.iter().find(|(value, _)| !texts.insert(text(value))) {
+        let title = format!("`{key}` runs through {} twice", text(value));
+        return Err(Complaint::at(span.clone(), title, "again").help("write each value once"));
     }
+    Ok(values)
 }
 
 /// A number as CSV shows it, a word as it is.
@@ -72,40 +49,31 @@ pub(super) fn text(value: &Value) -> String {
 
 /// Numbers evenly from one to another, rounded to nine digits: what the table shows is what ran.
 /// They are whole where all of them can be, as for a number of courses.
-fn range_values(
-    document: &Document,
-    range: &ValueRange,
-) -> Result<impl Iterator<Item = Value>, Complaint> {
-    let from = number(document, "from", &range.from)?;
-    let to = number(document, "to", &range.to)?;
+fn range_values(range: &ValueRange) -> Result<impl Iterator<Item = Value>, Complaint> {
+    let from = number("from", &range.from)?;
+    let to = number("to", &range.to)?;
     let count = match range.count.get_ref().0 {
         Value::Integer(count) if (2..=MOST_VALUES as i64).contains(&count) => count,
         _ => {
-            return Err(document
-                .complain(range.count.span(), "`count` is out of range", "how many?")
-                .help(format!("write a whole number from 2 to {MOST_VALUES}")));
+            let complaint = range.count.wrong("`count` is out of range", "how many?");
+            return Err(complaint.help(format!("write a whole number from 2 to {MOST_VALUES}")));
         }
     };
-    let logarithmic = match range.spacing.as_ref().map(Spanned::get_ref) {
+    let logarithmic = match &range.spacing {
         None => false,
-        Some(word) if word == "linear" => false,
-        Some(word) if word == "logarithmic" => true,
+        Some(word) if word.get_ref() == "linear" => false,
+        Some(word) if word.get_ref() == "logarithmic" => true,
         Some(word) => {
-            let span = range.spacing.as_ref().map_or(0..0, Spanned::span);
-            return Err(document
-                .complain(span, format!("unknown spacing `{word}`"), "not a spacing")
-                .help("write `spacing = \"linear\"` or `spacing = \"logarithmic\"`"));
+            let title = format!("unknown spacing `{}`", word.get_ref());
+            let complaint = word.wrong(title, "not a spacing");
+            let help = "write `spacing = \"linear\"` or `spacing = \"logarithmic\"`";
+            return Err(complaint.help(help));
         }
     };
     if logarithmic && !(from > 0.0 && to > 0.0) {
-        let span = if from > 0.0 {
-            range.to.span()
-        } else {
-            range.from.span()
-        };
-        return Err(document
-            .complain(span, "a logarithmic range through zero", "not positive")
-            .help("write a positive number, or drop `spacing`"));
+        let end = if from > 0.0 { &range.to } else { &range.from };
+        let complaint = end.wrong("a logarithmic range through zero", "not positive");
+        return Err(complaint.help("write a positive number, or drop `spacing`"));
     }
     let whole = |scalar: &Spanned<Scalar>| matches!(scalar.get_ref().0, Value::Integer(_));
     let whole = whole(&range.from)
@@ -132,19 +100,14 @@ fn range_values(
     }))
 }
 
-fn number(document: &Document, key: &str, scalar: &Spanned<Scalar>) -> Result<f64, Complaint> {
+fn number(key: &str, scalar: &Spanned<Scalar>) -> Result<f64, Complaint> {
     let number = match scalar.get_ref().0 {
         Value::Integer(number) => Some(number as f64),
         Value::Float(number) => Some(number),
         _ => None,
     };
     number.filter(|n| n.abs() <= 1e12).ok_or_else(|| {
-        document
-            .complain(
-                scalar.span(),
-                format!("`{key}` is no usable number"),
-                "here",
-            )
-            .help("write a number of size up to 1e12, such as `0.65`")
+        let complaint = scalar.wrong(format!("`{key}` is no usable number"), "here");
+        complaint.help("write a number of size up to 1e12, such as `0.65`")
     })
 }

@@ -6,12 +6,12 @@ use std::ops;
 use std::sync::Arc;
 
 use rayon::prelude::*;
-use toml::{Spanned, Table};
+use toml::Table;
 
 use super::file::File;
 use super::replace::{rank, replace};
 use super::values::{Placed, text, values};
-use crate::case::{Case, Complaint, Document, UnreadCase};
+use crate::case::{Case, Complaint, UnreadCase, Written};
 use crate::method::Settings;
 use crate::run::Subject;
 use crate::scene::HeadJoints;
@@ -75,7 +75,7 @@ pub(super) struct Key<'a> {
 }
 
 /// The tables `[[vary]]` of a file, their keys in the order they are written in.
-pub(super) fn axes<'a>(document: &Document, file: &'a File) -> Result<Vec<Axis<'a>>, Complaint> {
+pub(super) fn axes(file: &File) -> Result<Vec<Axis<'_>>, Complaint> {
     let mut axes: Vec<Axis> = Vec::new();
     for table in &file.vary {
         let mut keys = Vec::new();
@@ -83,7 +83,7 @@ pub(super) fn axes<'a>(document: &Document, file: &'a File) -> Result<Vec<Axis<'
             keys.push(Key {
                 name: key.get_ref(),
                 span: key.span(),
-                values: values(document, key.get_ref(), written)?,
+                values: values(key.get_ref(), written)?,
             });
         }
         keys.sort_by_key(|key| key.span.start);
@@ -98,9 +98,10 @@ pub(super) fn axes<'a>(document: &Document, file: &'a File) -> Result<Vec<Axis<'
                 other.values.len(),
                 first.name
             );
-            return Err(document
-                .complain(other.span.clone(), title, "these vary together")
-                .help("write as many values for each, or put `[[vary]]` between the two"));
+            let complaint = Complaint::at(other.span.clone(), title, "these vary together");
+            return Err(
+                complaint.help("write as many values for each, or put `[[vary]]` between the two")
+            );
         }
         let known = axes.iter().flat_map(|axis| &axis.keys);
         if let Some(twice) = keys
@@ -108,9 +109,8 @@ pub(super) fn axes<'a>(document: &Document, file: &'a File) -> Result<Vec<Axis<'
             .find(|key| known.clone().any(|k| k.name == key.name))
         {
             let title = format!("`{}` varies twice", twice.name);
-            return Err(document
-                .complain(twice.span.clone(), title, "the second time here")
-                .help("remove one of the two"));
+            let complaint = Complaint::at(twice.span.clone(), title, "the second time here");
+            return Err(complaint.help("remove one of the two"));
         }
         axes.push(Axis { keys, length });
     }
@@ -120,9 +120,8 @@ pub(super) fn axes<'a>(document: &Document, file: &'a File) -> Result<Vec<Axis<'
     if count.is_none_or(|count| count > MOST_VARIANTS) {
         let title = format!("a sweep of more than {MOST_VARIANTS} walls");
         let span = axes.last().map_or(0..0, |axis| axis.keys[0].span.clone());
-        return Err(document
-            .complain(span, title, "the last factor")
-            .help("write fewer values, or more than one sweep"));
+        let complaint = Complaint::at(span, title, "the last factor");
+        return Err(complaint.help("write fewer values, or more than one sweep"));
     }
     Ok(axes)
 }
@@ -153,7 +152,6 @@ impl Variant {
 
 /// Every combination: cases slowest, then the axes in their order.
 pub(super) fn variants(
-    document: &Document,
     bases: &[Base],
     axes: &[Axis],
     settings: Settings,
@@ -161,7 +159,7 @@ pub(super) fn variants(
     let count: usize = axes.iter().map(|axis| axis.length).product();
     let read = (0..bases.len() * count).into_par_iter().map(|index| {
         let base = &bases[index / count];
-        Combination::of(axes, index % count).variant(document, base, settings)
+        Combination::of(axes, index % count).variant(base, settings)
     });
     // Of several complaints always the first, whichever core is faster.
     read.collect::<Vec<_>>().into_iter().collect()
@@ -185,14 +183,9 @@ impl<'a> Combination<'a> {
         Self(values)
     }
 
-    fn variant(
-        &self,
-        document: &Document,
-        base: &Base,
-        mut settings: Settings,
-    ) -> Result<Variant, Complaint> {
-        let (case, determined_by) = self.case(document, base, &mut settings)?;
-        let case = case.map_err(|inner| self.blame(document, base, &inner))?;
+    fn variant(&self, base: &Base, mut settings: Settings) -> Result<Variant, Complaint> {
+        let (case, determined_by) = self.case(base, &mut settings)?;
+        let case = case.map_err(|inner| self.blame(base, &inner))?;
         let values = self.0.iter();
         Ok(Variant {
             blocks: case.scene(case.head_joints[0]).blocks().len(),
@@ -209,7 +202,6 @@ impl<'a> Combination<'a> {
     /// What cannot be put into a case is complained of here, what the case does not take there.
     fn case(
         &self,
-        document: &Document,
         base: &Base,
         settings: &mut Settings,
     ) -> Result<(Result<Case, Complaint>, Vec<String>), Complaint> {
@@ -219,7 +211,7 @@ impl<'a> Combination<'a> {
         for (key, (value, span)) in ranked {
             let refused = |what: String, help: &str| {
                 let title = format!("`{key}` cannot vary: {what}");
-                document.complain(span.clone(), title, "here").help(help)
+                Complaint::at(span.clone(), title, "here").help(help)
             };
             match key.strip_prefix("settings.") {
                 Some(name) => settings
@@ -235,18 +227,18 @@ impl<'a> Combination<'a> {
     }
 
     /// Whether the case takes it no better without the value of this place.
-    fn is_innocent(&self, document: &Document, base: &Base, at: usize, inner: &Complaint) -> bool {
+    fn is_innocent(&self, base: &Base, at: usize, inner: &Complaint) -> bool {
         let mut others = self.clone();
         others.0.remove(at);
-        let without = others.case(document, base, &mut Settings::default());
+        let without = others.case(base, &mut Settings::default());
         let still = without.and_then(|(case, _)| case).err();
         still.is_some_and(|still| still.title() == inner.title())
     }
 
     /// Points at the value that a case does not take, with the case's own complaint.
-    fn blame(&self, document: &Document, base: &Base, inner: &Complaint) -> Complaint {
+    fn blame(&self, base: &Base, inner: &Complaint) -> Complaint {
         let places = 0..self.0.len();
-        let mut guilty = places.filter(|&at| !self.is_innocent(document, base, at, inner));
+        let mut guilty = places.filter(|&at| !self.is_innocent(base, at, inner));
         let place = |at: usize| &self.0[at].1.1;
         let span = guilty.next().map(place).or(base.span.as_ref());
         let Some(span) = span.or(self.0.first().map(|(_, (_, span))| span)) else {
@@ -263,23 +255,17 @@ impl<'a> Combination<'a> {
             format!("with {}", values.join(", "))
         };
         let title = format!("no such wall: {}", inner.title());
-        document
-            .complain(span.clone(), title, label)
-            .help(inner.advice())
+        Complaint::at(span.clone(), title, label).help(inner.advice())
     }
 }
 
-pub(super) fn settings(document: &Document, file: &File) -> Result<Settings, Complaint> {
+pub(super) fn settings(file: &File) -> Result<Settings, Complaint> {
     let mut settings = Settings::default();
     let mut written: Vec<_> = file.settings.iter().collect();
     written.sort_by_key(|(name, _)| name.span().start);
     for (name, value) in written {
         let set = settings.set(name.get_ref(), &text(&value.get_ref().0));
-        set.map_err(|error| {
-            let span = Spanned::span(value);
-            let complaint = document.complain(span, error.to_string(), "here");
-            complaint.help(error.advice())
-        })?;
+        set.map_err(|error| value.wrong(error.to_string(), "here").help(error.advice()))?;
     }
     Ok(settings)
 }
