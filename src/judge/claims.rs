@@ -113,7 +113,6 @@ impl<'a> Claims<'a> {
         }
     }
 
-    /// The answers of a role.
     pub fn of_role(&self, role: Role) -> Vec<Answered<'a>> {
         let of_role = self.answered.iter().filter(|answer| answer.role == role);
         of_role.copied().collect()

@@ -53,9 +53,7 @@ pub struct Conclusion {
 /// What a simulation saw where there are several collapse states: some of them, and not their range.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Seen {
-    /// Whose it is.
     pub by: String,
-    /// From where to where.
     pub bracket: Bracket,
 }
 
@@ -133,8 +131,8 @@ worded! {
 
 /// What is not explained.
 #[derive(Clone, Debug, Error, PartialEq)]
+#[allow(missing_docs, reason = "the sentence of each says it")]
 pub enum Doubt {
-    /// Somebody lies lower.
     #[error(
         "{} gives {}, which is {} lower, so that a lower state may exist",
         .0.by,
@@ -144,62 +142,36 @@ pub enum Doubt {
     Lower(LowerState),
     /// A proof contradicts: it bounds the multiplier by less.
     #[error("{by} proves that none is above {}", above(*.lambda, 5))]
-    Bound {
-        /// Whose.
-        by: String,
-        /// The bound.
-        lambda: f64,
-    },
-    /// Somebody lies above what no collapse multiplier exceeds.
+    Bound { by: String, lambda: f64 },
     #[error(
         "{by} gives {}, which is {} above what no collapse multiplier exceeds",
         number(*.lambda, 4),
         percent(*.above)
     )]
     Above {
-        /// Who.
         by: String,
-        /// The multiplier.
         lambda: f64,
         /// How far above, relative to the bound.
         above: f64,
     },
-    /// Somebody lies below what is proved of every collapse.
     #[error(
         "{by} gives {}, and {floor} proves that no collapse is below {}",
         number(*.lambda, 4),
         below(*.least, 5)
     )]
     Excluded {
-        /// Who.
         by: String,
-        /// The multiplier.
         lambda: f64,
-        /// Whose proof it is.
         floor: String,
-        /// The lower bound.
         least: f64,
     },
-    /// Somebody gives what no multiplier can be.
     #[error("{by} gives {lambda:.1e}, which can be no multiplier")]
-    Impossible {
-        /// Who.
-        by: String,
-        /// The number.
-        lambda: f64,
-    },
+    Impossible { by: String, lambda: f64 },
     /// This method proves that nothing collapses.
     #[error("{by} says that it stands")]
-    Stands {
-        /// Who.
-        by: String,
-    },
-    /// This method says that it falls under its own weight.
+    Stands { by: String },
     #[error("{by} says that it falls under its own weight")]
-    Falls {
-        /// Who.
-        by: String,
-    },
+    Falls { by: String },
 }
 
 impl Conclusion {

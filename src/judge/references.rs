@@ -16,7 +16,6 @@ pub struct Computed<'a> {
     pub lower: Option<f64>,
     /// Upper end.
     pub upper: Option<f64>,
-    /// The crack.
     pub crack: Option<&'a Crack>,
 }
 
@@ -44,14 +43,12 @@ pub fn computed(of: &Computed, quantity: Quantity) -> Option<Bracket> {
 /// A reference beside what a method computed.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Comparison<'a> {
-    /// The reference.
     pub reference: &'a Reference,
     /// The computed value, as a bracket; `None` where the method gave none.
     pub computed: Option<Bracket>,
     /// The farther end's distance from the reference, relative to that, or to a thousandth of the
     /// scene's unit of λ where it is smaller.
     pub error: Option<f64>,
-    /// What that says.
     pub verdict: Verdict,
 }
 

@@ -10,7 +10,6 @@ pub(super) const STILL: f64 = 0.02;
 /// A scene and how it moves.
 pub struct Moved<'a> {
     pub(super) scene: &'a Scene,
-    /// How it moves.
     pub mechanism: &'a Mechanism,
     /// Velocity of the fastest corner.
     pub fastest: f64,

@@ -59,7 +59,6 @@ impl Recomputed {
         }
     }
 
-    /// All of them, by name.
     fn words(&self) -> String {
         match self {
             Recomputed::Forces { statics, .. } | Recomputed::Ray { statics } => statics.to_string(),

@@ -51,7 +51,6 @@ pub struct SoFar {
     pub push: Push,
     /// Whether λ is the change of a support's reaction.
     pub of_reaction: bool,
-    /// What is proved.
     pub proved: Proved,
     /// λ of the lowest verified state.
     pub state: f64,

@@ -48,7 +48,6 @@ pub enum Mark {
 pub struct Look {
     /// Colour, `#rrggbb` (Okabe and Ito, for all eyes).
     pub colour: &'static str,
-    /// Mark.
     pub mark: Mark,
 }
 
@@ -110,7 +109,6 @@ pub struct Rung {
 /// Scenes by their number of blocks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Scenes {
-    /// All.
     All,
     /// Those of fewer than 200 blocks: on others the rung takes minutes.
     Small,
@@ -164,7 +162,6 @@ const fn loose(changes: Changes) -> Rung {
 
 /// One method with everything that others need to know of it.
 pub struct MethodEntry {
-    /// The method.
     pub method: &'static dyn Method,
     /// What it is, in one line.
     pub summary: &'static str,

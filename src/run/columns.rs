@@ -107,13 +107,11 @@ pub enum ColumnKind {
 pub struct Column {
     /// Its name in CSV and JSON, and in lists of columns.
     pub name: &'static str,
-    /// What it has.
     pub kind: ColumnKind,
     /// What stands above it in tables of text.
     pub heading: &'static str,
     /// What stands above it on pages.
     pub title: &'static str,
-    /// What a row says in it.
     pub value: fn(&Row) -> Value,
 }
 

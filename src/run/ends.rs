@@ -7,7 +7,6 @@ use crate::scene::{Push, Reaction, Sense};
 /// One end of a wall's range of λ.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct End {
-    /// The multiplier.
     pub lambda: f64,
     /// Direction of the push that has this end.
     pub push: Push,

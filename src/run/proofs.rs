@@ -14,11 +14,9 @@ use crate::number::number;
 /// What a task has proved by now.
 #[derive(Clone, Debug)]
 pub struct Proof {
-    /// Name of the scene.
     pub scene: String,
     /// Name of the file for its certificate.
     pub file: String,
-    /// The bound.
     pub so_far: SoFar,
 }
 

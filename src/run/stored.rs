@@ -17,7 +17,6 @@ use crate::scene::{HeadJoints, Push, Scene};
 /// What one stored certificate is worth.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stored {
-    /// Name of the file.
     pub file: String,
     /// What it proves, or in words why it is refused.
     pub verdict: Result<Proved, String>,

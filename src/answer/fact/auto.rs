@@ -8,6 +8,7 @@ use crate::number::short;
 
 /// What `auto` concludes from the other methods.
 #[derive(Clone, Copy, Debug, Error, PartialEq, Serialize, Deserialize)]
+#[allow(missing_docs, reason = "the sentence of each says it")]
 pub enum AutoFact {
     /// The program for λ_A settles the scene, as the facts after this one say.
     #[error("the linear program with associative friction settles it")]
@@ -21,7 +22,6 @@ pub enum AutoFact {
         /// λ_A, below which all of them would lie.
         associative: f64,
     },
-    /// A collapse state is found, and with associative friction none exists.
     #[error(
         "the multiplier is not unique: a collapse state is found at λ = {}, and with associative \
          friction none exists",
@@ -42,7 +42,6 @@ pub enum AutoFact {
         short(100.0 * .below, 1)
     )]
     LowerHeard {
-        /// Its multiplier.
         lambda: f64,
         /// How far below the lowest state, relative to that.
         below: f64,
@@ -61,7 +60,6 @@ pub enum AutoFact {
         sequential: bool,
         /// Blocks that were not modelled.
         blocks: usize,
-        /// All blocks.
         of_blocks: usize,
     },
 }

@@ -20,7 +20,6 @@ pub enum BoundFact {
         "the bound is computed and not certified: the scene can lock, so that its forces have no limit"
     )]
     Uncertified,
-    /// No program was solved, as there would be too many unknowns.
     #[error(
         "the lifted program was not solved: it would have {unknowns} unknowns, and `lift-unknowns` \
          allows {most}"
@@ -42,7 +41,6 @@ pub enum BoundFact {
         /// Programs that it solved.
         programs: usize,
     },
-    /// No state is verified, so that there is nothing to bound.
     #[error("no collapse state is verified that could be bounded")]
     NoState,
 }

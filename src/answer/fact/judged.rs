@@ -9,6 +9,7 @@ use crate::mechanics::{BlockResidual, Recomputed, residual_words};
 
 /// What the judge finds.
 #[derive(Clone, Debug, Error, PartialEq, Serialize, Deserialize)]
+#[allow(missing_docs, reason = "the sentence of each says it")]
 pub enum JudgedFact {
     /// Forces and mechanism are a collapse state, although the method claims none.
     #[error("the judge confirms that it is a collapse state")]
@@ -29,10 +30,8 @@ pub enum JudgedFact {
     /// A lower bound has no certificate that proves it.
     #[error("the judge refutes it: {0}")]
     Uncertified(Refusal),
-    /// The method claims a proof and hands over no forces or no mechanism.
     #[error("the method claims a proof and hands over no forces or no mechanism")]
     NothingToProve,
-    /// The scene falls, and its open head joints carry nothing of it.
     #[error(
         "the scene has {} in the real wall, that may stand",
         match .count {
@@ -40,10 +39,7 @@ pub enum JudgedFact {
             _ => format!("{count} open head joints, which carry nothing; if they touch"),
         }
     )]
-    OpenHeadJoints {
-        /// How many there are.
-        count: usize,
-    },
+    OpenHeadJoints { count: usize },
     /// The method claims `falls` or `stands` and hands over nothing that proves it.
     #[error("the method claims that the scene {} and hands over no proof", .0.name())]
     NoCertificate(Status),

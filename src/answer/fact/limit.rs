@@ -8,6 +8,7 @@ use crate::number::below;
 
 /// What a limit analysis proves, or fails to.
 #[derive(Clone, Debug, Error, PartialEq, Serialize, Deserialize)]
+#[allow(missing_docs, reason = "the sentence of each says it")]
 pub enum LimitFact {
     /// The scene falls: the mechanism is the proof.
     #[error("a mechanism moves without any push{}", moves_first(.first))]
@@ -18,7 +19,6 @@ pub enum LimitFact {
     /// The scene stands: the ray of forces is the proof.
     #[error("the joints can balance every push, however large it is")]
     ForcesWithoutLimit,
-    /// Neither forces nor a mechanism prove whether the scene stands under its own weight.
     #[error(
         "neither forces nor a mechanism prove whether it stands under its own weight{}",
         .solver.as_ref().map_or_else(String::new, |solver| format!(": {solver}"))
@@ -71,7 +71,6 @@ pub enum LimitFact {
     FoundAboveBound {
         /// What it proves, in words.
         proof: String,
-        /// Whose it is.
         by: String,
     },
     /// The interval is what was found, although with associative friction nothing collapses.

@@ -9,8 +9,8 @@ use crate::number::{number, short};
 
 /// What a pushover ends with, or why it has no answer.
 #[derive(Clone, Debug, Error, PartialEq, Serialize, Deserialize)]
+#[allow(missing_docs, reason = "the sentence of each says it")]
 pub enum PushoverFact {
-    /// The bracket is of the first slip of a joint, not of the collapse.
     #[error(
         "this is the load at which a joint first slips by {slip:e} course heights, not the \
          collapse load"
@@ -19,7 +19,6 @@ pub enum PushoverFact {
         /// Slip that counts, in course heights.
         slip: f64,
     },
-    /// Substeps or contacts are coarser than the stated error was measured with.
     #[error(
         "the substeps are longer or the contacts softer than those that the stated error was \
          measured with"
@@ -34,10 +33,8 @@ pub enum PushoverFact {
     /// A repetition under `verify` takes the number away.
     #[error("a check of `verify` failed: {0}")]
     VerificationFailed(SelfCheck),
-    /// The scene has no blocks.
     #[error("the scene has no blocks")]
     NoBlocks,
-    /// No block has a weight.
     #[error("no block has a weight")]
     NoWeight,
     /// Weights of blocks that act on each other differ by more than can be judged.
@@ -46,28 +43,19 @@ pub enum PushoverFact {
          tell whether the lighter one rests"
     )]
     UnequalWeights {
-        /// The lightest block.
         light: String,
-        /// The heaviest.
         heavy: String,
-        /// Their ratio.
         ratio: f64,
         /// The largest that is answered.
         most: f64,
     },
-    /// More joints lie close together than the engine can tell apart.
     #[error(
         "more than {most} joints lie within a course height of each other, and the engine cannot \
          tell more apart"
     )]
-    Crowded {
-        /// Joints that it can tell apart.
-        most: usize,
-    },
-    /// The contacts are stiffer than the substep can hold.
+    Crowded { most: usize },
     #[error("the contacts are stiffer than the substep can hold")]
     TooStiff,
-    /// The scene fell under its weight alone.
     #[error(
         "under its own weight alone a block moved by more than {distance} course heights within t \
          = {time:.0} √(H_c/g) and did not slow down"
@@ -88,61 +76,43 @@ pub enum PushoverFact {
         /// What λ is told to be below.
         resolution: f64,
     },
-    /// The scene did not come to rest under its weight alone.
     #[error("under its own weight alone the scene did not come to rest within t = {time} √(H_c/g)")]
     NotSettled {
         /// Time that it had, in √(H_c/g).
         time: f64,
     },
-    /// The time steps allowed were used up.
     #[error("the pushover used up the time steps allowed; the last load at rest was λ = {}", short(*.lambda, 6))]
     OutOfSteps {
         /// Last multiplier at rest.
         lambda: f64,
     },
-    /// The scene stands at the largest multiplier that is tried.
     #[error("the scene still stands at λ = {}, and nothing larger is tried", short(*.lambda, 6))]
     StillStands {
         /// Last multiplier at rest.
         lambda: f64,
     },
-    /// The scene neither rests nor collapses within the time allowed.
     #[error(
         "at λ = {} the scene neither rests nor collapses within the time allowed",
         short(*.lambda, 6)
     )]
-    Unclear {
-        /// The multiplier.
-        lambda: f64,
-    },
-    /// A range over variations would take too long, and was not asked for.
+    Unclear { lambda: f64 },
     #[error(
         "it was not run: with head joints in contact the answer is a range over {pushovers} \
          pushovers, which take long on {blocks} blocks; the setting `long-ranges` runs them"
     )]
-    RangeNotRun {
-        /// Pushovers that it is made of.
-        pushovers: usize,
-        /// Blocks of the scene.
-        blocks: usize,
-    },
-    /// A range over variations took too long, and no more time was asked for.
+    RangeNotRun { pushovers: usize, blocks: usize },
     #[error(
         "it was not finished: {run} of the {pushovers} pushovers of a range were run{}",
         so_far_printed(.so_far)
     )]
     RangeUnfinished {
-        /// Pushovers that were run.
         run: usize,
-        /// Pushovers that it is made of.
         pushovers: usize,
         /// The range of those that were run, where any had an answer.
         so_far: Option<Bracket>,
     },
-    /// The scene cannot be mirrored, which a range needs.
     #[error("the scene cannot be mirrored, which a range needs")]
     NoMirror,
-    /// The bracket is a range over both directions and several contact stiffnesses.
     #[error(
         "this is a range over both directions and over contact stiffnesses from 1 to 1/{:.0}, \
          because with head joints in contact the collapse load is not unique",
@@ -152,7 +122,6 @@ pub enum PushoverFact {
         /// The softest contacts, as a multiple of what the substep allows.
         softest: f64,
     },
-    /// Other methods verify several collapse states, and what was seen is not their range.
     #[error(
         "collapse states are verified from {} to {}, and this is what was seen of them, not their \
          range",
@@ -166,17 +135,12 @@ pub enum PushoverFact {
     /// Blocks slide away before the scene collapses, at every substep: several collapse states.
     #[error("there are several collapse states: blocks slide away before the scene collapses")]
     SlidesFirst,
-    /// One level of substep alone has a bracket, so that nothing measures its error.
     #[error(
         "one length of the substep alone gave an answer, {}, and a second one is needed to measure \
          its error",
         printed(.bracket)
     )]
-    OneLevel {
-        /// That bracket.
-        bracket: Bracket,
-    },
-    /// Levels of substep do not agree on one multiplier.
+    OneLevel { bracket: Bracket },
     #[error(
         "shorter and shorter substeps do not agree on one multiplier; they gave {}",
         all_printed(.brackets)

@@ -7,7 +7,6 @@ use serde::{Deserialize, Serialize};
 /// How the sequential method ended, and after how many steps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct SequentialFacts {
-    /// How it ended.
     pub ending: SequentialEnding,
     /// Sub-programs solved after the associative one.
     pub steps: usize,

@@ -54,7 +54,6 @@ pub enum SideFact {
         .status.name()
     )]
     AtMost {
-        /// The side.
         push: Push,
         /// The upper end of its range.
         lambda: f64,

@@ -16,12 +16,10 @@ pub(crate) struct UnreadCase {
     pub path: String,
     /// The file itself, which tells one from another; `None` for an embedded case.
     pub file: Option<PathBuf>,
-    /// The text.
     pub bytes: Vec<u8>,
 }
 
 impl UnreadCase {
-    /// An embedded case.
     pub fn embedded((path, text): (&str, &str)) -> Self {
         Self {
             path: path.to_owned(),

@@ -21,7 +21,6 @@ pub(super) struct Body {
     pub outline: Outline,
     /// The layer of the drawing that it comes from; empty where none is said.
     pub layer: String,
-    /// The weight and its place, where it is given.
     pub weight: Option<(f64, Place)>,
     /// Weight over area and thickness, where that is given.
     pub specific_weight: Option<(f64, Place)>,

@@ -20,7 +20,6 @@ const MOST_PIECES_OF_ALL: usize = 10 * MOST_BLOCKS;
 /// Courses from bottom to top, and the strings they were read from.
 #[derive(Default)]
 pub(super) struct PlacedCourses {
-    /// Every course.
     pub courses: Vec<Course>,
     /// Weights that pieces of the legend give their blocks, by the place of the block.
     pub weights: BTreeMap<usize, f64>,

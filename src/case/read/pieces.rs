@@ -24,7 +24,6 @@ const FIXED: [(char, Piece); 4] = [
 /// What a letter of a course string stands for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Meaning {
-    /// The piece.
     pub piece: Piece,
     /// The weight of each of them, where it is not the units'.
     pub weight: Option<f64>,
@@ -45,7 +44,6 @@ impl Default for Legend {
 }
 
 impl Legend {
-    /// What a letter stands for.
     pub fn meaning(&self, letter: char) -> Option<Meaning> {
         self.0.get(&letter).copied()
     }

@@ -35,6 +35,5 @@ pub(super) struct Solved {
     /// Velocities at an optimum, or those by which the solver shows that there are no forces.
     pub(super) velocities: Vec<f64>,
     pub(super) iterations: usize,
-    /// Who says so.
     pub(super) engine: Engine,
 }

@@ -26,7 +26,6 @@ pub struct GridPoint {
     pub y: String,
     pub scene: Scene,
     pub settings: Settings,
-    /// What is known of its multipliers.
     pub known: Known,
 }
 

@@ -14,7 +14,6 @@ pub struct Summary {
     pub method: String,
     /// What is not as by default.
     pub setting: String,
-    /// Number of scenes.
     pub scenes: usize,
     /// Shifted geometric mean of the CPU time, seconds.
     pub seconds: f64,
