@@ -22,15 +22,13 @@ const WITH_SLIP_BOUNDS: usize = 1;
 const LARGEST: u64 = 256 << 20;
 
 /// Why bytes are no certificate.
+#[allow(missing_docs, reason = "the sentence of each says it")]
 #[derive(Clone, Debug, thiserror::Error, PartialEq, Eq)]
 pub enum Unreadable {
-    /// They are something else.
     #[error("it is no certificate: it does not begin with `{TITLE}`")]
     NoCertificate,
-    /// They are of a version that this program does not read.
     #[error("it is of version `{0}`, and this program reads version {VERSION}")]
     Version(String),
-    /// They are cut off, changed, or followed by others.
     #[error("it is cut off or damaged")]
     Damaged,
 }

@@ -132,39 +132,27 @@ impl Proved {
 }
 
 /// Why a certificate proves nothing.
+#[allow(missing_docs, reason = "the sentence of each says it")]
 #[derive(Clone, Copy, Debug, Error, PartialEq, Serialize, Deserialize)]
 pub enum Refusal {
-    /// There is none.
     #[error("there is no certificate")]
     Missing,
-    /// It is about another scene.
     #[error("it is about another scene")]
     OtherScene,
-    /// It has another number of multipliers than the scene has products.
     #[error("its size does not match the scene")]
     Size,
-    /// One of its numbers is none.
     #[error("one of its numbers is not finite")]
     NotFinite,
-    /// It claims no λ above 0, which every push meets.
     #[error(
         "it claims that no state has 0 ≤ λ < {}, which says nothing",
         nine_digits(*.claimed)
     )]
-    Nothing {
-        /// λ that it claims.
-        claimed: f64,
-    },
-    /// It speaks of motions that are smaller than the push's own alone.
+    Nothing { claimed: f64 },
     #[error(
         "it speaks of no motion but those whose openings and slips add up to {cap:.0e} times the \
          push's own"
     )]
-    Capped {
-        /// Its cap.
-        cap: f64,
-    },
-    /// A multiplier that must not be negative is.
+    Capped { cap: f64 },
     #[error("slice {} has a negative multiplier", .slice + 1)]
     Negative {
         /// Slice, from 0.
@@ -176,27 +164,18 @@ pub enum Refusal {
         /// Joint, from 0.
         joint: usize,
     },
-    /// A block hangs on no chain of joints from a support.
     #[error("a block has no chain of joints to a support")]
     Unsupported,
-    /// A slice begins above what those before it prove.
     #[error("slice {} begins above what those before it prove", .slice + 1)]
     Apart {
         /// Slice, from 0.
         slice: usize,
     },
-    /// Slices under the same assumptions differ in the product that they divide next.
     #[error("slice {} assumes something of another product than those beside it", .slice + 1)]
     Divided {
         /// Slice, from 0.
         slice: usize,
     },
-    /// It proves less than it claims.
     #[error("it claims {claimed:.9} and proves {proved:.9}")]
-    Less {
-        /// λ that it claims.
-        claimed: f64,
-        /// λ that it proves.
-        proved: f64,
-    },
+    Less { claimed: f64, proved: f64 },
 }

@@ -55,28 +55,15 @@ impl SceneParts {
 }
 
 /// Why parts make no scene. Blocks and loads are named by their place, from 0.
+#[allow(missing_docs, reason = "the sentence of each says it")]
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum SceneError {
-    /// A load that is NaN or infinite.
     #[error("load {load} of block {block} is not finite")]
-    Load {
-        /// The block.
-        block: usize,
-        /// The load on it.
-        load: usize,
-    },
-    /// A coefficient of friction that is negative, NaN or infinite.
+    Load { block: usize, load: usize },
     #[error("{} joints have the friction {value}; it must be finite and not negative", class.name())]
-    Friction {
-        /// Class of joint.
-        class: JointClass,
-        /// The coefficient.
-        value: f64,
-    },
-    /// The same of a single block or joint.
+    Friction { class: JointClass, value: f64 },
     #[error("a block or a joint has the friction {0}; it must be finite and not negative")]
     OwnFriction(f64),
-    /// A tolerance that is no small positive fraction.
     #[error("edges cannot touch within {0} of a body's extent")]
     Tolerance(f64),
 }

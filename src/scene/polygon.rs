@@ -11,12 +11,11 @@ pub type Point = Point2<f64>;
 pub type Vector = Vector2<f64>;
 
 /// Why a list of corners is not a usable shape.
+#[allow(missing_docs, reason = "the sentence of each says it")]
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum PolygonError {
-    /// Fewer than three corners.
     #[error("a polygon needs at least 3 corners, this one has {0}")]
     TooFewCorners(usize),
-    /// A coordinate is NaN or infinite.
     #[error("corner {0} is not a finite point")]
     NotFinite(usize),
     /// The outline crosses or touches itself, or comes straight back, in the edge behind a corner.
@@ -24,12 +23,7 @@ pub enum PolygonError {
     NotSimple(usize),
     /// The area vanishes against the square of the longest edge.
     #[error("the polygon is a sliver: area {area:e} for a longest edge of {edge:e}")]
-    Sliver {
-        /// Enclosed area.
-        area: f64,
-        /// Longest edge.
-        edge: f64,
-    },
+    Sliver { area: f64, edge: f64 },
 }
 
 /// A polygon that does not cross itself, convex or not, with its corners in counter-clockwise order

@@ -46,9 +46,9 @@ pub struct RegularWall {
 }
 
 /// Why a wall is not a regular one.
+#[allow(missing_docs, reason = "the sentence of each says it")]
 #[derive(Clone, Debug, PartialEq, thiserror::Error, Serialize, Deserialize)]
 pub enum Irregularity {
-    /// One course has no stagger.
     #[error("a single course has no stagger line")]
     SingleCourse,
     /// The course (from 1, bottom to top) breaks the running bond.
@@ -64,7 +64,6 @@ pub enum Irregularity {
         "the bed joints and the base differ in friction, and the closed form knows one coefficient"
     )]
     Friction,
-    /// Joints or blocks with a friction of their own, of which it knows none.
     #[error("some joints have a friction of their own, and the closed form knows one coefficient")]
     OwnFriction,
     /// The course (from 1, bottom to top) is higher or lower than a unit.
@@ -73,16 +72,12 @@ pub enum Irregularity {
     /// Weights act upwards too as they push.
     #[error("the push acts upwards as well, and the closed form knows it sideways alone")]
     PushedUpwards,
-    /// Blocks with weights of their own, or loads beside weights and overburden.
     #[error("some blocks have weights or loads of their own, which the closed form does not know")]
     OwnLoads,
-    /// Courses of different widths.
     #[error("course {0} is not as wide as the first")]
     Width(usize),
-    /// A support moves.
     #[error("a support moves, and the closed form knows pushes alone")]
     SupportMoves,
-    /// Not made of courses.
     #[error("the scene is not a coursed wall")]
     NotCoursed,
 }

@@ -78,29 +78,17 @@ pub struct Wall {
 }
 
 /// Why a wall cannot be laid. Courses and pieces count from 1.
+#[allow(missing_docs, reason = "the sentence of each says it")]
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum WallError {
-    /// No course at all.
     #[error("the wall has no courses")]
     NoCourses,
-    /// A course without a block.
     #[error("course {course} holds no block")]
-    EmptyCourse {
-        /// The course.
-        course: usize,
-    },
-    /// Not one height for each course.
+    EmptyCourse { course: usize },
     #[error("there are {heights} heights for {courses} courses")]
-    Heights {
-        /// How many heights.
-        heights: usize,
-        /// How many courses.
-        courses: usize,
-    },
-    /// The dimensions give no usable block.
+    Heights { heights: usize, courses: usize },
     #[error("a block of this size cannot be laid: {0}")]
     Shape(#[from] PolygonError),
-    /// A number of the wall means nothing.
     #[error(transparent)]
     Scene(#[from] SceneError),
 }
