@@ -51,7 +51,6 @@ pub(super) fn with_parts(assembly: &mut Assembly, motion: &SupportMotion) {
     assembly.named_joints = named;
 }
 
-/// The `[[move]]` tables.
 pub(super) fn tables(motion: &SupportMotion) -> String {
     let mut text = String::new();
     for support in &motion.supports {

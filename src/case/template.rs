@@ -6,11 +6,8 @@ use crate::scene::{BONDS, Bond, LowestCourse};
 /// The forms of a case that there is a template of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Template {
-    /// A coursed wall.
     Wall,
-    /// Explicit blocks.
     Blocks,
-    /// A voussoir arch.
     Arch,
 }
 

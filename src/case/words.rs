@@ -70,7 +70,6 @@ fn live(forces: &Forces) -> String {
     }
 }
 
-/// Where it is pushed to.
 pub(crate) fn push_words(pushes: &[Push]) -> &'static str {
     match pushes {
         [Push::Right] => "to the right",

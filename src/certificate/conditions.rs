@@ -22,7 +22,6 @@ pub(crate) struct JointRows {
 /// add to it: Σ share · rate − g⁺ ≥ 0. Slips are split with g⁺ g⁻ = 0 here.
 #[derive(Clone, Debug)]
 pub(crate) struct SlipBound {
-    /// The joint.
     pub(crate) joint: usize,
     /// Rates, four a joint, and their positive shares.
     pub(crate) shares: Vec<Entry>,
@@ -42,12 +41,10 @@ pub(crate) struct Conditions {
     pub(crate) live: Vec<f64>,
     /// λ for λ* = 1.
     pub(crate) unit: f64,
-    /// What limits slips.
     pub(crate) slip_bounds: Vec<SlipBound>,
 }
 
 impl Conditions {
-    /// Those of a scene.
     pub(crate) fn of(scene: &Scene) -> Self {
         let (force, length) = (scene.total_weight(), scene.height());
         let unit = scene.multiplier_unit();

@@ -98,7 +98,6 @@ impl Rounding {
     }
 }
 
-/// A multiple of sums.
 fn times(factor: f64, sums: &[Sum]) -> Vec<Sum> {
     let multiple = |sum: &Sum| {
         let mut multiple = Sum::default();

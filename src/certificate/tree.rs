@@ -3,7 +3,6 @@
 
 use super::types::{Assumption, Factor, Proved, Refusal, Slice};
 
-/// What one slice proves.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct SliceProof {
     /// No collapse state with λ* in the slice has it below this.

@@ -41,7 +41,6 @@ pub enum Factor {
 pub struct Assumption {
     /// The product, by the common row of its force condition and its rate: four a joint.
     pub pair: usize,
-    /// The factor that is zero.
     pub zero: Factor,
 }
 
@@ -104,7 +103,6 @@ pub struct Certificate {
     pub slices: Vec<Slice>,
 }
 
-/// What a certificate proves.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Proved {
     /// No collapse state in which the push does work has 0 ≤ λ below this.
@@ -112,7 +110,6 @@ pub struct Proved {
     /// Sum of openings and slips per unit of the live load's power, without dimension, up to which
     /// that is proved; `None` where there is no limit.
     pub cap: Option<f64>,
-    /// Slices of λ.
     pub slices: usize,
     /// Largest entry of what rounding leaves of the identity.
     pub rounding: f64,

@@ -12,13 +12,11 @@ pub type Answers<'a> = [(&'a str, &'a Outcome)];
 /// What a multiplier is put forward as.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Role {
-    /// The range of a closed form.
     ClosedForm,
     /// Proved bounds of λ_A.
     Bounds,
     /// Bounds of λ_A that were solved too loosely to be proved.
     Loose,
-    /// What an iteration converged to.
     Converged,
     /// Collapse states without dilatancy, each proved.
     States,

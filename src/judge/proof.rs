@@ -53,7 +53,6 @@ struct Found {
 
 /// What becomes of an answer.
 enum Ruling {
-    /// It stays what it is.
     Stays,
     /// It is worth this.
     Is(Status),

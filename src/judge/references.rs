@@ -14,7 +14,6 @@ pub struct Computed<'a> {
     pub status: Status,
     /// Lower end of the range of λ.
     pub lower: Option<f64>,
-    /// Upper end.
     pub upper: Option<f64>,
     pub crack: Option<&'a Crack>,
 }

@@ -24,7 +24,6 @@ const CARRIED: f64 = 1e-6;
 /// A part that moves as one body.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MovingPart {
-    /// Names of its blocks.
     pub blocks: Vec<String>,
     /// What it turns about; `None` where it does not turn.
     pub centre: Option<Point>,

@@ -12,7 +12,6 @@ const FAR: f64 = 20.0;
 pub(super) enum RigidMotion {
     /// Without turning, along a velocity.
     Slides(Vector),
-    /// About a point.
     Turns(Point),
 }
 

@@ -5,7 +5,6 @@ use super::openings::{Opening, openings, place_words, storey_words};
 use crate::scene::{Point, Scene};
 use crate::text::{counted, enumerated};
 
-/// Regions that are named.
 const NAMED: usize = 3;
 
 /// Blocks that are called by their own names.

@@ -10,7 +10,6 @@ pub struct RigidPart {
     pub blocks: Vec<usize>,
     /// Whether the part moves at all.
     pub moves: bool,
-    /// Area of its blocks.
     pub area: f64,
 }
 

@@ -51,7 +51,6 @@ pub struct Look {
     pub mark: Mark,
 }
 
-/// The look of this colour and mark.
 pub const fn look(colour: &'static str, mark: Mark) -> Look {
     Look { colour, mark }
 }
@@ -100,7 +99,6 @@ pub type Changes = &'static [(&'static str, &'static str)];
 pub struct Rung {
     /// What is not as by default.
     pub changes: Changes,
-    /// The scenes that it runs on.
     pub scenes: Scenes,
     /// Whether it asks for less than the default does: an answer sooner, not a better one.
     pub loose: bool,

@@ -13,7 +13,6 @@ use crate::scene::{Joint, JointClass, Scene, Side};
 /// Font sizes of the names of blocks.
 const LETTERS: [f64; 6] = [10.0, 8.5, 7.0, 5.5, 4.0, 2.5];
 
-/// A mechanism as it is drawn.
 pub struct DrawnMechanism<'a> {
     pub mechanism: Option<&'a Mechanism>,
     /// Where it takes every point.

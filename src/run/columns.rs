@@ -18,7 +18,6 @@ pub enum Value {
     Text(String),
     /// A number, written with nine digits.
     Number(f64),
-    /// A count.
     Count(usize),
 }
 
@@ -103,7 +102,6 @@ pub enum ColumnKind {
     Words,
 }
 
-/// A column.
 pub struct Column {
     /// Its name in CSV and JSON, and in lists of columns.
     pub name: &'static str,

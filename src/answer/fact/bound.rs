@@ -11,7 +11,6 @@ use crate::number::below;
 /// What a lifted program proves, or why it proves nothing.
 #[derive(Clone, Copy, Debug, Error, PartialEq, Serialize, Deserialize)]
 pub enum BoundFact {
-    /// What its certificate proves.
     #[error("{0}")]
     Proved(Proved),
     /// It is computed alone: scenes that can lock have forces without bounds, so that rounding is not
@@ -25,7 +24,6 @@ pub enum BoundFact {
          allows {most}"
     )]
     TooLarge {
-        /// Unknowns of the program.
         unknowns: usize,
         /// Largest number of them that the settings allow.
         most: usize,
@@ -38,7 +36,6 @@ pub enum BoundFact {
     OutOfBudget {
         /// What it had no more of.
         budget: Budget,
-        /// Programs that it solved.
         programs: usize,
     },
     #[error("no collapse state is verified that could be bounded")]

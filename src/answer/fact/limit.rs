@@ -111,7 +111,6 @@ fn moves_first(first: &[String]) -> String {
 /// What the solver says of a linear program. No proof of it.
 #[derive(Clone, Debug, Error, PartialEq, Eq, Serialize, Deserialize)]
 pub enum SolverEnding {
-    /// It has an optimum.
     #[error("the solver finds an optimum")]
     Optimum,
     /// No force state satisfies it, for any λ.

@@ -28,7 +28,6 @@ const ON_THE_OUTLINE: f64 = 0.01;
 /// What an outline that crosses itself may have as slips of the pen, as a part of its size.
 const SLIP: f64 = 1e-3;
 
-/// Most blocks of a drawing.
 const MOST_BLOCKS: usize = 100_000;
 
 /// An outline with its name, and where it was drawn.

@@ -17,7 +17,6 @@ pub(super) struct Entity<'a> {
     pub place: Range<usize>,
     /// All groups in order, for entities whose groups repeat.
     pub groups: &'a [Group<'a>],
-    /// The vertices of a POLYLINE.
     pub vertices: Vec<Entity<'a>>,
 }
 
@@ -109,7 +108,6 @@ impl<'a> Entity<'a> {
     }
 }
 
-/// The number in a group.
 pub(super) fn number(group: &Group) -> Result<f64, Complaint> {
     match group.text.parse::<f64>() {
         Ok(number) if number.abs() <= 1e12 => Ok(number + 0.0),

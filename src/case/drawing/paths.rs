@@ -60,10 +60,8 @@ const CURVED: i64 = 2 | 4 | 16 | 64;
 /// Deepest INSERT in INSERT.
 const DEEPEST: usize = 16;
 
-/// Most paths of a drawing.
 const MOST_PATHS: usize = 500_000;
 
-/// Most copies of one INSERT.
 const MOST_COPIES: i64 = 100_000;
 
 /// All paths of a drawing, and the kinds of entities that were left aside.

@@ -14,7 +14,6 @@ const LEAST_LEFT: f64 = 0.5;
 /// What is said of one that does not.
 const SWALLOWED: &str = "closing the gaps beside it would swallow this outline, or turn it over";
 
-/// Most places that are named.
 const MOST_NAMED: usize = 2;
 
 /// Bodies with the gaps between them closed.

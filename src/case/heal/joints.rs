@@ -19,7 +19,6 @@ pub(super) struct Joint {
 /// Everything that the void settles about its joints.
 struct Settled {
     parts: Vec<Part>,
-    /// The line of each part.
     lines: Vec<Line>,
     /// The first part of each gap.
     first: Vec<usize>,

@@ -16,7 +16,6 @@ pub(super) struct Line {
 }
 
 impl Line {
-    /// The line through two points.
     pub fn through(from: Point, to: Point) -> Line {
         Line {
             point: from,

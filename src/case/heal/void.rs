@@ -119,7 +119,6 @@ pub(super) struct Void<'a> {
     pub reach: Reach,
     pub vertices: Vec<Vertex>,
     pub gaps: Vec<Gap>,
-    /// The corners of the junctions.
     pub junctions: BTreeMap<usize, [usize; 3]>,
     /// By how much outlines are inset, and their corners then.
     pub insets: Vec<f64>,

@@ -17,7 +17,6 @@ const MOST_VOUSSOIRS: usize = 1000;
 /// The thinnest ring over its mean radius.
 const THINNEST: f64 = 1e-3;
 
-/// The arch of a file.
 pub(super) fn arch(file: &CaseFile) -> Result<Arch, Complaint> {
     let table = file.arch.as_ref().expect("the form is an arch");
     let written = table.get_ref();

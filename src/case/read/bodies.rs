@@ -24,7 +24,6 @@ pub(super) struct Body {
     pub weight: Option<(f64, Place)>,
     /// Weight over area and thickness, where that is given.
     pub specific_weight: Option<(f64, Place)>,
-    /// Its own coefficient of friction.
     pub friction: Option<(f64, Place)>,
     /// Where the weight acts, where it is not the centroid.
     pub centre: Option<Point>,
@@ -157,7 +156,6 @@ fn nothing_of_a_support(bodies: &[Body]) -> Result<(), Complaint> {
     Ok(())
 }
 
-/// The CSV beside the case.
 fn csv_beside(
     document: &Document,
     csv: &Spanned<String>,

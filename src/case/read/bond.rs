@@ -61,7 +61,6 @@ pub(super) fn courses_in_bond(
     lay(high)
 }
 
-/// The overlap that a file asks for.
 fn overlap(file: &CaseFile, bond: &Bond) -> Result<Option<f64>, Complaint> {
     let Some(overlap) = &file.overlap else {
         return Ok(None);

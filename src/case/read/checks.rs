@@ -14,7 +14,6 @@ use crate::scene::{HeadJoints, Point};
 pub(super) const SMALLEST: f64 = 1e-12;
 pub(super) const LARGEST: f64 = 1e12;
 
-/// Most blocks of one case.
 pub(super) const MOST_BLOCKS: usize = 100_000;
 
 /// What head joints can carry, in the order of a case's results.

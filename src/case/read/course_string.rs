@@ -7,7 +7,6 @@ use super::pieces::{Legend, Meaning};
 use crate::case::complaint::Complaint;
 use crate::scene::Course;
 
-/// Most pieces in one course.
 pub(super) const MOST_PIECES: usize = 10_000;
 
 /// What is wrong with a course string: the offending part of it (bytes; all of it where that is
@@ -102,7 +101,6 @@ pub(super) fn too_many_courses(span: Range<usize>) -> Complaint {
     Complaint::at(span, title, "too many courses").help("write fewer or shorter courses")
 }
 
-/// Blocks of these courses.
 pub(super) fn blocks_of(courses: &[Course]) -> usize {
     let pieces = courses.iter().flatten();
     pieces.filter(|piece| !piece.is_gap()).count()

@@ -9,7 +9,6 @@ use super::missing::{example, missing_key};
 use super::unknown_key::unknown_key;
 use crate::case::complaint::{Complaint, Document};
 
-/// A complaint for an error of the TOML reader.
 pub(crate) fn explain(document: &Document, error: &toml::de::Error) -> Complaint {
     explained(document, error).in_document(document)
 }

@@ -6,7 +6,6 @@ use toml::Spanned;
 
 use super::values::{CoursesValue, FrictionValue, LiveValue, Number, Pair, Pieces, WholeNumber};
 
-/// The forms of a case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Form {
     Wall,

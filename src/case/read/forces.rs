@@ -44,7 +44,6 @@ impl<'a> Loadable<'a> {
     }
 }
 
-/// The forces of a file on these blocks.
 pub(super) fn forces(file: &CaseFile, loadable: &Loadable) -> Result<Forces, Complaint> {
     let live = file.live.as_ref();
     let of_weight = live.map_or(Ok(Forces::default().of_weight), of_weight)?;

@@ -13,7 +13,6 @@ use crate::scene::{
     Assembly, HeadJoints, MovingSupport, Point, Polygon, Push, Sense, SupportMotion, Vector, Wall,
 };
 
-/// The motion of a file, where there is one.
 pub(super) fn motion(
     file: &CaseFile,
     geometry: &Geometry,

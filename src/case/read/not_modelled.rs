@@ -1,11 +1,9 @@
 //! Words for what real walls have and no method here models. The keys are known, so that nobody takes
 //! the answer for one that counts them in, and the message says what comes nearest.
 
-/// Something that is not modelled.
 pub(crate) struct NotModelled {
     /// The key that the list of the README names.
     pub key: &'static str,
-    /// Other words for it.
     other_words: &'static [&'static str],
     /// What it is, to stand before "is not modelled".
     pub what: &'static str,

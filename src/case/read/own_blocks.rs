@@ -83,7 +83,6 @@ fn named_blocks(file: &CaseFile, wall: &mut Wall) -> Result<(), Complaint> {
     Ok(())
 }
 
-/// The block that a table is about.
 fn block(
     spanned: &Spanned<BodyTable>,
     wall: &Wall,

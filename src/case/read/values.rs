@@ -18,7 +18,6 @@ pub(super) struct FrictionTable {
 pub(super) enum FrictionValue {
     /// One coefficient for all joints.
     One(Number),
-    /// A table of classes.
     Classes(FrictionTable),
 }
 
@@ -59,7 +58,6 @@ pub(super) struct PieceTable {
 /// `courses` in its three forms.
 #[derive(Debug)]
 pub(super) enum CoursesValue {
-    /// One course string.
     One(String),
     /// Course strings from bottom to top.
     List(Vec<Spanned<String>>),
@@ -71,7 +69,6 @@ pub(super) enum CoursesValue {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Number(pub f64);
 
-/// A whole number.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct WholeNumber(pub i64);
 

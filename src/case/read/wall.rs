@@ -21,7 +21,6 @@ use crate::text::counted;
 /// tolerance.
 const MOST_SLENDER: f64 = 1000.0;
 
-/// The wall of a file.
 pub(super) fn wall(
     document: &Document,
     file: &CaseFile,

@@ -27,7 +27,6 @@ pub(super) struct Numbers {
     pub(super) has_slack: bool,
 }
 
-/// A solved program.
 pub(super) struct Solved {
     pub(super) ending: SolverEnding,
     /// Values of all variables at an optimum.

@@ -147,7 +147,6 @@ pub(super) fn ray(scene: &Scene, work: &mut Work) -> Option<Vec<JointForce>> {
 /// pushes: of those, blocks would be out of balance by as much as they carry.
 const NOISE: f64 = 1e-9;
 
-/// A ray without the forces that are noise.
 fn without_noise(ray: &[JointForce]) -> Vec<JointForce> {
     let size = |force: &JointForce| {
         let [n1, n2] = force.normal.map(f64::abs);

@@ -70,7 +70,6 @@ pub struct Program {
 enum Goal {
     /// The largest λ.
     Multiplier,
-    /// Any forces at this λ.
     Forces(f64),
     /// Forces at this λ as far inside all their limits as possible, up to [`MAX_SLACK`].
     Slack(f64),

@@ -18,7 +18,6 @@ pub(super) struct Scale {
 }
 
 impl Scale {
-    /// The units of a scene.
     pub(super) fn of(scene: &Scene) -> Self {
         Self {
             force: scene.total_weight(),

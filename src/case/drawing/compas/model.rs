@@ -10,7 +10,6 @@ use super::solid::{Point3, Solid};
 use crate::case::complaint::{Complaint, Document};
 use crate::case::printable::printable;
 
-/// Most blocks of a model.
 const MOST_BLOCKS: usize = 100_000;
 
 /// Most vertices of a block's mesh.
@@ -87,7 +86,6 @@ fn of_model(document: &Document, data: &Value) -> Result<Vec<Solid>, Complaint> 
     elements.into_iter().enumerate().map(solid).collect()
 }
 
-/// The nodes of an Assembly.
 fn of_assembly(document: &Document, data: &Value) -> Result<Vec<Solid>, Complaint> {
     let graph = match &data["graph"]["data"] {
         Value::Null => &data["graph"],

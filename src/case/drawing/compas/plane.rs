@@ -116,7 +116,6 @@ fn faces_across(solid: &Solid) -> Vec<Plane> {
     solid.faces.iter().filter_map(normal).collect()
 }
 
-/// The blocks as prisms across a plane.
 fn across(solids: &[Solid], plane: &Plane) -> Result<Vec<Prism>, Complaint> {
     let mut prisms = Vec::new();
     let mut first: Option<(f64, f64)> = None;

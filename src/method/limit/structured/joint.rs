@@ -3,12 +3,10 @@
 
 use super::law::{Forces, Inverse, Law, Rows};
 
-/// A joint in the iteration.
 #[derive(Clone, Debug)]
 pub(super) struct Joint {
     pub(super) bodies: Bodies,
     pub(super) law: Law,
-    /// Cost of its forces.
     pub(super) cost: Forces,
     pub(super) forces: Forces,
     /// How far its inequalities are from their limits.
@@ -29,7 +27,6 @@ pub(super) struct Joint {
     pub(super) unrefined: Forces,
 }
 
-/// A change of a joint.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct JointStep {
     pub(super) forces: Forces,
