@@ -70,7 +70,10 @@ pub(super) fn check(arguments: &CheckArguments) -> Result<u8, Stop> {
     }
     let keeping = arguments.kept.keeping("check.journal");
     let results = solve(&cases, &plan, keeping, show, |results, partial| {
-        hand_out(arguments, results, partial)
+        let text = arguments.closing(results, partial);
+        arguments
+            .kept
+            .hand_out(&text, results, arguments.states, partial)
     })?;
     Ok(status(refuted(&results) || refused.load(Ordering::SeqCst)))
 }
@@ -118,16 +121,6 @@ impl CheckArguments {
             }
         }
     }
-}
-
-fn hand_out(
-    arguments: &CheckArguments,
-    results: &[CaseResult],
-    partial: Option<&Partial>,
-) -> Result<(), Stop> {
-    let printed = print(&arguments.closing(results, partial));
-    arguments.kept.write(results, arguments.states, partial)?;
-    printed
 }
 
 /// The certificates in the folder that are of no case that is checked or built in.

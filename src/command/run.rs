@@ -88,19 +88,22 @@ impl KeptArguments {
         }
     }
 
-    pub(super) fn write(
+    /// Prints what is left to print, and writes the files that were asked for.
+    pub(super) fn hand_out(
         &self,
+        text: &str,
         results: &[CaseResult],
         states: bool,
         partial: Option<&Partial>,
     ) -> Result<(), Stop> {
+        let printed = print(text);
         if let Some(folder) = &self.out {
             output::write(folder, files(results, states, partial))?;
         }
         if let Some(folder) = &self.certificate {
             output::write_certificates(folder, results)?;
         }
-        Ok(())
+        printed
     }
 }
 
@@ -121,7 +124,10 @@ pub(super) fn run(arguments: &RunArguments) -> Result<u8, Stop> {
     let show = |result: &CaseResult| print(&format.case(result));
     let keeping = arguments.kept.keeping("run.journal");
     let results = solve(&cases, &plan, keeping, show, |results, partial| {
-        hand_out(arguments, results, partial)
+        let text = format.closing(results, arguments.states, partial);
+        arguments
+            .kept
+            .hand_out(&text, results, arguments.states, partial)
     })?;
     let changed = match &arguments.record {
         Some(folder) => compare(folder, &results, arguments)?,
@@ -170,18 +176,6 @@ impl Format {
             Format::Json => json(results, states, partial),
         }
     }
-}
-
-/// Prints what is left to print, and writes the files that were asked for.
-fn hand_out(
-    arguments: &RunArguments,
-    results: &[CaseResult],
-    partial: Option<&Partial>,
-) -> Result<(), Stop> {
-    let states = arguments.states;
-    let printed = print(&arguments.format.closing(results, states, partial));
-    arguments.kept.write(results, states, partial)?;
-    printed
 }
 
 fn json(results: &[CaseResult], states: bool, partial: Option<&Partial>) -> String {
