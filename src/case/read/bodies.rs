@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use toml::Spanned;
 
-use super::checks::{MOST_BLOCKS, Written, coordinates, not_negative, positive, unknown_block};
+use super::checks::{MOST_BLOCKS, Written, coordinates, not_negative, positive, unknown};
 use super::csv::{CsvBlock, outlines};
 use super::file::{BlocksTable, BodyTable, CaseFile};
 use super::missing::missing_key;
@@ -254,7 +254,7 @@ fn add(
             ));
         }
         (None, None) if !csv => return Err(missing_key(written.span(), "corners")),
-        (None, None) => return Err(unknown_block(written, bodies.names())),
+        (None, None) => return Err(unknown("block", written, bodies.names())),
     }
     Ok(())
 }
@@ -318,7 +318,7 @@ fn inline_outline(
 fn hold(bodies: &mut Bodies, table: &BlocksTable) -> Result<(), Complaint> {
     for word in &table.supports {
         let Some(body) = bodies.named(word.get_ref()) else {
-            return Err(unknown_block(word, bodies.names()));
+            return Err(unknown("block", word, bodies.names()));
         };
         if !std::mem::replace(&mut body.moves, false) {
             let title = format!("`{}` is a support already", word.get_ref());

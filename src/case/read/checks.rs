@@ -60,22 +60,8 @@ pub(super) fn choose<'a, T>(
     Err(complaint.help(help).mended(word.span(), sound))
 }
 
-/// A name that no block has.
-pub(super) fn unknown_block<'a>(
-    word: &Spanned<String>,
-    known: impl Iterator<Item = &'a str> + Clone,
-) -> Complaint {
-    unknown("block", word, known)
-}
-
-pub(super) fn unknown_support<'a>(
-    word: &Spanned<String>,
-    known: impl Iterator<Item = &'a str> + Clone,
-) -> Complaint {
-    unknown("support", word, known)
-}
-
-fn unknown<'a>(
+/// A name that no block has, or no support.
+pub(super) fn unknown<'a>(
     what: &str,
     word: &Spanned<String>,
     known: impl Iterator<Item = &'a str> + Clone,

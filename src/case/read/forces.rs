@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 use toml::Spanned;
 
-use super::checks::{Written, choose, coordinates, unknown_block};
+use super::checks::{Written, choose, coordinates, unknown};
 use super::file::{CaseFile, LoadTable};
 use super::values::{LiveValue, Pair};
 use crate::case::complaint::Complaint;
@@ -40,7 +40,7 @@ impl<'a> Loadable<'a> {
             return Err(complaint.help("put the load on a block that can move"));
         }
         let known = self.blocks.iter().map(|(name, _)| *name);
-        Err(unknown_block(word, known))
+        Err(unknown("block", word, known))
     }
 }
 

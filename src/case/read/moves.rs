@@ -2,7 +2,7 @@
 
 use toml::Spanned;
 
-use super::checks::{Written, choose, coordinates, not_negative, positive_or_one, unknown_support};
+use super::checks::{Written, choose, coordinates, not_negative, positive_or_one, unknown};
 use super::file::{CaseFile, MoveTable};
 use super::leaves::leaves_the_wall;
 use super::missing::missing_key;
@@ -94,7 +94,7 @@ fn support(
                     .map(|support| support.name.as_str())
             };
             let found = names().position(|name| name == word.get_ref());
-            let index = found.ok_or_else(|| unknown_support(word, names()))?;
+            let index = found.ok_or_else(|| unknown("support", word, names()))?;
             let shape = assembly.supports[index].shape.clone();
             (word.get_ref().clone(), index, None, shape)
         }

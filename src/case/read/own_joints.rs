@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, HashMap};
 
 use toml::Spanned;
 
-use super::checks::{Written, choose, not_negative, unknown_block, whole};
+use super::checks::{Written, choose, not_negative, unknown, whole};
 use super::file::{CaseFile, JointTable, Place};
 use super::missing::missing_key;
 use super::values::WholeNumber;
@@ -139,7 +139,7 @@ impl<'a> Bodies<'a> {
     fn named(&self, word: &Spanned<String>) -> Result<Side, Complaint> {
         let found = self.places.get(word.get_ref().as_str());
         let known = self.blocks.iter().copied();
-        found.copied().ok_or_else(|| unknown_block(word, known))
+        found.copied().ok_or_else(|| unknown("block", word, known))
     }
 
     /// What a table says of the joint between two bodies that touch.
