@@ -1,6 +1,6 @@
 //! The closed outlines of a drawing as shapes with names.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashSet};
 
 use indexmap::IndexMap;
 
@@ -12,7 +12,7 @@ use super::outlines::outlines;
 use super::paths::{Path, Paths, complain, same};
 use super::plane::flatten;
 use crate::case::complaint::{Complaint, Document};
-use crate::case::heal::{holds, to_segment};
+use crate::case::heal::{holds, to_outline, without_repeats};
 use crate::case::printable::printable;
 use crate::scene::{Point, Polygon, PolygonError, TOUCHING, bounds};
 
@@ -91,7 +91,7 @@ pub(super) fn drawn(
     }
     remarks.extend(brought_near(&mut closed));
     without_openings(&mut closed, remarks);
-    let mut names = std::collections::HashSet::new();
+
     let mut drawn = Vec::new();
     for (index, mut path) in closed.into_iter().enumerate() {
         for point in &mut path.points {
@@ -103,13 +103,10 @@ pub(super) fn drawn(
             };
         }
         let shape = shape(&path)?;
-        let mut name = match path.handle.as_str() {
+        let name = match path.handle.as_str() {
             "" => (index + 1).to_string(),
             handle => printable(handle),
         };
-        while !names.insert(name.clone()) {
-            name.push('\'');
-        }
         drawn.push(Drawn {
             name,
             path,
@@ -117,7 +114,18 @@ pub(super) fn drawn(
             weight: options.specific_weight,
         });
     }
+    named_apart(drawn.iter_mut().map(|d| &mut d.name));
     Ok(drawn)
+}
+
+/// Gives a mark to every name that was there before.
+pub(super) fn named_apart<'a>(names: impl Iterator<Item = &'a mut String>) {
+    let mut known = HashSet::new();
+    for name in names {
+        while !known.insert(name.clone()) {
+            name.push('\'');
+        }
+    }
 }
 
 /// Shifts a drawing in the coordinates of a survey grid, of which the digits of a joint would be lost, by
@@ -167,10 +175,7 @@ fn is_within(path: &Path, opening: &Path) -> bool {
     let (low, high) = bounds(&opening.points);
     let near = ON_THE_OUTLINE * (high - low).norm();
     let corners = &opening.points;
-    middles.all(|p| {
-        let mut edges = (0..corners.len()).map(|k| (corners[k], corners[(k + 1) % corners.len()]));
-        holds(corners, p) || edges.any(|(from, to)| to_segment(p, from, to) <= near)
-    })
+    middles.all(|p| holds(corners, p) || to_outline(p, corners) <= near)
 }
 
 fn whole_if_near(number: f64) -> f64 {
@@ -207,10 +212,7 @@ pub(super) fn shape(path: &Path) -> Result<Polygon, Complaint> {
     let (low, high) = bounds(&points);
     // Points that a program wrote twice, but for rounding.
     let near = 1e-7 * (high - low).norm();
-    points.dedup_by(|a, b| (*a - *b).norm() <= near);
-    while points.len() > 1 && (points[0] - points[points.len() - 1]).norm() <= near {
-        points.pop();
-    }
+    without_repeats(&mut points, near);
     let simple = Polygon::new(points.clone()).or_else(|error| {
         let tidied = without_spikes(points.clone(), SLIP * (high - low).norm());
         Polygon::new(tidied).map_err(|_| error)

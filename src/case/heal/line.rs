@@ -65,6 +65,14 @@ impl Line {
     }
 }
 
+/// Takes out points round an outline that are as near as this to the one before.
+pub fn without_repeats(points: &mut Vec<Point>, near: f64) {
+    points.dedup_by(|a, b| (*a - *b).norm() <= near);
+    while points.len() > 1 && (points[0] - points[points.len() - 1]).norm() <= near {
+        points.pop();
+    }
+}
+
 /// How far a point is from the straight way between two others.
 pub fn to_segment(p: Point, from: Point, to: Point) -> f64 {
     let way = to - from;

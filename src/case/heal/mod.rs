@@ -22,5 +22,5 @@ mod void;
 
 pub(super) use closing::{CannotClose, Closed, close};
 pub(super) use left_open::{LeftOpen, left_open, stay_open};
-pub(super) use line::{holds, to_outline, to_segment};
+pub(super) use line::{holds, to_outline, to_segment, without_repeats};
 pub(super) use void::Reach;

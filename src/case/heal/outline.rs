@@ -3,7 +3,7 @@
 use std::collections::HashMap;
 
 use super::joints::Joint;
-use super::line::{Line, to_segment};
+use super::line::{Line, to_segment, without_repeats};
 use super::void::{End, Gap, Vertex, Void};
 use crate::scene::{Point, extent};
 
@@ -163,10 +163,7 @@ fn between(
 /// Points without those that lie on the way between their neighbours, and drawn corners in place of
 /// what differs by rounding.
 fn as_drawn(mut points: Vec<Point>, corners: &[Point], near: f64) -> Vec<Point> {
-    points.dedup_by(|a, b| (*a - *b).norm() <= near);
-    while points.len() > 1 && (points[0] - points[points.len() - 1]).norm() <= near {
-        points.pop();
-    }
+    without_repeats(&mut points, near);
     let mut kept: Vec<Point> = Vec::new();
     let count = points.len();
     for k in 0..count {

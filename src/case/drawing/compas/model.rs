@@ -1,6 +1,6 @@
 //! The blocks of a model's JSON.
 
-use std::collections::{BTreeMap, HashSet};
+use std::collections::BTreeMap;
 use std::ops::Range;
 
 use serde_json::Value;
@@ -8,6 +8,7 @@ use serde_json::Value;
 use super::matrix::Places;
 use super::solid::{Point3, Solid};
 use crate::case::complaint::{Complaint, Document};
+use crate::case::drawing::drawn::named_apart;
 use crate::case::printable::printable;
 
 const MOST_BLOCKS: usize = 100_000;
@@ -43,7 +44,7 @@ pub(super) fn solids(document: &Document) -> Result<Vec<Solid>, Complaint> {
             return Err(Complaint::at(0..1, title, "this object").help(HELP));
         }
     };
-    named_apart(&mut solids);
+    named_apart(solids.iter_mut().map(|solid| &mut solid.name));
     Ok(solids)
 }
 
@@ -68,20 +69,19 @@ fn of_model(document: &Document, data: &Value) -> Result<Vec<Solid>, Complaint> 
         let known = ranks.get(guid.as_str());
         let number = known.map_or(place.to_string(), |(_, key)| (*key).to_owned());
         let material = own["material"].as_str().unwrap_or_default();
-        let mut solid = Solid {
+        let solid = Solid {
             name: name_of(&own["name"], &element["name"], &number),
             guid: printable(guid),
             place: found(document, guid),
-            vertices: Vec::new(),
-            faces: Vec::new(),
             is_support: own["is_support"].as_bool().unwrap_or(false),
             density: data["materials"][material]["data"]["density"].as_f64(),
+            ..Solid::default()
         };
-        mesh(&mut solid, &own["geometry"]["data"])?;
+        let mut solid = with_mesh(solid, &own["geometry"]["data"])?;
         for vertex in &mut solid.vertices {
             *vertex = places.placed(guid, *vertex);
         }
-        sound(solid)
+        Ok(solid)
     };
     elements.into_iter().enumerate().map(solid).collect()
 }
@@ -101,17 +101,14 @@ fn of_assembly(document: &Document, data: &Value) -> Result<Vec<Solid>, Complain
         let guid = block["guid"].as_str().unwrap_or_default();
         let own = &block["data"];
         let is_support = node["is_support"].as_bool().or(unsaid);
-        let mut solid = Solid {
+        let solid = Solid {
             name: name_of(&own["attributes"]["name"], &Value::Null, key),
             guid: printable(guid),
             place: found(document, guid),
-            vertices: Vec::new(),
-            faces: Vec::new(),
             is_support: is_support.unwrap_or(false),
-            density: None,
+            ..Solid::default()
         };
-        mesh(&mut solid, own)?;
-        sound(solid)
+        with_mesh(solid, own)
     };
     nodes.iter().map(solid).collect()
 }
@@ -145,18 +142,8 @@ fn name_of(own: &Value, outer: &Value, number: &str) -> String {
     printable(given.next().unwrap_or(number))
 }
 
-/// Gives a mark to every name that was there before.
-fn named_apart(solids: &mut [Solid]) {
-    let mut known = HashSet::new();
-    for solid in solids {
-        while !known.insert(solid.name.clone()) {
-            solid.name.push('\'');
-        }
-    }
-}
-
-/// Vertices and faces of a mesh; what is missing or of another kind stays out, and [`sound`] tells.
-fn mesh(solid: &mut Solid, data: &Value) -> Result<(), Complaint> {
+/// The block with the vertices and faces of a mesh, which has to be that of a solid.
+fn with_mesh(mut solid: Solid, data: &Value) -> Result<Solid, Complaint> {
     let unsaid = &data["default_vertex_attributes"];
     let mut places = BTreeMap::new();
     for (place, (key, vertex)) in numbered(&data["vertex"]).into_iter().enumerate() {
@@ -191,11 +178,6 @@ fn mesh(solid: &mut Solid, data: &Value) -> Result<(), Complaint> {
             solid.complain(&title).help(HELP)
         })?);
     }
-    Ok(())
-}
-
-/// A block with a mesh.
-fn sound(solid: Solid) -> Result<Solid, Complaint> {
     if solid.faces.is_empty() || solid.vertices.len() < 6 {
         let title = format!("the block `{}` has no mesh of a solid", solid.name);
         let help = "give it a closed mesh as its geometry; solids of other kinds are not read";

@@ -8,6 +8,7 @@ use crate::case::complaint::Complaint;
 pub(super) type Point3 = [f64; 3];
 
 /// A block of a model, in the model's coordinates.
+#[derive(Default)]
 pub(super) struct Solid {
     pub name: String,
     /// COMPAS's own name for it, which no other object has.
