@@ -1,15 +1,12 @@
-//! Bodies that are near enough to touch, found by a tree of boxes.
+//! Bodies that are near enough to touch, found by a sweep along the longer side of all.
 
-use super::polygon::{Point, Polygon, Vector};
-
-/// Most bodies of a leaf of the tree.
-const LEAF: usize = 8;
+use super::polygon::{Point, Polygon, Vector, bounds_of};
 
 /// Pairs whose bounding boxes meet within `tolerance`: (body, block) with the body first in the
 /// order supports, blocks. Sorted.
 ///
-/// The work is that of a search in a tree for each body: it grows with the number of bodies and of
-/// pairs, whichever way the bodies are spread.
+/// Each body is compared with those that begin beside it along the axis that the blocks spread over
+/// more: in a square wall of n blocks with some √n others.
 pub(crate) fn close_pairs(
     tolerance: f64,
     shapes: &[&Polygon],
@@ -19,34 +16,25 @@ pub(crate) fn close_pairs(
     let grown = |shape: &Polygon| {
         let margin = Vector::repeat(tolerance * extent(shape));
         let (low, high) = shape.bounds();
-        Bounds {
-            low: low - margin,
-            high: high + margin,
-        }
+        (low - margin, high + margin)
     };
-    let boxes: Vec<Bounds> = bodies.map(grown).collect();
+    let boxes: Vec<(Point, Point)> = bodies.map(grown).collect();
+    let (low, high) = bounds_of(shapes.iter().copied());
+    let axis = usize::from(high.y - low.y > high.x - low.x);
     let mut order: Vec<usize> = (0..boxes.len()).collect();
-    let mut nodes = Vec::new();
-    if !order.is_empty() {
-        build(&boxes, &mut order, 0, &mut nodes);
-    }
+    order.sort_by(|&a, &b| boxes[a].0[axis].total_cmp(&boxes[b].0[axis]));
     let mut pairs = Vec::new();
-    let mut open: Vec<usize> = Vec::new();
-    // Two supports make no joint, so only blocks look for what they meet.
-    for body in supports.len()..boxes.len() {
-        open.extend((!nodes.is_empty()).then_some(0));
-        while let Some(node) = open.pop() {
-            let node: &Node = &nodes[node];
-            if !node.bounds.meets(&boxes[body]) {
-                continue;
-            }
-            match &node.inside {
-                Inside::Nodes(children) => open.extend(children),
-                Inside::Bodies(range) => pairs.extend(
-                    (order[range.clone()].iter())
-                        .filter(|&&other| other < body && boxes[other].meets(&boxes[body]))
-                        .map(|&other| (other, body - supports.len())),
-                ),
+    for (place, &one) in order.iter().enumerate() {
+        let (low, high) = boxes[one];
+        let beside = order[place + 1..].iter();
+        let beside = beside.take_while(|&&other| boxes[other].0[axis] <= high[axis]);
+        for &other in beside {
+            let (l, h) = boxes[other];
+            let (first, last) = (one.min(other), one.max(other));
+            // Two supports make no joint.
+            let has_block = last >= supports.len();
+            if has_block && (0..2).all(|k| low[k] <= h[k] && l[k] <= high[k]) {
+                pairs.push((first, last - supports.len()));
             }
         }
     }
@@ -58,69 +46,6 @@ pub(crate) fn close_pairs(
 pub(crate) fn extent(shape: &Polygon) -> f64 {
     let (low, high) = shape.bounds();
     (high - low).norm()
-}
-
-/// A box along the axes.
-#[derive(Clone, Copy)]
-struct Bounds {
-    low: Point,
-    high: Point,
-}
-
-impl Bounds {
-    fn meets(&self, other: &Bounds) -> bool {
-        (0..2).all(|k| self.low[k] <= other.high[k] && other.low[k] <= self.high[k])
-    }
-
-    fn with(self, other: Bounds) -> Bounds {
-        Bounds {
-            low: self.low.inf(&other.low),
-            high: self.high.sup(&other.high),
-        }
-    }
-}
-
-/// A node of the tree and the box about all that is below it.
-struct Node {
-    bounds: Bounds,
-    inside: Inside,
-}
-
-enum Inside {
-    Nodes([usize; 2]),
-    /// A range of the order of bodies.
-    Bodies(std::ops::Range<usize>),
-}
-
-/// Builds the node of the bodies in `order`, which begin at `first` of the whole order, and all below
-/// it; gives its place. The half of the bodies with the lower middles goes to one side, along the
-/// axis that the middles spread over more.
-fn build(boxes: &[Bounds], order: &mut [usize], first: usize, nodes: &mut Vec<Node>) -> usize {
-    let middle = |body: usize, axis: usize| boxes[body].low[axis] + boxes[body].high[axis];
-    let all = order.iter().map(|&body| boxes[body]);
-    let node = Node {
-        bounds: all.reduce(Bounds::with).expect("a node has bodies"),
-        inside: Inside::Bodies(first..first + order.len()),
-    };
-    let place = nodes.len();
-    nodes.push(node);
-    if order.len() > LEAF {
-        let spread = |axis: usize| {
-            let middles = order.iter().map(|&body| middle(body, axis));
-            middles.clone().fold(f64::NEG_INFINITY, f64::max)
-                - middles.fold(f64::INFINITY, f64::min)
-        };
-        let axis = usize::from(spread(1) > spread(0));
-        let half = order.len() / 2;
-        order.select_nth_unstable_by(half, |&a, &b| {
-            middle(a, axis).total_cmp(&middle(b, axis)).then(a.cmp(&b))
-        });
-        let (low, high) = order.split_at_mut(half);
-        let low = build(boxes, low, first, nodes);
-        let high = build(boxes, high, first + half, nodes);
-        nodes[place].inside = Inside::Nodes([low, high]);
-    }
-    place
 }
 
 #[cfg(test)]
@@ -149,7 +74,7 @@ mod tests {
 
     /// Blocks of very different size, in a row, in a tower and scattered, on two supports.
     #[test]
-    fn the_tree_finds_what_comparing_all_finds() {
+    fn the_sweep_finds_what_comparing_all_finds() {
         let mut state = 0x9E37_79B9_7F4A_7C15_u64;
         let mut noise = |most: f64| {
             state ^= state << 13;
