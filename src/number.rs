@@ -1,5 +1,11 @@
 //! The one number formatter of tables, records, CSV and JSON.
 
+/// The least and the largest of these values; of none, ends that cross.
+pub fn ends_of(values: impl Iterator<Item = f64>) -> [f64; 2] {
+    let none = [f64::INFINITY, f64::NEG_INFINITY];
+    values.fold(none, |[low, high], value| [low.min(value), high.max(value)])
+}
+
 /// `value` with fixed decimals, never a negative zero; "-" where it is not finite.
 pub fn number(value: f64, decimals: usize) -> String {
     if !value.is_finite() {

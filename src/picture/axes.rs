@@ -4,7 +4,7 @@ use super::palette::{GRID, INK};
 use super::plot::Ticks;
 use super::svg::{Anchor, Path, Pixel, Svg, style};
 use super::words::text_width;
-use crate::number::{nine_digits, number};
+use crate::number::{ends_of, nine_digits, number};
 
 const FONT: f64 = 12.0;
 
@@ -97,12 +97,6 @@ pub fn scale(ticks: &Ticks, values: impl Iterator<Item = f64>) -> ([f64; 2], Vec
             ([ticks[0].0, ticks[ticks.len() - 1].0], ticks)
         }
     }
-}
-
-/// The least and the largest of these values; of none, ends that cross.
-pub fn ends_of(values: impl Iterator<Item = f64>) -> [f64; 2] {
-    let none = [f64::INFINITY, f64::NEG_INFINITY];
-    values.fold(none, |[low, high], value| [low.min(value), high.max(value)])
 }
 
 fn power_of_ten(power: i32) -> String {

@@ -36,7 +36,6 @@ mod view;
 mod wall;
 mod words;
 
-pub(crate) use axes::ends_of;
 pub(crate) use cells::{Cells, Field, PictureCell, cells};
 pub(crate) use figure::common_size;
 pub(crate) use legend::Sample;

@@ -1,7 +1,7 @@
 //! Ranges below one another over one axis, near enough to be told apart; above them, where one range
 //! is much wider than the others, all of them over its whole length (the paper's Fig. 6).
 
-use super::axes::{Area, ends_of, round_ticks};
+use super::axes::{Area, round_ticks};
 use super::legend::{self, Sample};
 use super::marks::{Filling, mark};
 use super::palette::{FAINT, INK};
@@ -9,7 +9,7 @@ use super::svg::{Anchor, Path, Pixel, Svg, style};
 use super::words::text_width;
 use super::words::written;
 use crate::method::{Look, Mark, look};
-use crate::number::number;
+use crate::number::{ends_of, number};
 
 /// Pixels of the picture, of a range, and of what is left, right of and below all of them.
 const WIDTH: f64 = 480.0;

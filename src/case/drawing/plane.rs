@@ -5,6 +5,7 @@ use nalgebra::Vector2;
 use super::paths::{Path, complain};
 use super::placing::Spatial;
 use crate::case::complaint::Complaint;
+use crate::number::ends_of;
 use crate::scene::Point;
 
 /// Paths that are this flat, as a part of the drawing's size, lie in a plane.
@@ -19,12 +20,7 @@ pub(super) fn flatten(paths: &mut [Path], remarks: &mut Vec<String>) -> Result<(
     };
     let size = corners().map(|p| (p - first).norm()).fold(0.0, f64::max);
     let is_level = |path: &Path| {
-        let (low, high) = path
-            .in_space
-            .iter()
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |ends, p| {
-                (p.z.min(ends.0), p.z.max(ends.1))
-            });
+        let [low, high] = ends_of(path.in_space.iter().map(|p| p.z));
         high - low <= FLAT * size
     };
     if paths.iter().all(is_level) {

@@ -6,11 +6,10 @@ use super::measurement::Measurement;
 use super::reference::DIGITS;
 use crate::answer::Bracket;
 use crate::method::{Look, METHODS, method_look};
-use crate::number::short;
+use crate::number::{ends_of, short};
 use crate::picture::palette::{FRONT, INK, NO_ANSWER};
 use crate::picture::{
-    Filling, Line, Plot, PlotAxis, PlotPoint, Sample, Ticks, dashed_line, ends_of, plots,
-    solid_line,
+    Filling, Line, Plot, PlotAxis, PlotPoint, Sample, Ticks, dashed_line, plots, solid_line,
 };
 use crate::run::{Partial, titled};
 

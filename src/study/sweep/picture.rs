@@ -3,11 +3,10 @@
 use super::curves::{KNOWN, curves, heading};
 use super::points::{SweepTable, Variable, VariableKind};
 use crate::method::{Mark, look};
-use crate::number::number;
+use crate::number::{ends_of, number};
 use crate::picture::palette::{INK, SCALE, tone_of};
 use crate::picture::{
-    Cells, Field, Filling, PictureCell, Plot, Sample, cells, dashed_line, ends_of, plots,
-    share_axes,
+    Cells, Field, Filling, PictureCell, Plot, Sample, cells, dashed_line, plots, share_axes,
 };
 use crate::run::Value;
 

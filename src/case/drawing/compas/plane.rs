@@ -2,6 +2,7 @@
 
 use super::solid::{Point3, Solid};
 use crate::case::complaint::Complaint;
+use crate::number::ends_of;
 use crate::scene::Point;
 
 /// Levels and outlines agree within this part of a block's extent.
@@ -67,9 +68,7 @@ pub(super) fn prisms(solids: &[Solid], remarks: &mut Vec<String>) -> Result<Vec<
         match across(solids, &plane) {
             Err(complaint) => refused = refused.or(Some(complaint)),
             Ok(prisms) => {
-                let depths = prisms.iter().map(|prism| prism.depth);
-                let least = depths.clone().fold(f64::INFINITY, f64::min);
-                let largest = depths.fold(0.0, f64::max);
+                let [least, largest] = ends_of(prisms.iter().map(|prism| prism.depth));
                 let depth = match largest - least <= SAME * largest {
                     true => format!("{largest}"),
                     false => format!("{least} to {largest}"),
@@ -125,8 +124,7 @@ fn across(solids: &[Solid], plane: &Plane) -> Result<Vec<Prism>, Complaint> {
             .iter()
             .map(|&vertex| plane.level(vertex))
             .collect();
-        let low = levels.iter().copied().fold(f64::INFINITY, f64::min);
-        let high = levels.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let [low, high] = ends_of(levels.iter().copied());
         let (depth, middle) = (high - low, f64::midpoint(low, high));
         let (depth_of_first, middle_of_first) = *first.get_or_insert((depth, middle));
         let beside = (middle - middle_of_first).abs();

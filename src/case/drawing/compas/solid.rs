@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use crate::case::complaint::Complaint;
+use crate::number::ends_of;
 
 /// A point in space; z points up.
 pub(super) type Point3 = [f64; 3];
@@ -36,9 +37,8 @@ impl Solid {
     /// The diagonal of the box that holds it.
     pub fn extent(&self) -> f64 {
         let range = |axis: usize| {
-            let values = self.vertices.iter().map(|vertex| vertex[axis]);
-            let least = values.clone().fold(f64::INFINITY, f64::min);
-            values.fold(f64::NEG_INFINITY, f64::max) - least
+            let [least, largest] = ends_of(self.vertices.iter().map(|vertex| vertex[axis]));
+            largest - least
         };
         [0, 1, 2]
             .map(range)
