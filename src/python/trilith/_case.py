@@ -242,7 +242,7 @@ class Blocks(Case):
         name: str = "blocks",
         **keys: Any,
     ) -> None:
-        outlines = _named(polygons, "")
+        outlines = _named(polygons)
         held: set[str] = set()
         fixed: dict[str, Any] = {}
         if isinstance(supports, Mapping):
@@ -274,10 +274,10 @@ class Blocks(Case):
         super().__init__({"friction": friction, **keys, "support": support, "block": blocks}, name=name)
 
 
-def _named(polygons: Any, prefix: str) -> dict[str, Any]:
+def _named(polygons: Any) -> dict[str, Any]:
     if isinstance(polygons, Mapping):
         return {str(name): shape for name, shape in polygons.items()}
-    return {f"{prefix}{place}": shape for place, shape in enumerate(polygons)}
+    return {str(place): shape for place, shape in enumerate(polygons)}
 
 
 def _each(values: Any, outlines: Mapping[str, Any], what: str) -> dict[str, Any]:

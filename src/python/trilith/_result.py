@@ -18,30 +18,18 @@ class Answer:
     Attributes:
         data: everything that the program says of it, as ``base_shear``, ``tilt_degrees``,
             ``mechanism``, ``first_blocks``, ``methods``, ``doubts``.
+        lower: λ of the answer, or the lower end of its range; None where there is none.
+        upper: the upper end of its range, the same as ``lower`` for one number.
+        status: what it is worth: ``"verified"``, ``"bracketed"``, ``"estimate"``, ``"stands"``, ...
+        push: the direction that it is about, of a wall that is pushed both ways the weaker one.
     """
 
     def __init__(self, data: dict[str, Any]) -> None:
         self.data = data
-
-    @property
-    def lower(self) -> float | None:
-        """λ of the answer, or the lower end of its range; None where there is none."""
-        return self.data["lower"]  # type: ignore[no-any-return]
-
-    @property
-    def upper(self) -> float | None:
-        """The upper end of its range, the same as ``lower`` for one number."""
-        return self.data["upper"]  # type: ignore[no-any-return]
-
-    @property
-    def status(self) -> str:
-        """What it is worth: ``"verified"``, ``"bracketed"``, ``"estimate"``, ``"stands"``, ..."""
-        return self.data["status"]  # type: ignore[no-any-return]
-
-    @property
-    def push(self) -> str:
-        """The direction that it is about, of a wall that is pushed both ways the weaker one."""
-        return self.data["push"]  # type: ignore[no-any-return]
+        self.lower: float | None = data["lower"]
+        self.upper: float | None = data["upper"]
+        self.status: str = data["status"]
+        self.push: str = data["push"]
 
     def __getitem__(self, key: str) -> Any:
         return self.data[key]
@@ -111,6 +99,18 @@ class Result:
     Attributes:
         data: the program's row.
         of: the case that was handed to `run`.
+        case: the case's name, with ``@open`` behind it for open head joints.
+        method: the method's name.
+        head_joints: what head joints carry: ``"contact"`` or ``"open"``.
+        status: ``"verified"``, ``"bracketed"``, ``"estimate"``, ``"stands"``, ``"falls"``,
+            ``"undecided"``, ``"not-applicable"`` or ``"failed"``.
+        lower: the collapse multiplier λ, or the lower end of its range; None where there is none.
+            Without dimension. Of a wall that is pushed both ways it is the weaker side's. What the
+            ends are depends on the method: README.md has the table.
+        upper: the upper end of the range of λ; None where there is none.
+        stated_error: the error of λ that the method itself states, relative to λ (0.002 is 0.2 %).
+        reason: why, in words; may be empty.
+        seconds: CPU time.
     """
 
     def __init__(self, data: dict[str, Any], of: Case, pushed: Case) -> None:
@@ -118,56 +118,15 @@ class Result:
         self.of = of
         # The same, pushed as `run` was told to.
         self.pushed = pushed
-
-    @property
-    def case(self) -> str:
-        """The case's name, with ``@open`` behind it for open head joints."""
-        return self.data["case"]  # type: ignore[no-any-return]
-
-    @property
-    def method(self) -> str:
-        """The method's name."""
-        return self.data["method"]  # type: ignore[no-any-return]
-
-    @property
-    def head_joints(self) -> str:
-        """What head joints carry: ``"contact"`` or ``"open"``."""
-        return self.data["head_joints"]  # type: ignore[no-any-return]
-
-    @property
-    def status(self) -> str:
-        """``"verified"``, ``"bracketed"``, ``"estimate"``, ``"stands"``, ``"falls"``, ``"undecided"``,
-        ``"not-applicable"`` or ``"failed"``."""
-        return self.data["status"]  # type: ignore[no-any-return]
-
-    @property
-    def lower(self) -> float | None:
-        """The collapse multiplier λ, or the lower end of its range; None where there is none.
-
-        Without dimension. Of a wall that is pushed both ways it is the weaker side's. What the ends
-        are depends on the method: README.md has the table.
-        """
-        return self.data["lower"]  # type: ignore[no-any-return]
-
-    @property
-    def upper(self) -> float | None:
-        """The upper end of the range of λ; None where there is none."""
-        return self.data["upper"]  # type: ignore[no-any-return]
-
-    @property
-    def stated_error(self) -> float | None:
-        """The error of λ that the method itself states, relative to λ (0.002 is 0.2 %)."""
-        return self.data["stated_error"]  # type: ignore[no-any-return]
-
-    @property
-    def reason(self) -> str:
-        """Why, in words; may be empty."""
-        return self.data["reason"]  # type: ignore[no-any-return]
-
-    @property
-    def seconds(self) -> float:
-        """CPU time."""
-        return self.data["seconds"]  # type: ignore[no-any-return]
+        self.case: str = data["case"]
+        self.method: str = data["method"]
+        self.head_joints: str = data["head_joints"]
+        self.status: str = data["status"]
+        self.lower: float | None = data["lower"]
+        self.upper: float | None = data["upper"]
+        self.stated_error: float | None = data["stated_error"]
+        self.reason: str = data["reason"]
+        self.seconds: float = data["seconds"]
 
     @property
     def sides(self) -> list[Side]:
