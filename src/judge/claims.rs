@@ -116,6 +116,11 @@ impl<'a> Claims<'a> {
         of_role.copied().collect()
     }
 
+    /// The answers that the judge has verified as collapse states.
+    pub fn verified_states(&self) -> impl Iterator<Item = &Answered<'a>> {
+        self.answered.iter().filter(|answer| answer.has_state())
+    }
+
     /// The scene's unit of λ.
     pub fn unit(&self) -> f64 {
         self.unit

@@ -132,38 +132,29 @@ fn of_answer(claims: &Claims, basis: Basis, answer: &Answered) -> Conclusion {
 
 /// The best multiplier that is proved: a state before a bound.
 fn proved<'a>(claims: &Claims<'a>) -> Option<(Basis, Answered<'a>)> {
-    let answered = || claims.answered.iter();
-    let states = || answered().filter(|answer| answer.has_state());
-    let least = states().map(|answer| answer.bracket.lower);
+    let least = claims.verified_states().map(|answer| answer.bracket.lower);
     let least = least.fold(f64::INFINITY, f64::min);
     // Of those that differ by rounding alone, whose business it is: it must not depend on the machine.
     let as_low = |answer: &&Answered| {
         claims.excess(answer.bracket.lower, least) <= claims.proof_slack(least)
     };
-    let lowest = states()
-        .filter(as_low)
-        .min_by_key(|answer| match answer.role {
-            Role::States => 0,
-            Role::Enclosure => 1,
-            _ => 2,
-        });
-    let bound = answered()
-        .filter(|answer| answer.role == Role::Bounds)
-        .min_by(|a, b| a.bracket.upper.total_cmp(&b.bracket.upper));
+    let as_low = claims.verified_states().filter(as_low);
+    let lowest = as_low.min_by_key(|answer| match answer.role {
+        Role::States => 0,
+        Role::Enclosure => 1,
+        _ => 2,
+    });
+    let bounds = claims.of_role(Role::Bounds).into_iter();
+    let bound = bounds.min_by(|a, b| a.bracket.upper.total_cmp(&b.bracket.upper));
     let lowest = lowest.map(|answer| (Basis::LowestState, *answer));
-    lowest.or(bound.map(|answer| (Basis::UpperBound, *answer)))
+    lowest.or(bound.map(|answer| (Basis::UpperBound, answer)))
 }
 
 /// The best multiplier without a proof: what was seen before numbers.
 fn unproved<'a>(claims: &Claims<'a>) -> Option<(Basis, Answered<'a>)> {
     let of_role = |role| {
-        let of_role = claims
-            .answered
-            .iter()
-            .filter(move |answer| answer.role == role);
-        of_role
-            .copied()
-            .find(|answer| !is_impossible(claims, answer))
+        let mut of_role = claims.of_role(role).into_iter();
+        of_role.find(|answer| !is_impossible(claims, answer))
     };
     let roles = [
         (Basis::Observed, Role::Observed),
@@ -180,8 +171,7 @@ fn unproved<'a>(claims: &Claims<'a>) -> Option<(Basis, Answered<'a>)> {
 
 /// The highest verified state, where it is another than the lowest.
 fn highest_state(claims: &Claims, lowest: &Answered) -> Option<f64> {
-    let states = claims.answered.iter().filter(|answer| answer.has_state());
-    let highest = states.map(|answer| match answer.role {
+    let highest = claims.verified_states().map(|answer| match answer.role {
         Role::Enclosure => answer.bracket.lower,
         _ => answer.bracket.upper,
     });
@@ -254,12 +244,9 @@ fn against_any(claims: &Claims) -> Vec<Doubt> {
         by: answer.name.to_owned(),
         lambda: answer.bracket.lower,
     });
-    let outside = claims
-        .answered
-        .iter()
-        .filter(|answer| answer.role == Role::Number);
+    let outside = claims.of_role(Role::Number).into_iter();
     let excluded = outside.filter_map(|answer| {
-        let (floor, least) = excluding(claims, answer)?;
+        let (floor, least) = excluding(claims, &answer)?;
         Some(Doubt::Excluded {
             by: answer.name.to_owned(),
             lambda: answer.bracket.upper,

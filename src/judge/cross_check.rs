@@ -74,17 +74,16 @@ fn in_searched<'a>(claims: &Claims<'a>) -> Vec<Said<'a>> {
 
 /// Answers that deny states, all or those below a bound, against the states that are verified.
 fn beside_states<'a>(claims: &Claims<'a>) -> Vec<Said<'a>> {
-    let states = verified_states(claims);
     let mut said = Vec::new();
     for &(name, outcome) in claims.answers {
         if outcome.status == Status::Stands {
             let beside = |state| (name, stands_beside_state(name, outcome, state));
-            said.extend(states.iter().map(beside));
+            said.extend(claims.verified_states().map(beside));
         }
     }
     for floor in claims.answered.iter().filter(|a| a.floor.is_some()) {
-        let above = states.iter();
-        let above = above.filter_map(|state| above_floor(claims, floor, state));
+        let above =
+            (claims.verified_states()).filter_map(|state| above_floor(claims, floor, state));
         said.extend(above.map(|check| (floor.name, check)));
     }
     said
@@ -132,12 +131,6 @@ fn each_by_itself<'a>(claims: &Claims<'a>) -> Vec<Said<'a>> {
     let unproved =
         unproved.filter_map(|&(name, outcome)| Some((name, claims_without_proof(name, outcome)?)));
     implausible.chain(unproved).collect()
-}
-
-/// The answers that the judge has verified as collapse states.
-fn verified_states<'a>(claims: &Claims<'a>) -> Vec<Answered<'a>> {
-    let states = claims.answered.iter().filter(|answer| answer.has_state());
-    states.copied().collect()
 }
 
 /// Without dilatancy a scene that stands has no collapse state; with associative friction it may.
@@ -244,7 +237,7 @@ fn number_below_bound(claims: &Claims, bound: &Answered, value: &Answered) -> (S
     let (name, bound) = (value.name, bound.name);
     let Bracket { lower, upper } = value.bracket;
     let [low, high] = [lower, upper].map(|lambda| claims.excess(lambda, most));
-    let states = verified_states(claims).into_iter();
+    let states = claims.verified_states();
     let states = states.map(|state| state.bracket.lower).reduce(f64::min);
     let low_of_all = states.filter(|&least| claims.is_below(upper, stated, least));
     if let (Some(least), true) = (low_of_all, high <= 1e-6) {
