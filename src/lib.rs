@@ -25,7 +25,7 @@
 //!     settings: method::Settings::default(),
 //!     head_joints: None, // those of the case: in contact, then open
 //! };
-//! let results = run::run(&cases, &plan, &());
+//! let results = run::run(&cases, &plan, &|_| {});
 //! let row = &results[0].rows[0];
 //! assert_eq!(row.status(), Status::Verified); // the judge's word, and not the method's
 //! let lambda = row.bracket().expect("verified with both ends");

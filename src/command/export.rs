@@ -99,7 +99,7 @@ fn with_answer(case: &Case, method: &str, is_dxf: bool) -> Result<String, Stop> 
         settings: Settings::default(),
         head_joints: None,
     };
-    let results = run(std::slice::from_ref(case), &plan, &());
+    let results = run(std::slice::from_ref(case), &plan, &|_| {});
     let result = results.first();
     let Some((result, row)) = result.and_then(|result| Some((result, result.rows.first()?))) else {
         return Err(Stop::bad_input("error: there is nothing to draw"));

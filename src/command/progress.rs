@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use super::screen::tells_progress;
 use crate::method::SoFar;
 use crate::number::{below, number};
-use crate::run::{Progress, Remaining, Row, Task};
+use crate::run::{Event, Remaining, Row, Task};
 use indicatif::{ProgressBar, ProgressState, ProgressStyle};
 
 /// A bar that fills with the seconds expected of the work: tasks differ much in length. In a pipe,
@@ -71,22 +71,23 @@ impl Bar {
     fn known(&self) -> std::sync::MutexGuard<'_, Known> {
         self.known.lock().expect("no other thread panicked")
     }
-}
 
-impl Progress for Bar {
-    fn expected(&self, seconds: f64) {
-        self.known().remaining.expect(seconds);
+    pub(super) fn tell(&self, event: Event) {
+        match event {
+            Event::Expected(seconds) => self.known().remaining.expect(seconds),
+            Event::Known(_) => {}
+            Event::Begun(task) => {
+                let mut known = self.known();
+                let now = known.now();
+                let expected = [task.expected_seconds(), task.seconds_alone()];
+                known.remaining.begin(task.id(), expected, now);
+            }
+            Event::Proved(task, so_far) => self.proved(task, &so_far()),
+            Event::Done(task, row) => self.done(task, row),
+        }
     }
 
-    fn begun(&self, task: &Task) {
-        let mut known = self.known();
-        let now = known.now();
-        let expected = [task.expected_seconds(), task.seconds_alone()];
-        known.remaining.begin(task.id(), expected, now);
-    }
-
-    fn proved(&self, task: &Task, so_far: &dyn Fn() -> SoFar) {
-        let so_far = so_far();
+    fn proved(&self, task: &Task, so_far: &SoFar) {
         let (lower, state) = (below(so_far.proved.lower, 6), number(so_far.state, 6));
         if tells_progress() {
             let (name, push) = (task.scene_name(), so_far.push.name());

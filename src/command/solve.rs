@@ -6,8 +6,9 @@ use std::path::Path;
 use std::sync::Mutex;
 
 use crate::case::Case;
-use crate::method::SoFar;
-use crate::run::{CaseResult, CaseRuns, Journal, Keeps, Partial, Plan, Progress, Proof, Row, Task};
+use crate::run::{
+    CaseResult, CaseRuns, Event, Journal, Keeps, Partial, Plan, Progress, Proof, Row,
+};
 
 use super::progress::Bar;
 use super::screen::tell;
@@ -72,7 +73,11 @@ pub(super) fn solve(
         };
         tell(why, &runs, journal.as_ref(), handed_out);
     };
-    or_leave(&bar, || runs.run(journal.as_ref(), &bar, &show), leave)?;
+    or_leave(
+        &bar,
+        || runs.run(journal.as_ref(), &|event| bar.tell(event), &show),
+        leave,
+    )?;
     let (results, _) = runs.finished();
     let failed = failed.lock().expect("showing does not panic").take();
     let handed_out = hand_out(&results, None);
@@ -125,42 +130,6 @@ fn tell_of(handed_out: Result<(), Stop>) {
     }
 }
 
-/// A bar that also keeps the finished rows.
-struct Kept {
-    bar: Bar,
-    rows: Mutex<Vec<Row>>,
-}
-
-impl Kept {
-    fn add(&self, row: &Row) {
-        let mut rows = self.rows.lock().expect("no other thread panicked");
-        rows.push(row.clone());
-    }
-}
-
-impl Progress for Kept {
-    fn expected(&self, seconds: f64) {
-        self.bar.expected(seconds);
-    }
-
-    fn known(&self, _: &Task, row: &Row) {
-        self.add(row);
-    }
-
-    fn begun(&self, task: &Task) {
-        self.bar.begun(task);
-    }
-
-    fn proved(&self, task: &Task, so_far: &dyn Fn() -> SoFar) {
-        self.bar.proved(task, so_far);
-    }
-
-    fn done(&self, task: &Task, row: &Row) {
-        self.bar.done(task, row);
-        self.add(row);
-    }
-}
-
 /// Runs `work` with progress and hands its rows out. On a signal, or where the journal cannot be
 /// written, the finished rows are handed out with the reason, and standard error says so.
 ///
@@ -168,16 +137,21 @@ impl Progress for Kept {
 /// Where results cannot be handed out, or the journal cannot be written.
 pub(super) fn run_study<T>(
     journal: &Journal,
-    work: impl FnOnce(&dyn Progress) -> io::Result<Vec<Row>> + Send,
+    work: impl FnOnce(&Progress) -> io::Result<Vec<Row>> + Send,
     hand_out: impl Fn(Vec<Row>, Option<&str>) -> Result<T, Stop>,
 ) -> Result<T, Stop> {
-    let kept = Kept {
-        bar: Bar::new(),
-        rows: Mutex::default(),
+    let bar = Bar::new();
+    let kept: Mutex<Vec<Row>> = Mutex::default();
+    let kept = || kept.lock().expect("no other thread panicked");
+    let tell = |event: Event| {
+        bar.tell(event);
+        if let Event::Known(row) | Event::Done(_, row) = event {
+            kept().push(row.clone());
+        }
     };
     let leave = |why: &str| {
-        kept.bar.clear();
-        let rows = kept.rows.lock().expect("no other thread panicked").clone();
+        bar.clear();
+        let rows = kept().clone();
         let finished = rows.len();
         let handed_out = match finished {
             0 => Ok(()),
@@ -189,7 +163,7 @@ pub(super) fn run_study<T>(
             "{why}: {finished} results are finished; run the same command again to go on from {path}"
         );
     };
-    let rows = or_leave(&kept.bar, || work(&kept), leave)?;
+    let rows = or_leave(&bar, || work(&tell), leave)?;
     hand_out(rows, None)
 }
 

@@ -255,7 +255,7 @@ mod tests {
             settings: Settings::default(),
             head_joints: None,
         };
-        run(&cases, &plan, &()).remove(0)
+        run(&cases, &plan, &|_| {}).remove(0)
     }
 
     fn said(result: &CaseResult) -> String {

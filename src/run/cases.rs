@@ -8,8 +8,8 @@ use std::sync::{Mutex, OnceLock};
 use super::execute::run_tasks;
 use super::journal::Journal;
 use super::kept::Keeps;
-use super::progress::Progress;
-use super::proofs::{LastProofs, Proof, Proofs};
+use super::progress::{Event, Progress};
+use super::proofs::{LastProofs, Proof, keeping};
 use super::results::{CaseResult, CaseScenes, Plan};
 use super::row::Row;
 use super::schedule::InOrder;
@@ -17,7 +17,7 @@ use super::task::{Subject, Task};
 use crate::case::Case;
 
 /// Runs every method of the plan on every scene of every case, on all cores, and judges them.
-pub fn run(cases: &[Case], plan: &Plan, progress: &dyn Progress) -> Vec<CaseResult> {
+pub fn run(cases: &[Case], plan: &Plan, progress: &(dyn Fn(Event) + Sync)) -> Vec<CaseResult> {
     let scenes = plan.scenes(cases);
     let runs = CaseRuns::new(cases, &scenes, plan);
     // Without a journal nothing can fail.
@@ -83,7 +83,7 @@ impl<'a> CaseRuns<'a> {
     pub fn run(
         &self,
         journal: Option<&Journal>,
-        progress: &dyn Progress,
+        progress: &Progress,
         show: &(dyn Fn(&CaseResult) + Sync),
     ) -> io::Result<()> {
         let complete = |case: usize| {
@@ -108,7 +108,7 @@ impl<'a> CaseRuns<'a> {
             &self.case_of,
             keeps,
             journal,
-            &Proofs::new(&self.proofs, progress),
+            &keeping(&self.proofs, progress),
             &finished,
         )
     }

@@ -5,7 +5,7 @@ use std::sync::{Mutex, OnceLock};
 
 use super::journal::Journal;
 use super::kept::Keeps;
-use super::progress::Progress;
+use super::progress::{Event, Progress};
 use super::row::Row;
 use super::schedule::{Expected, next_and_longest};
 use super::task::Task;
@@ -14,12 +14,12 @@ use crate::method::{SoFar, Watch};
 /// Says of which task a proof is.
 struct Watched<'a, 'b> {
     task: &'a Task<'b>,
-    progress: &'a dyn Progress,
+    progress: &'a Progress<'a>,
 }
 
 impl Watch for Watched<'_, '_> {
     fn proved(&self, so_far: &dyn Fn() -> SoFar) {
-        self.progress.proved(self.task, so_far);
+        (self.progress)(Event::Proved(self.task, so_far));
     }
 }
 
@@ -35,7 +35,7 @@ pub fn run_tasks(
     turns: &[usize],
     keeps: Keeps,
     journal: Option<&Journal>,
-    progress: &dyn Progress,
+    progress: &Progress,
     finished: &(dyn Fn(usize, Row) + Sync),
 ) -> io::Result<()> {
     let mut open = Vec::new();
@@ -43,7 +43,7 @@ pub fn run_tasks(
         match journal.and_then(|journal| journal.get(task.id())) {
             Some(row) => {
                 finished(index, row.clone());
-                progress.known(task, row);
+                progress(Event::Known(row));
             }
             None => open.push(index),
         }
@@ -53,7 +53,8 @@ pub fn run_tasks(
         turn: turns.get(index).copied().unwrap_or(0),
     });
     let expected: Vec<Expected> = expected.collect();
-    progress.expected(open.iter().map(|&i| tasks[i].expected_seconds()).sum());
+    let seconds = open.iter().map(|&index| tasks[index].expected_seconds());
+    progress(Event::Expected(seconds.sum()));
     let error: Mutex<Option<io::Error>> = Mutex::new(None);
     next_and_longest(&expected, |place| {
         let index = open[place];
@@ -61,14 +62,14 @@ pub fn run_tasks(
         if has_failed {
             return;
         }
-        progress.begun(&tasks[index]);
+        progress(Event::Begun(&tasks[index]));
         let watch = Watched {
             task: &tasks[index],
             progress,
         };
         let row = keeps.of(tasks[index].run(&watch));
         finished(index, row.clone());
-        progress.done(&tasks[index], &row);
+        progress(Event::Done(&tasks[index], &row));
         // Last, so that what the journal has is handed out too, should the program be told to end.
         if let Some(Err(e)) = journal.map(|journal| journal.append(&row)) {
             *error.lock().expect("no other thread panicked") = Some(e);
@@ -87,7 +88,7 @@ pub fn run_tasks(
 pub fn run_rows(
     tasks: &[Task],
     journal: Option<&Journal>,
-    progress: &dyn Progress,
+    progress: &Progress,
 ) -> io::Result<Vec<Row>> {
     let rows: Vec<OnceLock<Row>> = tasks.iter().map(|_| OnceLock::new()).collect();
     run_tasks(

@@ -4,23 +4,20 @@ use super::row::Row;
 use super::task::Task;
 use crate::method::SoFar;
 
-/// Who is told.
-pub trait Progress: Sync {
-    /// CPU seconds that tasks may take together, roughly, before the first of them begins.
-    fn expected(&self, _seconds: f64) {}
+/// Who is told what happens.
+pub type Progress<'a> = dyn Fn(Event) + Sync + 'a;
 
+/// What happens while tasks run.
+#[derive(Clone, Copy)]
+pub enum Event<'a, 't> {
+    /// The open tasks may take so many CPU seconds together, roughly; none has begun.
+    Expected(f64),
     /// A task was done before: a journal knows its row.
-    fn known(&self, _task: &Task, _row: &Row) {}
-
+    Known(&'a Row),
     /// A task is begun.
-    fn begun(&self, _task: &Task) {}
-
+    Begun(&'a Task<'t>),
     /// A task that goes on has proved a higher lower bound.
-    fn proved(&self, _task: &Task, _so_far: &dyn Fn() -> SoFar) {}
-
+    Proved(&'a Task<'t>, &'a dyn Fn() -> SoFar),
     /// A task is done.
-    fn done(&self, _task: &Task, _row: &Row) {}
+    Done(&'a Task<'t>, &'a Row),
 }
-
-/// Nobody.
-impl Progress for () {}

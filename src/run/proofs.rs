@@ -4,8 +4,7 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::Mutex;
 
-use super::progress::Progress;
-use super::row::Row;
+use super::progress::{Event, Progress};
 use super::stored::file_name;
 use super::task::Task;
 use crate::method::SoFar;
@@ -18,6 +17,17 @@ pub struct Proof {
     /// Name of the file for its certificate.
     pub file: String,
     pub so_far: SoFar,
+}
+
+impl Proof {
+    fn of(task: &Task, so_far: SoFar) -> Self {
+        let subject = task.subject();
+        Self {
+            scene: task.scene_name(),
+            file: file_name(&subject.case, subject.head_joints, so_far.push),
+            so_far,
+        }
+    }
 }
 
 impl fmt::Display for Proof {
@@ -38,60 +48,30 @@ impl fmt::Display for Proof {
     }
 }
 
-/// Keeps the last proof of each task and push until the task is done, and tells another progress all
-/// that it hears.
-pub struct Proofs<'a> {
-    last: &'a Mutex<LastProofs>,
-    progress: &'a dyn Progress,
-}
-
 /// The last proofs, by the id of the task and the direction of the push.
 pub type LastProofs = BTreeMap<(String, &'static str), Proof>;
 
-impl<'a> Proofs<'a> {
-    /// Keeps them in `last`.
-    pub fn new(last: &'a Mutex<LastProofs>, progress: &'a dyn Progress) -> Self {
-        Self { last, progress }
-    }
-}
-
-impl Progress for Proofs<'_> {
-    fn expected(&self, seconds: f64) {
-        self.progress.expected(seconds);
-    }
-
-    fn known(&self, task: &Task, row: &Row) {
-        self.progress.known(task, row);
-    }
-
-    fn begun(&self, task: &Task) {
-        self.progress.begun(task);
-    }
-
-    fn proved(&self, task: &Task, so_far: &dyn Fn() -> SoFar) {
-        let so_far = so_far();
-        // Rounding may leave nothing of it for motions of any size.
-        if so_far.proved.lower <= 0.0 {
-            return;
+/// Keeps the last proof of each task and push in `last` until the task is done, and tells another progress
+/// all that it hears.
+pub fn keeping<'a>(
+    last: &'a Mutex<LastProofs>,
+    progress: &'a Progress<'a>,
+) -> impl Fn(Event) + Sync + 'a {
+    let last = || last.lock().expect("no other thread panicked");
+    move |event| match event {
+        Event::Proved(task, so_far) => {
+            let so_far = so_far();
+            // Rounding may leave nothing of it for motions of any size.
+            if so_far.proved.lower > 0.0 {
+                let proof = Proof::of(task, so_far.clone());
+                last().insert((task.id().to_owned(), so_far.push.name()), proof);
+                progress(Event::Proved(task, &|| so_far.clone()));
+            }
         }
-        let subject = task.subject();
-        let (case, head_joints) = (&subject.case, subject.head_joints);
-        let proof = Proof {
-            scene: task.scene_name(),
-            file: file_name(case, head_joints, so_far.push),
-            so_far: so_far.clone(),
-        };
-        let of = (task.id().to_owned(), so_far.push.name());
-        let mut last = self.last.lock().expect("no other thread panicked");
-        last.insert(of, proof);
-        drop(last);
-        self.progress.proved(task, &|| so_far.clone());
-    }
-
-    fn done(&self, task: &Task, row: &Row) {
-        let mut last = self.last.lock().expect("no other thread panicked");
-        last.retain(|(id, _), _| id != task.id());
-        drop(last);
-        self.progress.done(task, row);
+        Event::Done(task, _) => {
+            last().retain(|(id, _), _| id != task.id());
+            progress(event);
+        }
+        Event::Expected(_) | Event::Known(_) | Event::Begun(_) => progress(event),
     }
 }

@@ -21,7 +21,7 @@ fn of(cells: &[Cell], verdict: CellVerdict) -> Vec<&Cell> {
 /// The cells of these methods on these grids.
 fn cells(grids: &[atlas::Grid], methods: &[&dyn Method]) -> Vec<Cell> {
     let atlas = Atlas::new(grids, methods);
-    let rows = run_rows(atlas.tasks(), None, &()).unwrap();
+    let rows = run_rows(atlas.tasks(), None, &|_| {}).unwrap();
     atlas.cells(&rows)
 }
 

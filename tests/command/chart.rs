@@ -9,7 +9,7 @@ use trilith::inside::{chart, chart::Chart, chart::Measurement};
 fn a_chart_shows_every_rung_with_its_error() {
     let cases = find("stack").unwrap();
     let planned = Chart::new(&cases, None, &[]);
-    let entries = planned.measurements(&planned.run(None, &()).unwrap());
+    let entries = planned.measurements(&planned.run(None, &|_| {}).unwrap());
     assert_eq!(entries.len(), chart::ladder(5, &[]).len());
     let of =
         |method: &str| -> &Measurement { entries.iter().find(|e| e.row.method == method).unwrap() };

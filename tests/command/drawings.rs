@@ -32,7 +32,7 @@ fn answer(case: &Case, method: &str) -> Outcome {
         settings: Settings::default(),
         head_joints: None,
     };
-    let mut results = run(std::slice::from_ref(case), &plan, &());
+    let mut results = run(std::slice::from_ref(case), &plan, &|_| {});
     results.remove(0).rows.remove(0).outcome
 }
 

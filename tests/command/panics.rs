@@ -40,7 +40,7 @@ fn results() -> Vec<CaseResult> {
         settings: Settings::default(),
         head_joints: Some(HeadJoints::Contact),
     };
-    run(&cases(), &plan, &())
+    run(&cases(), &plan, &|_| {})
 }
 
 /// One row failed, with what the panic said; the others hold.
@@ -97,7 +97,7 @@ fn in_a_sweep() {
     let tasks: Vec<Task> = (cases.iter().zip(&scenes))
         .flat_map(|(case, sides)| methods.map(|method| task(case, sides, method)))
         .collect();
-    let rows = run_rows(&tasks, None, &()).unwrap();
+    let rows = run_rows(&tasks, None, &|_| {}).unwrap();
     assert_one_failed(rows.iter(), 6);
     let text = sweep::SweepTable::of("", &rows, None).csv();
     assert_eq!(text.lines().count(), 7, "{text}");

@@ -23,7 +23,7 @@ fn results(cases: &[trilith::case::Case], names: &[&str]) -> Vec<CaseResult> {
         settings: Settings::default(),
         head_joints: None,
     };
-    run(cases, &plan, &())
+    run(cases, &plan, &|_| {})
 }
 
 /// Every drawing of a page.
@@ -79,7 +79,7 @@ fn the_librarys_pictures_are_clear() {
 fn assert_chart_is_clear(case: &str) {
     let cases = find(case).unwrap();
     let chart = Chart::new(&cases, None, &[]);
-    let entries = chart.measurements(&chart.run(None, &()).unwrap());
+    let entries = chart.measurements(&chart.run(None, &|_| {}).unwrap());
     let picture = chart::picture(&entries, None);
     let faults = faults(&picture);
     assert!(faults.is_empty(), "{faults:#?}");
@@ -105,7 +105,7 @@ fn the_charts_of_the_walls_are_clear() {
     }
     let cases = find("paper-1").unwrap();
     let chart = Chart::new(&cases, Some(HeadJoints::Contact), &[]);
-    let entries = chart.measurements(&chart.run(None, &()).unwrap());
+    let entries = chart.measurements(&chart.run(None, &|_| {}).unwrap());
     let error = |method: &str| {
         let mut own = entries.iter().filter(|entry| entry.row.method == method);
         let default = own.find(|entry| entry.setting() == "default");

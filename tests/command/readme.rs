@@ -106,7 +106,7 @@ fn solved() -> Solved {
         settings: method::Settings::default(),
         head_joints: Some(HeadJoints::Open),
     };
-    let results = run::run(&cases, &plan, &());
+    let results = run::run(&cases, &plan, &|_| {});
     let row = &results[0].rows[0];
     assert_eq!(row.status(), Status::Verified);
     let scene = results[0].scene(row).clone();

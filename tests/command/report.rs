@@ -21,7 +21,7 @@ fn results(cases: &[&str], methods: &[&str]) -> Vec<CaseResult> {
         settings,
         head_joints: Some(HeadJoints::Open),
     };
-    run(&cases, &plan, &())
+    run(&cases, &plan, &|_| {})
 }
 
 fn written(results: &[CaseResult], sweeps: &[SweepTable]) -> String {

@@ -38,7 +38,7 @@ pub fn assert_record(case: Case, name: &str, wanted: impl Fn(&str) -> bool) {
         settings: Settings::default(),
         head_joints: None,
     };
-    let results = trilith::run::run(&[case], &plan, &());
+    let results = trilith::run::run(&[case], &plan, &|_| {});
     let [result] = results.as_slice() else {
         panic!("one case gives one result");
     };

@@ -14,7 +14,7 @@ fn rows(name: &str, change: impl Fn(String) -> String) -> Vec<Row> {
     let changed = change(text.to_owned());
     assert_ne!(changed, text, "the change finds nothing to change");
     let sweep = Sweep::read(path, changed.as_bytes()).unwrap_or_else(|c| panic!("{c}"));
-    run_rows(&sweep.tasks(), None, &()).expect("no journal, no error")
+    run_rows(&sweep.tasks(), None, &|_| {}).expect("no journal, no error")
 }
 
 /// Both ends of a row that has a number.

@@ -27,7 +27,7 @@ fn result(case: &Case, names: &[&str]) -> CaseResult {
         settings: Settings::default(),
         head_joints: None,
     };
-    run(std::slice::from_ref(case), &plan, &()).remove(0)
+    run(std::slice::from_ref(case), &plan, &|_| {}).remove(0)
 }
 
 fn answer(case: &Case, method: &str) -> Outcome {

@@ -35,7 +35,7 @@ fn rows(names: &[&str]) -> Vec<Value> {
         settings,
         head_joints: None,
     };
-    let text = json_with_states(&run(&cases, &plan, &()), None);
+    let text = json_with_states(&run(&cases, &plan, &|_| {}), None);
     serde_json::from_str(&text).unwrap()
 }
 

@@ -133,7 +133,7 @@ impl<'a> Chart<'a> {
     ///
     /// # Errors
     /// Where the journal cannot be written.
-    pub fn run(&self, journal: Option<&Journal>, progress: &dyn Progress) -> io::Result<Vec<Row>> {
+    pub fn run(&self, journal: Option<&Journal>, progress: &Progress) -> io::Result<Vec<Row>> {
         let tasks: Vec<Task> = self.planned.iter().map(|planned| planned.task(0)).collect();
         let mut rows = run_rows(&tasks, journal, progress)?;
         let mut again = Vec::new();
