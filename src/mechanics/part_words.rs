@@ -3,7 +3,7 @@
 use super::mechanism::Motion;
 use super::moved::{Moved, STILL};
 use crate::number::short;
-use crate::scene::{Joint, JointClass, Point, Push, Side, Vector};
+use crate::scene::{Joint, JointClass, Point, Push, Side, Vector, bounds_of};
 
 /// Sizes of what moves beyond which a centre of rotation is so far away that nothing turns.
 const FAR: f64 = 20.0;
@@ -69,10 +69,8 @@ impl<'a> Moved<'a> {
     }
 
     fn bounds(&self, part: usize) -> (Point, Point) {
-        let shapes = self.parts[part].blocks.iter();
-        let mut boxes = shapes.map(|&block| self.scene.blocks()[block].shape.bounds());
-        let first = boxes.next().expect("a part has blocks");
-        boxes.fold(first, |(low, high), (l, h)| (low.inf(&l), high.sup(&h)))
+        let blocks = self.parts[part].blocks.iter();
+        bounds_of(blocks.map(|&block| &self.scene.blocks()[block].shape))
     }
 
     /// Joints of a part with other bodies.

@@ -63,11 +63,7 @@ impl<'a> Places<'a> {
             .filter(|&block| !self.scene.is_moving_support(block))
             .collect();
         if self.regions.is_empty() {
-            let rest: Vec<usize> = all
-                .iter()
-                .copied()
-                .filter(|b| !blocks.contains(b))
-                .collect();
+            let rest = without(&all, blocks);
             if MOST * rest.len() < all.len() {
                 let but = self.of(&rest).0;
                 return (format!("all but {but}"), true);
@@ -135,11 +131,7 @@ impl<'a> Places<'a> {
                 .map(|&block| shape(block).centroid().coords * shape(block).area());
             sum.sum::<nalgebra::Vector2<f64>>() / area
         };
-        let rest: Vec<usize> = all
-            .iter()
-            .copied()
-            .filter(|b| !blocks.contains(b))
-            .collect();
+        let rest = without(all, blocks);
         let boxes = all.iter().map(|&block| shape(block).bounds());
         let ends = boxes.reduce(|(low, high), (l, h)| (low.inf(&l), high.sup(&h)));
         let (Some((low, high)), false) = (ends, rest.is_empty()) else {
@@ -154,6 +146,11 @@ impl<'a> Places<'a> {
         let up = word(aside.y, size.y, ["upper ", "lower "]);
         format!("{up}{}", word(aside.x, size.x, ["right ", "left "]))
     }
+}
+
+fn without(all: &[usize], blocks: &[usize]) -> Vec<usize> {
+    let all = all.iter().copied();
+    all.filter(|block| !blocks.contains(block)).collect()
 }
 
 /// The region of a point: by the row of openings that is nearest.

@@ -38,7 +38,7 @@ pub(crate) use moving::{MovingSupport, SupportMotion, beside};
 pub use own::Own;
 pub use parts::{SceneError, SceneParts};
 pub use polygon::{Point, Polygon, PolygonError, Vector};
-pub(crate) use polygon::{bounds, signed_area};
+pub(crate) use polygon::{bounds, bounds_of, signed_area};
 pub use push::{HeadJoints, Push};
 pub(crate) use reaction::{Reaction, Sense};
 pub use regular::{Coursing, Irregularity, RegularWall, WallFacts};

@@ -136,7 +136,7 @@ pub(crate) fn bounds(points: &[Point]) -> (Point, Point) {
 }
 
 /// Lower-left and upper-right corner of shapes; the origin where there are none.
-pub(super) fn bounds_of<'a>(shapes: impl Iterator<Item = &'a Polygon>) -> (Point, Point) {
+pub(crate) fn bounds_of<'a>(shapes: impl Iterator<Item = &'a Polygon>) -> (Point, Point) {
     let mut boxes = shapes.map(Polygon::bounds);
     let first = boxes.next().unwrap_or((Point::origin(), Point::origin()));
     boxes.fold(first, |(low, high), (l, h)| (low.inf(&l), high.sup(&h)))

@@ -7,6 +7,7 @@ use super::outline::outlines;
 use super::void::{Reach, Void};
 use crate::case::complaint::Complaint;
 use crate::scene::{Point, Polygon, close_pairs, extent, overlap, signed_area};
+use crate::text::counted;
 
 /// An outline keeps at least this part of its area.
 const LEAST_LEFT: f64 = 0.5;
@@ -134,14 +135,9 @@ fn doubt(meetings: &[Meeting], name: &dyn Fn(usize) -> String) -> Option<Complai
         )
     };
     let title = format!(
-        "four stones meet nearly in one point at {} {}, and their corners are too far off to say which of them \
+        "four stones meet nearly in one point at {}, and their corners are too far off to say which of them \
          touch",
-        meetings.len(),
-        if meetings.len() == 1 {
-            "place"
-        } else {
-            "places"
-        }
+        counted(meetings.len(), "place")
     );
     let help = format!(
         "λ may depend on a joint of up to {longest:.1e} there; draw the corners nearer to each other where it \

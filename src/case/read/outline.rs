@@ -2,6 +2,7 @@
 
 use crate::case::complaint::{Complaint, Place};
 use crate::scene::{Point, Polygon, PolygonError, signed_area};
+use crate::text::counted;
 
 /// The name of a block or support and its corners, with the places they were read from.
 #[derive(Clone, Debug)]
@@ -83,9 +84,9 @@ impl Outline {
                     );
             }
             PolygonError::TooFewCorners(count) => {
-                let corners = if count == 1 { "corner" } else { "corners" };
+                let title = format!("`{name}` has {}", counted(count, "corner"));
                 (
-                    format!("`{name}` has {count} {corners}"),
+                    title,
                     "write at least three corners, in order round the outline",
                 )
             }

@@ -7,6 +7,7 @@ use super::{panel, prose, ranges, sortable, summary, sweep};
 use crate::method::Settings;
 use crate::run::{CaseResult, Partial};
 use crate::study::sweep::SweepTable;
+use crate::text::enumerated;
 
 /// The page of results, with plots of sweeps, each under its own heading; it says so where results are
 /// missing. It refers to nothing outside itself.
@@ -84,13 +85,12 @@ fn sections(
 }
 
 fn names(results: &[CaseResult]) -> String {
-    let names: Vec<&str> = results.iter().map(|r| r.case.name.as_str()).collect();
+    let names: Vec<String> = results.iter().map(|r| r.case.name.clone()).collect();
     match names.as_slice() {
         [] => "no cases".to_owned(),
-        [one] => (*one).to_owned(),
         [first, second, third, more @ ..] if more.len() > 3 => {
             format!("{first}, {second}, {third} and {} more cases", more.len())
         }
-        [all @ .., last] => format!("{} and {last}", all.join(", ")),
+        all => enumerated(all),
     }
 }

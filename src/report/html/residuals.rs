@@ -18,8 +18,7 @@ fn put_forward(row: &Row) -> Vec<PutForward> {
     let described = residuals.map(|(index, of)| {
         let (lambda, residuals) = by_name(of);
         // Where a support moves, its reaction.
-        let lambda = lambda
-            .map(|lambda| (row.reaction.as_ref()).map_or(lambda, |reaction| reaction.at(lambda)));
+        let lambda = lambda.map(|lambda| row.reads(lambda));
         let cells = [
             TableCell::text(&row.method),
             TableCell::text(row.head_joints.name()),

@@ -7,6 +7,7 @@ use crate::answer::Status;
 use crate::judge::{Check, Verdict};
 use crate::report::governing::Governing;
 use crate::run::CaseResult;
+use crate::text::counted;
 
 /// The verdicts in the order of their tiles, and what is said of the checks.
 const CHECK_TILES: [(Verdict, &str); Verdict::ALL.len()] = [
@@ -49,8 +50,11 @@ pub fn summary(results: &[CaseResult]) -> Markup {
     let by_status: Vec<_> = by_status.filter(|(count, ..)| *count > 0).collect();
     let by_verdict =
         CHECK_TILES.map(|(verdict, words)| (verdicts(verdict), words, verdict_class(verdict)));
-    let plural = if results.len() == 1 { "" } else { "s" };
-    let of_results = format!("{} results of {} case{plural}", rows.len(), results.len());
+    let of_results = format!(
+        "{} results of {}",
+        rows.len(),
+        counted(results.len(), "case")
+    );
     let of_checks = format!("{} checks", checks.len());
     let tiles = [(of_results, by_status), (of_checks, by_verdict.into())];
     html! {
