@@ -208,7 +208,6 @@ kind = \"independent\"
             ("repeat = 2", "units = 3", "remove `units`"),
             ("repeat = 2", "repeat = 0", "from 1 to"),
             ("repeat = 2", "repeat = 99999", "more than 100000 blocks"),
-            ("[\"h1*1h\", \"11\"]", "6", "add `bond = \"running\"`"),
             ("\"both\"", "\"contact\"", "never compared with a result"),
             (
                 "\"both\"",

@@ -311,7 +311,6 @@ mod tests {
             ("unit = 4", "write `unit = {"),
             ("[[references]]\npush = 'left'", "move `push` up"),
             ("[unit]\nlenght = 1", "did you mean `length`?"),
-            ("[unit]\nlength = 1", "add `height = 1.75`"),
             ("[arch]\nthickness = 1", "add `mean_radius = "),
             ("[[block]]\nname = 'A'\ncorners = 3", "write `corners = [["),
             ("[block]\nname = 'A'", "write `[[block]]`"),
