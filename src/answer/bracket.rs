@@ -36,7 +36,7 @@ pub struct Bracket {
 
 impl Bracket {
     /// Both ends at one value.
-    pub fn point(lambda: f64) -> Self {
+    pub const fn point(lambda: f64) -> Self {
         Self {
             lower: lambda,
             upper: lambda,

@@ -60,14 +60,10 @@ pub(super) fn tables(motion: &SupportMotion) -> String {
             text,
             "\n[[move]]\nsupport = {name}\ndirection = {direction}\nmoves = \"{way}\""
         );
-        match motion.about {
-            Some(about) => {
-                let _ = writeln!(text, "about = {}", pair(about.coords));
-            }
-            None => {
-                let _ = writeln!(text, "rate = {:?}", support.away.norm());
-            }
-        }
+        let _ = match motion.about {
+            Some(about) => writeln!(text, "about = {}", pair(about.coords)),
+            None => writeln!(text, "rate = {:?}", support.away.norm()),
+        };
         if motion.pushed != 0.0 {
             let _ = writeln!(text, "pushed = {:?}", motion.pushed);
         }

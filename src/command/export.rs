@@ -6,7 +6,7 @@ use crate::case::Case;
 use crate::external;
 use crate::files::write_whole;
 use crate::mechanics::thrust;
-use crate::method::{Settings, methods};
+use crate::method::methods;
 use crate::picture::dxf;
 use crate::run::{Plan, run};
 use crate::scene::Push;
@@ -96,8 +96,7 @@ fn with_answer(case: &Case, method: &str, is_dxf: bool) -> Result<String, Stop> 
     }
     let plan = Plan {
         methods,
-        settings: Settings::default(),
-        head_joints: None,
+        ..Plan::default()
     };
     let results = run(std::slice::from_ref(case), &plan, &|_| {});
     let result = results.first();

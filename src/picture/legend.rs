@@ -34,9 +34,7 @@ impl Sample {
     pub fn disc(filling: Filling) -> Self {
         Self::Point(look(INK, Mark::Circle), filling)
     }
-}
 
-impl Sample {
     fn width(&self) -> f64 {
         match self {
             Sample::Point(..) | Sample::Bar(_) => 12.0,

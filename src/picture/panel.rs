@@ -12,7 +12,6 @@ use super::wall;
 use super::words::fitting;
 use crate::answer::Evidence;
 use crate::number::{number, short};
-
 use crate::scene::{HeadJoints, JointClass, Point, Push, Vector};
 
 /// Pixels for the heading above a picture.

@@ -242,7 +242,7 @@ mod tests {
     use super::*;
     use crate::case::find;
     use crate::judge::Doubt;
-    use crate::method::{Settings, methods};
+    use crate::method::methods;
     use crate::run::{Plan, run};
 
     /// The result of a built-in case by two methods.
@@ -252,8 +252,7 @@ mod tests {
         methods.retain(|method| ["associative", "interval"].contains(&method.name()));
         let plan = Plan {
             methods,
-            settings: Settings::default(),
-            head_joints: None,
+            ..Plan::default()
         };
         run(&cases, &plan, &|_| {}).remove(0)
     }

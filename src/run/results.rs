@@ -101,7 +101,7 @@ impl CaseResult {
 }
 
 /// What to run.
-#[derive(Clone)]
+#[derive(Clone, Default)]
 pub struct Plan<'a> {
     /// The methods, in the order of the rows.
     pub methods: Vec<&'a dyn Method>,

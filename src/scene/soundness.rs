@@ -51,26 +51,18 @@ impl Assembly {
         let pairs = close_pairs(NEAR.max(self.tolerance), &shapes, &supports);
         let mut near_miss = None;
         for (one, other) in pairs {
-            let (side, shape) = match one.checked_sub(supports.len()) {
+            let (one, shape) = match one.checked_sub(supports.len()) {
                 None => (Side::Support(one), &supports[one]),
                 Some(block) => (Side::Block(block), shapes[block]),
             };
             let size = extent(shape).min(extent(shapes[other]));
             let depth = overlap(shape, shapes[other]);
             if depth > self.tolerance * size {
-                return Err(Unsound::Overlap {
-                    one: side,
-                    other,
-                    depth,
-                });
+                return Err(Unsound::Overlap { one, other, depth });
             }
             let needed = || missed(shape, shapes[other], self.tolerance);
             if let Some(needed) = near_miss.is_none().then(needed).flatten() {
-                near_miss = Some(Unsound::NearMiss {
-                    one: side,
-                    other,
-                    needed,
-                });
+                near_miss = Some(Unsound::NearMiss { one, other, needed });
             }
         }
         let floating = || {

@@ -100,7 +100,6 @@ impl fmt::Display for SearchFacts {
             lowest_met,
             unseen,
         } = self.coverage();
-
         let starts = counted(starts, "start");
         if verified > 0 {
             let (states, times) = (

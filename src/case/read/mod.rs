@@ -20,7 +20,6 @@ mod leaves;
 mod missing;
 mod mistakes;
 mod moves;
-
 mod not_modelled;
 mod outline;
 mod own_blocks;

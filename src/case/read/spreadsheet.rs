@@ -124,7 +124,6 @@ fn not_understood(found: &[(Separator, Row); 3], needed: &[&str], help: &str) ->
     // The separator that parts it into most columns.
     let most = found.iter().rev().max_by_key(|(_, row)| row.cells.len());
     let (separator, row) = most.expect("there are separators");
-
     let label = match row.cells.len() {
         1 => "one column: no comma, semicolon or tab parts it".to_owned(),
         count => {

@@ -77,7 +77,7 @@ impl Known {
     }
 
     /// One multiplier for friction with and without dilatancy, so accurate.
-    pub fn within(lambda: f64, accuracy: f64) -> Self {
+    pub const fn within(lambda: f64, accuracy: f64) -> Self {
         Self {
             states: Bracket::point(lambda),
             associative: lambda,

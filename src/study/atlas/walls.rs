@@ -18,20 +18,15 @@ const OF_RUNNING_BOND: f64 = 1e-3;
 
 /// Courses of [`running_bond`], and its multipliers, computed with HiGHS.
 pub const RUNNING: [(usize, Known); 2] = [
-    (6, of_running_bond(0.639969, 0.639969)),
-    (10, of_running_bond(0.562786, 0.562957)),
-];
-
-const fn of_running_bond(lambda: f64, associative: f64) -> Known {
-    Known {
-        states: Bracket {
-            lower: lambda,
-            upper: lambda,
+    (6, Known::within(0.639969, OF_RUNNING_BOND)),
+    (
+        10,
+        Known {
+            associative: 0.562957,
+            ..Known::within(0.562786, OF_RUNNING_BOND)
         },
-        associative,
-        accuracy: OF_RUNNING_BOND,
-    }
-}
+    ),
+];
 
 /// Units of 4 × 1.75 and weight 1 in these courses, μ = 0.65.
 pub fn wall(courses: Vec<Course>) -> Wall {
