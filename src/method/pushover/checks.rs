@@ -4,15 +4,6 @@ use super::physics::Contact;
 use crate::answer::{Bracket, Checked, Repetition, SelfCheck, magnitude};
 use crate::scene::{Scene, Side};
 
-/// Which state at rest a check is about.
-#[derive(Clone, Copy)]
-pub enum AtRest {
-    /// Settled under the own weight.
-    Settled,
-    /// At the last load at rest.
-    Last,
-}
-
 /// A figure and what it may be: of the settled scene its speed, in √(g·H_c), and its displacement under
 /// the own weight, in course heights, where contacts too soft for the scene, too few substeps and blocks
 /// that overlap at the start show; of the last state at rest its displacement since then.
@@ -38,20 +29,17 @@ pub fn sees_joints(scene: &Scene, joints: &[usize], contacts: &[Contact]) -> Sel
     check(Checked::UnseenJoints { of }, (of - found) as f64, 0.0)
 }
 
-/// What is fixed carries what loads the blocks: the sum of both, relative to the weight.
+/// What is fixed carries what loads the blocks, in one of the states at rest: the sum of both, relative
+/// to the weight.
 pub fn supports_carry(
+    what: Checked,
     load: [f64; 2],
     reaction: [f64; 2],
     weight: f64,
-    at: AtRest,
     limit: f64,
 ) -> SelfCheck {
     let sum = [load[0] + reaction[0], load[1] + reaction[1]];
     let miss = (sum[0] * sum[0] + sum[1] * sum[1]).sqrt() / weight;
-    let what = match at {
-        AtRest::Settled => Checked::SettledBalance,
-        AtRest::Last => Checked::LastBalance,
-    };
     check(what, miss, limit)
 }
 
@@ -98,8 +86,9 @@ mod tests {
     #[test]
     fn a_missing_tenth_of_the_weight_is_noticed() {
         let weight = 33.0;
-        let carry =
-            |load, reaction| supports_carry(load, reaction, weight, AtRest::Last, 1e-4).passed();
+        let carry = |load, reaction| {
+            supports_carry(Checked::LastBalance, load, reaction, weight, 1e-4).passed()
+        };
         assert!(carry([0.0, -weight], [1e-6, weight]));
         assert!(!carry([0.0, -weight], [0.0, 0.9 * weight]));
         assert!(!carry([3.0, -weight], [3.0, weight]));

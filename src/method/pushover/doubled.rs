@@ -12,38 +12,30 @@ use crate::scene::HeadJoints;
 /// A number, how it is scaled, and by what.
 type Number = (&'static str, fn(&mut Parameters, f64), &'static [f64]);
 
-const BOTH: &[f64] = &[0.5, 2.0];
+/// Numbers of these names, each times some factors.
+macro_rules! numbers {
+    ($by:expr; $($field:ident),+) => {
+        [$((stringify!($field), (|own, by| own.$field *= by) as fn(&mut Parameters, f64), $by)),+]
+    };
+}
 
-const NUMBERS: [Number; 23] = [
-    ("damping ratio", |p, by| p.damping_ratio *= by, BOTH),
-    ("ramp", |p, by| p.ramp *= by, BOTH),
-    ("ramp of the first rest", |p, by| p.ramp_of_rest *= by, BOTH),
-    ("window", |p, by| p.window *= by, BOTH),
-    ("patience", |p, by| p.patience *= by, BOTH),
-    ("rests allowed", |p, by| p.rests_allowed *= by, BOTH),
-    ("least patience", |p, by| p.least_patience *= by, BOTH),
-    (
-        "slow steps",
-        |p, by| p.slow_steps[1] = (3.0 * by).round() as usize,
-        BOTH,
-    ),
-    // It is at most 1, where every dip counts.
-    ("damping below", |p, by| p.damp_below *= by, &[0.5]),
-    ("extrapolation", |p, by| p.extrapolation *= by, BOTH),
-    ("slow motion", |p, by| p.slow_motion *= by, BOTH),
-    ("settled speed", |p, by| p.settled_speed *= by, BOTH),
-    ("runaway", |p, by| p.runaway *= by, BOTH),
-    ("collapse", |p, by| p.collapse *= by, BOTH),
-    ("points kept", |p, by| p.recycle_distance *= by, &[2.0]),
-    ("first increment", |p, by| p.first_increment *= by, BOTH),
-    ("resting", |p, by| p.resting *= by, BOTH),
-    ("seen", |p, by| p.seen *= by, BOTH),
-    ("doubt", |p, by| p.doubt *= by, BOTH),
-    ("near", |p, by| p.near *= by, BOTH),
-    ("still", |p, by| p.still *= by, BOTH),
-    ("moving", |p, by| p.moving *= by, BOTH),
-    ("missing", |p, by| p.missing *= by, BOTH),
-];
+/// Damping below is at most 1, where every dip counts, and points are foreseen no nearer than they are kept.
+fn all_numbers() -> Vec<Number> {
+    let both: [Number; 20] = numbers!(
+        &[0.5, 2.0];
+        damping_ratio, ramp, ramp_of_rest, window, patience, rests_allowed, least_patience,
+        extrapolation, slow_motion, settled_speed, runaway, collapse, first_increment, resting,
+        seen, doubt, near, still, moving, missing
+    );
+    let slow_steps: Number = (
+        "slow_steps",
+        |own, by| own.slow_steps[1] = (3.0 * by).round() as usize,
+        &[0.5, 2.0],
+    );
+    let lower: [Number; 1] = numbers!(&[0.5]; damp_below);
+    let upper: [Number; 1] = numbers!(&[2.0]; recycle_distance);
+    [&both[..], &[slow_steps], &lower, &upper].concat()
+}
 
 fn open(unit: [f64; 2], courses: &[&str]) -> Scene {
     wall(unit, 0.65, courses).scene(HeadJoints::Open).unwrap()
@@ -77,7 +69,7 @@ fn fault(what: &str, outcome: &Outcome, lambda: f64) -> Option<String> {
 #[ignore = "takes half a minute"]
 fn answers_do_not_hang_on_tuned_numbers() {
     let mut wrong = Vec::new();
-    for (name, change, factors) in NUMBERS {
+    for (name, change, factors) in all_numbers() {
         for &by in factors {
             for (of, scene, lambda) in scenes() {
                 let outcome = solve_with(&scene, &PushoverSettings::default(), |mut own| {

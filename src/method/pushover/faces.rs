@@ -7,7 +7,7 @@
 use super::apart::{Groups, groups};
 use super::portion::Portion;
 use crate::answer::PushoverFact;
-use crate::scene::{Joint, Point, Polygon, Scene, Side, Vector};
+use crate::scene::{Joint, Point, Polygon, Scene, Side, Vector, bounds};
 
 /// Course heights by which a face goes on beyond its joint where its body's side does, and by which
 /// joints that may meet no face of each other are apart: as far as any point moves until a recorded
@@ -61,7 +61,7 @@ pub fn faces(
         [joint.from, Side::Block(joint.to)].map(|body| place(scene, joint, body, origin, length))
     };
     let places: Vec<[Place; 2]> = joints.iter().map(places).collect();
-    let boxes: Vec<(Point, Point)> = places.iter().map(bounds).collect();
+    let boxes: Vec<(Point, Point)> = places.iter().map(about).collect();
     let groups = groups(&boxes, REACH)?;
     let pairs = joints.iter().zip(places).zip(groups);
     let faces = pairs.flat_map(|((&(index, joint), places), groups)| {
@@ -125,14 +125,13 @@ fn side(shape: &Polygon, joint: &Joint) -> (Point, Point) {
 }
 
 /// The box about both faces of a joint.
-fn bounds(pair: &[Place; 2]) -> (Point, Point) {
+fn about(pair: &[Place; 2]) -> (Point, Point) {
     let corners = pair.iter().flat_map(|place| {
         let half = place.along * place.half;
         let deep = Vector::new(-half.y, half.x).normalize() * (DEPTH / 2.0);
         [half + deep, half - deep, deep - half, -half - deep].map(|to| place.centre + to)
     });
-    let start = (pair[0].centre, pair[0].centre);
-    corners.fold(start, |(low, high), at| (low.inf(&at), high.sup(&at)))
+    bounds(&corners.collect::<Vec<Point>>())
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! What the blocks do once the collapse has been called: the motion itself, without damping.
 
-use super::model::{GRID, Model, MovingBody};
+use super::measure::moved;
+use super::model::{GRID, Model};
 use super::physics::{BodyState, Physics};
 
 /// Course heights that some point moves until enough has been seen.
@@ -38,7 +39,8 @@ pub fn fall(
             break;
         }
         let states = physics.states();
-        let far = farthest(&model.blocks, from, &states) >= FAR;
+        let mut blocks = model.blocks.iter().zip(from.iter().zip(&states));
+        let far = blocks.any(|(block, (from, to))| moved(block, from, to) >= FAR);
         if step.is_multiple_of(stride) {
             frames.push(states);
         }
@@ -55,13 +57,4 @@ pub fn fall(
         frames,
         interval: stride as f64 * physics.dt(),
     }
-}
-
-/// Largest displacement of any point, in course heights, whatever the size of its block.
-fn farthest(blocks: &[MovingBody], from: &[BodyState], to: &[BodyState]) -> f64 {
-    let moved = from.iter().zip(to).zip(blocks).map(|((a, b), block)| {
-        let (x, y) = (b.position[0] - a.position[0], b.position[1] - a.position[1]);
-        x.hypot(y) + (b.rotation - a.rotation).abs() * block.reach
-    });
-    moved.fold(0.0, f64::max)
 }

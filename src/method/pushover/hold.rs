@@ -45,13 +45,14 @@ impl<'a> Hold<'a> {
 
     /// The scene under its weight and a push against its live loads: none, or a small one.
     pub fn settle(&mut self, physics: &mut Physics, push: f64) -> Held {
-        let Parameters {
-            settled_speed,
-            fall,
-            patience,
-            ..
-        } = *self.parameters;
-        self.hold(physics, [-push; 2], settled_speed, fall, patience)
+        let own = self.parameters;
+        self.hold(
+            physics,
+            [-push; 2],
+            own.settled_speed,
+            own.fall,
+            own.patience,
+        )
     }
 
     /// From rest at one λ* to another, in grid units. `last`: a collapse counts, and there is all the
@@ -171,18 +172,14 @@ impl<'a> Hold<'a> {
         from: &[BodyState],
         before: Option<f64>,
     ) -> f64 {
-        let Parameters {
-            extrapolation,
-            slow_motion,
-            ..
-        } = *self.parameters;
+        let extrapolation = self.parameters.extrapolation;
         let states = physics.states();
         let fastest = speed(self.model, &states);
         let moved = displacement(self.model, from, &states);
         let now = self.pace(&states);
         // Of a push by λ*, no more than a small part is left to accelerate a slow motion. A slender
         // column stands by so little that a fixed limit would let it be thrown over.
-        let slow_motion = slow_motion * physics.multiplier.abs().min(1.0);
+        let slow_motion = self.parameters.slow_motion * physics.multiplier.abs().min(1.0);
         let slow = fastest * fastest < 2.0 * moved * slow_motion;
         let Some(before) = before.filter(|_| slow && now > 0.0 && extrapolation > 0.0) else {
             return 1.0;

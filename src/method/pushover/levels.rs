@@ -75,10 +75,8 @@ pub fn by_levels(scene: &Scene, portion: &Portion, asked: Asked) -> Levels {
     let (mut softest, mut fallen, mut doubts) = (f64::INFINITY, false, 0);
     loop {
         let trial = Trial {
-            scene,
-            portion,
-            asked,
             expected: levels.seen.last().map(|level| level.bracket),
+            ..Trial::new(scene, portion, asked)
         };
         let outcome = trial.run(&|own| own.halved(halvings));
         let cost = outcome.work.block_steps;

@@ -62,10 +62,8 @@ pub fn inert(
 /// The moment of inertia about the base stays as it is, and with it the time in which the scene rocks.
 fn heavier_by_depth(scene: &Scene, portion: &Portion, length: f64, tuned: &Tuned) -> Vec<f64> {
     let height = |block: &Block| block.shape.centroid().y;
-    let boxes = portion.present(scene).map(|block| block.shape.bounds());
-    let (low, high) = boxes.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), (l, h)| {
-        (low.min(l.y), high.max(h.y))
-    });
+    let (low, high) = portion.bounds(scene);
+    let (low, high) = (low.y, high.y);
     if (high - low) / length < tuned.swaying {
         return vec![1.0; scene.blocks().len()];
     }

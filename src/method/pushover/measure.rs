@@ -15,16 +15,15 @@ pub fn speed(model: &Model, states: &[BodyState]) -> f64 {
 
 /// Largest displacement of any point of any block.
 pub fn displacement(model: &Model, from: &[BodyState], to: &[BodyState]) -> f64 {
-    farthest(&model.blocks, from, to)
+    let of = |((a, b), block): ((_, _), &MovingBody)| block.smallness * moved(block, a, b);
+    let moved = from.iter().zip(to).zip(&model.blocks).map(of);
+    moved.fold(0.0, f64::max)
 }
 
-/// Largest displacement of any point of these blocks.
-pub fn farthest(blocks: &[MovingBody], from: &[BodyState], to: &[BodyState]) -> f64 {
-    let of = |((a, b), block): ((&BodyState, &BodyState), &MovingBody)| {
-        let (x, y) = (b.position[0] - a.position[0], b.position[1] - a.position[1]);
-        block.smallness * ((x * x + y * y).sqrt() + (b.rotation - a.rotation).abs() * block.reach)
-    };
-    from.iter().zip(to).zip(blocks).map(of).fold(0.0, f64::max)
+/// Largest displacement of any point of a block, not magnified.
+pub fn moved(block: &MovingBody, from: &BodyState, to: &BodyState) -> f64 {
+    let [x, y] = [0, 1].map(|axis| to.position[axis] - from.position[axis]);
+    (x * x + y * y).sqrt() + (to.rotation - from.rotation).abs() * block.reach
 }
 
 /// Twice the kinetic energy, blocks of less mass than `seen` counting as if they had that.

@@ -86,22 +86,17 @@ impl Pushover {
 /// The answer of one connected part: levels whose differences tell the error, or a range where there
 /// is more than one collapse state.
 fn answer(scene: &Scene, part: &Portion, asked: Asked) -> Outcome {
-    let varied = || Varied::new(scene, part, asked);
-    let undecided = |fact| Outcome::without_number(Status::Undecided, fact);
+    let over = |range: &dyn Fn(Varied) -> Outcome| {
+        Varied::new(scene, part, asked).map_or_else(
+            |fact| Outcome::without_number(Status::Undecided, fact),
+            range,
+        )
+    };
     if part.has_range(scene) {
-        return match varied() {
-            Ok(varied) => varied.over_head_joints(),
-            Err(fact) => undecided(fact),
-        };
+        return over(&|varied| varied.over_head_joints());
     }
     if asked.settings.collapse == Collapse::FirstSlip || is_coarser(asked.settings) {
-        let trial = Trial {
-            scene,
-            portion: part,
-            asked,
-            expected: None,
-        };
-        return trial.run(&|own| own);
+        return Trial::new(scene, part, asked).run(&|own| own);
     }
     let levels = by_levels(scene, part, asked);
     if let Some(agreed) = levels.agreed {
@@ -110,11 +105,10 @@ fn answer(scene: &Scene, part: &Portion, asked: Asked) -> Outcome {
             observed.stated_error = Some(agreed.error);
         });
     }
-    match varied() {
-        _ if levels.seen.is_empty() && !levels.drifts() => levels.last,
-        Ok(varied) => varied.over_states(levels),
-        Err(fact) => undecided(fact),
+    if levels.seen.is_empty() && !levels.drifts() {
+        return levels.last;
     }
+    over(&|varied| varied.over_states(&levels))
 }
 
 /// Whether substeps are longer or contacts softer than the stated error was measured with.

@@ -166,10 +166,7 @@ impl Units {
         if dead <= 0.0 {
             return Err(PushoverFact::NoWeight);
         }
-        let boxes = blocks.iter().map(|block| block.shape.bounds());
-        let (low, high) = boxes.fold(blocks[0].shape.bounds(), |(low, high), (l, h)| {
-            (low.inf(&l), high.sup(&h))
-        });
+        let (low, high) = portion.bounds(scene);
         let areas: f64 = blocks.iter().map(|block| block.shape.area()).sum();
         Ok(Self {
             origin: low,

@@ -10,8 +10,7 @@ use super::model::Model;
 use super::tuned::Tuned;
 use crate::method::{Accuracy, Collapse, PushoverSettings};
 
-/// Courses above which a wall is tall: a bracket states a larger
-/// error.
+/// Courses above which a wall is tall: a bracket states a larger error.
 const TALL: f64 = 30.0;
 
 /// Displacement beyond which a scene at rest has left the place where it was laid, in course heights:
@@ -82,15 +81,12 @@ impl Basis {
 
 /// The error that a bracket states, relative to λ: of either end against the limit.
 fn stated_error(accuracy: Accuracy, courses: f64) -> f64 {
-    let larger = courses > TALL;
-    match accuracy {
-        Accuracy::Coarse if larger => 2e-2,
-        Accuracy::Coarse => 1e-2,
-        Accuracy::Normal if larger => 4e-3,
-        Accuracy::Normal => 2e-3,
-        Accuracy::Fine if larger => 2e-3,
-        Accuracy::Fine => 5e-4,
-    }
+    let [usual, tall] = match accuracy {
+        Accuracy::Coarse => [1e-2, 2e-2],
+        Accuracy::Normal => [2e-3, 4e-3],
+        Accuracy::Fine => [5e-4, 2e-3],
+    };
+    if courses > TALL { tall } else { usual }
 }
 
 /// Makes [`Parameters`] from entries `field: type = value, printed name, unit;`. An entry without a

@@ -42,7 +42,7 @@ pub struct Contact {
 }
 
 /// The part of the physics that a checkpoint has to keep.
-#[derive(Clone)]
+#[derive(Clone, Default)]
 struct World {
     islands: IslandManager,
     broad_phase: BroadPhaseBvh,
@@ -76,17 +76,7 @@ pub struct Physics<'a> {
 impl<'a> Physics<'a> {
     /// Puts the model's bodies where they belong, at rest.
     pub fn new(model: &'a Model, parameters: &Parameters) -> Self {
-        let mut world = World {
-            islands: IslandManager::new(),
-            broad_phase: BroadPhaseBvh::new(),
-            narrow_phase: NarrowPhase::new(),
-            bodies: RigidBodySet::new(),
-            colliders: ColliderSet::new(),
-            joints: ImpulseJointSet::new(),
-            multibodies: MultibodyJointSet::new(),
-            soft_bodies: SoftBodySet::new(),
-            ccd: CCDSolver::new(),
-        };
+        let mut world = World::default();
         for face in &model.fixed {
             world.colliders.insert(collider(face));
         }

@@ -6,7 +6,9 @@
 //! be shown afterwards to have had no reason to move.
 
 use super::tuned::Tuned;
-use crate::scene::{Block, HeadJoints, Joint, JointClass, Push, Scene, Side, multiplier_unit};
+use crate::scene::{
+    Block, HeadJoints, Joint, JointClass, Point, Push, Scene, Side, bounds_of, multiplier_unit,
+};
 
 /// What a block is in a pushover.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -76,6 +78,11 @@ impl Portion {
         let blocks = scene.blocks().iter().enumerate();
         let present = blocks.filter(|&(index, _)| self.role(index) != Role::Absent);
         present.map(|(_, block)| block)
+    }
+
+    /// Lower-left and upper-right corner of these blocks.
+    pub fn bounds(&self, scene: &Scene) -> (Point, Point) {
+        bounds_of(self.present(scene).map(|block| &block.shape))
     }
 
     /// The joints of this part.

@@ -1,6 +1,6 @@
 //! One pushover of one scene: search, self-checks, outcome.
 
-use super::checks::{self, AtRest, check};
+use super::checks::{self, check};
 use super::measure;
 use super::model::{GRID, Model};
 use super::observing::observing;
@@ -31,7 +31,17 @@ pub struct Trial<'a> {
     pub expected: Option<Bracket>,
 }
 
-impl Trial<'_> {
+impl<'a> Trial<'a> {
+    /// Of a scene of which nobody has seen the collapse.
+    pub fn new(scene: &'a Scene, portion: &'a Portion, asked: Asked<'a>) -> Self {
+        Self {
+            scene,
+            portion,
+            asked,
+            expected: None,
+        }
+    }
+
     /// The outcome with parameters changed. A scene that neither rests nor falls rattles, because its
     /// friction is not solved to the end: it is pushed again with more sweeps.
     pub fn run(&self, change: &impl Fn(Parameters) -> Parameters) -> Outcome {
@@ -75,15 +85,9 @@ impl Trial<'_> {
 
 /// Whether the scene neither rested nor fell in time, under its weight alone or under a push.
 pub fn is_unclear(outcome: &Outcome) -> bool {
-    outcome.facts.iter().any(|fact| {
-        let Fact::Pushover(fact) = fact else {
-            return false;
-        };
-        matches!(
-            fact,
-            PushoverFact::Unclear { .. } | PushoverFact::NotSettled { .. }
-        )
-    })
+    use PushoverFact::{NotSettled, Unclear};
+    let unclear = |fact: &Fact| matches!(fact, Fact::Pushover(Unclear { .. } | NotSettled { .. }));
+    outcome.facts.iter().any(unclear)
 }
 
 /// One search, and whether what is held fixed might have moved.
@@ -144,10 +148,10 @@ fn strip_moved(
     [from, to]: [&[BodyState]; 2],
 ) -> bool {
     let limit = still * measure::displacement(model, from, to);
-    (0..model.blocks.len()).any(|i| {
-        let block = std::slice::from_ref(&model.blocks[i]);
-        portion.is_in_strip(block[0].index)
-            && measure::farthest(block, &from[i..=i], &to[i..=i]) > limit
+    let mut blocks = model.blocks.iter().zip(from.iter().zip(to));
+    blocks.any(|(block, (from, to))| {
+        portion.is_in_strip(block.index)
+            && block.smallness * measure::moved(block, from, to) > limit
     })
 }
 
@@ -202,14 +206,15 @@ fn self_checks(
     let fixed = |side| portion.is_fixed(side) || pinned(side);
     let settled = checks::reaction(scene, &seen.settled.contacts, fixed);
     let carried = checks::reaction(scene, &seen.rest.contacts, fixed);
-    let carry =
-        |load, reaction, at| checks::supports_carry(load, reaction, weight, at, parameters.missing);
+    let carry = |what, load, reaction| {
+        checks::supports_carry(what, load, reaction, weight, parameters.missing)
+    };
     let speed = measure::speed(model, &seen.settled.states);
     let drift = measure::displacement(model, &seen.settled.states, &seen.rest.states);
     [
         check(Checked::SettledSpeed, speed, parameters.moving),
-        carry(model.dead, settled, AtRest::Settled),
-        carry(pushed, carried, AtRest::Last),
+        carry(Checked::SettledBalance, model.dead, settled),
+        carry(Checked::LastBalance, pushed, carried),
         check(Checked::Drift, drift, parameters.drift),
     ]
 }

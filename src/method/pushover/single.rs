@@ -15,12 +15,6 @@ pub fn solve_with(
     change: impl Fn(Parameters) -> Parameters,
 ) -> Outcome {
     weakest(scene, |portion| {
-        let trial = Trial {
-            scene,
-            portion,
-            asked: Asked::new(settings),
-            expected: None,
-        };
-        trial.run(&change)
+        Trial::new(scene, portion, Asked::new(settings)).run(&change)
     })
 }

@@ -102,10 +102,7 @@ fn the_same_run_gives_the_same_bits() {
 
 #[test]
 fn without_friction_nothing_can_be_pushed() {
-    let slippery = Wall {
-        friction: 0.0.into(),
-        ..wall([4.0, 1.75], 0.0, &["1"])
-    };
+    let slippery = wall([4.0, 1.75], 0.0, &["1"]);
     assert_eq!(
         bracket(&pushed(&slippery)),
         Bracket {
@@ -176,8 +173,7 @@ fn verification_passes_on_a_column_and_fails_on_a_foreign_bracket() {
             .iter()
             .all(|check| check.passed())
     );
-    outcome =
-        super::observing::observing(outcome, |seen| seen.bracket = Some(Bracket::point(0.41)));
+    outcome = observing(outcome, |seen| seen.bracket = Some(Bracket::point(0.41)));
     assert!(
         verify(&scene, &PushoverSettings::default(), &outcome)
             .iter()

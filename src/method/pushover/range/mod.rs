@@ -81,15 +81,13 @@ impl<'a> Varied<'a> {
     /// One pushover. Its variation names the stiffness in the measure of a level that is halved
     /// `level` times.
     fn run(&self, conditions: Conditions, level: u32) -> (Variation, Outcome) {
+        let scene = match conditions.mirrored {
+            true => &self.mirror,
+            false => self.scene,
+        };
         let trial = Trial {
-            scene: if conditions.mirrored {
-                &self.mirror
-            } else {
-                self.scene
-            },
-            portion: self.portion,
-            asked: self.asked,
             expected: conditions.expected,
+            ..Trial::new(scene, self.portion, self.asked)
         };
         let outcome = trial.run(&|own| {
             let own = own.halved(conditions.halvings);

@@ -10,7 +10,7 @@ impl Varied<'_> {
     /// The range of levels that disagree: over both directions and several stiffnesses at the last of
     /// them, over the last two, and down to where a block leaves its place. Its error is how far the
     /// ends move with half the substep.
-    pub fn over_states(&self, levels: Levels) -> Outcome {
+    pub fn over_states(&self, levels: &Levels) -> Outcome {
         let level = levels.halvings;
         let brackets: Vec<Bracket> = levels.seen.iter().map(|level| level.bracket).collect();
         let last_two = &brackets[brackets.len().saturating_sub(2)..];
