@@ -72,11 +72,14 @@ impl Zeros {
         self.rates.get(rate) == Some(&true)
     }
 
+    /// Whether a force condition is zero by assumption.
+    pub(crate) fn force(&self, force: usize) -> bool {
+        self.forces.get(force) == Some(&true)
+    }
+
     /// Whether the product of a force condition and a rate is zero, by their rows.
     pub(crate) fn is_zero(&self, force: usize, rate: usize) -> bool {
-        (force == rate && force < self.forces.len())
-            || self.forces.get(force) == Some(&true)
-            || self.rate(rate)
+        (force == rate && force < self.forces.len()) || self.force(force) || self.rate(rate)
     }
 }
 

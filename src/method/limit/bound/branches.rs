@@ -5,12 +5,12 @@
 //! does not open (or friction is not used up in one direction, or there is no slip in it). This is the
 //! branching on complementary pairs of mixed-integer programming, without its large constants.
 
+use super::face::Face;
 use super::interior_point::Multipliers;
-use super::lift::Lift;
 use super::lifted::Request;
 use super::products::Products;
 use super::vanishing::Vanishing;
-use crate::certificate::{Assumption, Conditions, Factor, Zeros};
+use crate::certificate::{Assumption, Conditions, Factor};
 use crate::method::at_once::each;
 
 /// A branch: what it assumes, and how far it is.
@@ -118,14 +118,14 @@ impl Leaves {
 /// The product of a joint that is zero in every state and of which the lifted state has both factors
 /// most in the mean; `None` where none is left.
 pub(super) fn most_violated(
-    lift: &Lift,
+    face: &Face,
     request: Request,
-    zeros: &Zeros,
     multipliers: &Multipliers,
 ) -> Option<usize> {
-    let products = Products::all(lift, [request.from, request.to]);
+    let zeros = &face.zeros;
+    let products = Products::new(face, [request.from, request.to]);
     let products = products.of(&multipliers.unknowns);
-    let power = lift.conditions.power();
+    let power = face.lift.conditions.power();
     // The condition 1 stands behind those of the joints.
     let one = power;
     let both = |pair: usize| products[(pair, power)] * products[(one, pair)];
@@ -137,6 +137,7 @@ pub(super) fn most_violated(
 
 #[cfg(test)]
 mod tests {
+    use super::super::lift::Lift;
     use super::super::parameters::Parameters;
     use super::super::slices::{Search, Slices};
     use super::super::{opening, orders};

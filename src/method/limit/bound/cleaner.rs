@@ -26,7 +26,7 @@ impl Cleaner<'_> {
         sigma: f64,
         of_sigma: f64,
     ) -> (DMatrix<f64>, f64) {
-        let own = &self.products.lift.parameters;
+        let own = self.products.parameters();
         let mut now = (values, sigma);
         let mut least = (self.left(&now).amax(), now.clone());
         for _ in 0..own.cleanings {
@@ -64,7 +64,7 @@ impl Cleaner<'_> {
     /// How freely each multiplier moves.
     fn weights(&self, values: &DMatrix<f64>) -> DMatrix<f64> {
         let largest = values.amax();
-        let unmoved = self.products.lift.parameters.unmoved * largest;
+        let unmoved = self.products.parameters().unmoved * largest;
         values.map_with_location(|force, rate, value: f64| {
             if (self.is_zero)(force, rate) {
                 largest.powi(self.exponent)

@@ -11,10 +11,9 @@
 
 use nalgebra::DMatrix;
 
-use super::lift::Lift;
+use super::face::Face;
 use super::lifted::{Lifted, Request};
 use super::step::Linearised;
-use crate::certificate::Zeros;
 
 /// Multipliers of a slice.
 pub(super) struct Multipliers {
@@ -31,9 +30,9 @@ pub(super) struct Multipliers {
 }
 
 /// Solves one slice.
-pub(super) fn solve(lift: &Lift, request: Request, zeros: &Zeros) -> Multipliers {
-    let own = &lift.parameters;
-    let program = Lifted::new(lift, request, zeros);
+pub(super) fn solve(face: &Face, request: Request) -> Multipliers {
+    let own = &face.lift.parameters;
+    let program = Lifted::new(face, request);
     let mut at = program.start();
     let mut stalled = 0;
     let mut best: Option<(f64, Multipliers)> = None;

@@ -5,8 +5,6 @@
 
 use nalgebra::DMatrix;
 
-use super::factor::Pattern;
-use super::motion::Motion;
 use super::parameters::{INDEPENDENT, Parameters};
 use crate::certificate::Conditions;
 
@@ -18,18 +16,15 @@ pub(super) struct Lift {
     /// Orthonormal combinations of the equilibrium conditions, by column, and what they are made of.
     across: DMatrix<f64>,
     triangle: DMatrix<f64>,
-    /// The motions whose columns are the unknowns.
-    pub(super) motion: Motion,
-    /// Which of them meet in the linear systems.
-    pub(super) pattern: Pattern,
+    /// Orders of the blocks along which the power may be summed.
+    pub(super) orders: Vec<Vec<usize>>,
     /// What it is solved with.
     pub(super) parameters: Parameters,
 }
 
 impl Lift {
-    /// Of a scene's conditions, with sums of the power along its blocks in one of these orders: that
-    /// which makes the linear systems cheapest. `None` where the equilibrium conditions are not
-    /// independent: a block hangs on nothing.
+    /// Of a scene's conditions, with sums of the power along its blocks in one of these orders. `None`
+    /// where the equilibrium conditions are not independent: a block hangs on nothing.
     pub(super) fn new(
         conditions: Conditions,
         orders: &[Vec<usize>],
@@ -62,15 +57,8 @@ impl Lift {
         if least < INDEPENDENT {
             return None;
         }
-        let motions = orders.iter().map(|order| {
-            let motion = Motion::with_sums(&conditions, order);
-            let pattern = Pattern::new(motion.unknowns, motion.meetings());
-            (motion, pattern)
-        });
-        let (motion, pattern) = motions.min_by(|a, b| a.1.cost().total_cmp(&b.1.cost()))?;
         Some(Self {
-            motion,
-            pattern,
+            orders: orders.to_vec(),
             basis: whole.rows(rows, forces - rows).transpose(),
             across: whole.rows(0, rows).transpose(),
             triangle,
@@ -79,40 +67,27 @@ impl Lift {
         })
     }
 
-    /// Free numbers of the forces.
-    pub(super) fn free(&self) -> usize {
-        self.basis.ncols()
-    }
-
     pub(super) fn joints(&self) -> usize {
         self.conditions.joints.len()
     }
 
-    /// Products of numbers that a step of the interior point takes, roughly: those of the system's tiles
-    /// and of its factor.
-    pub(super) fn step_work(&self) -> f64 {
-        let (free, conditions) = (self.free() as f64, self.conditions.force_rows() as f64);
-        let rates = self.conditions.rate_rows() as f64;
-        free * free * (rates * conditions + free * self.pattern.cost())
-    }
-
-    /// Unknowns that are all zero: one column an unknown of the motion.
-    pub(super) fn zero(&self) -> DMatrix<f64> {
-        DMatrix::zeros(self.free(), self.motion.unknowns)
-    }
-
-    /// The force conditions of a slice a ≤ λ ≤ b in the free numbers: four a joint, 1, λ − a, b − λ.
-    pub(super) fn force_conditions(&self, from: f64, to: f64) -> DMatrix<f64> {
-        let mut rows = DMatrix::zeros(self.conditions.force_rows(), self.free());
+    /// The force conditions of a slice a ≤ λ ≤ b in the free numbers of a basis of forces: four a joint,
+    /// 1, λ − a, b − λ.
+    pub(super) fn force_conditions(
+        &self,
+        basis: &DMatrix<f64>,
+        [from, to]: [f64; 2],
+    ) -> DMatrix<f64> {
+        let mut rows = DMatrix::zeros(self.conditions.force_rows(), basis.ncols());
         for (j, joint) in self.conditions.joints.iter().enumerate() {
-            let [one, other, shear] = [0, 1, 2].map(|k| self.basis.row(2 + 3 * j + k));
+            let [one, other, shear] = [0, 1, 2].map(|k| basis.row(2 + 3 * j + k));
             let limit = (one + other) * joint.friction;
             rows.set_row(4 * j, &one);
             rows.set_row(4 * j + 1, &other);
             rows.set_row(4 * j + 2, &(&limit + shear));
             rows.set_row(4 * j + 3, &(&limit - shear));
         }
-        let (one, lambda) = (self.basis.row(0), self.basis.row(1));
+        let (one, lambda) = (basis.row(0), basis.row(1));
         let last = 4 * self.joints();
         rows.set_row(last, &one);
         rows.set_row(last + 1, &(lambda - one * from));

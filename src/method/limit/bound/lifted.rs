@@ -2,10 +2,9 @@
 
 use nalgebra::DMatrix;
 
-use super::lift::Lift;
+use super::face::Face;
 use super::point::{Lengths, Point};
 use super::products::Products;
-use crate::certificate::Zeros;
 
 /// A slice of λ*, and when to stop. What is assumed in it is given beside it.
 #[derive(Clone, Copy, Debug)]
@@ -60,11 +59,13 @@ impl Residual {
 }
 
 impl<'a> Lifted<'a> {
-    pub(super) fn new(lift: &'a Lift, request: Request, zeros: &Zeros) -> Self {
-        let products = Products::all(lift, [request.from, request.to]);
+    pub(super) fn new(face: &'a Face, request: Request) -> Self {
+        let products = Products::new(face, [request.from, request.to]);
         let rows = products.conditions.nrows();
-        let all = 0..rows * lift.conditions.rate_rows();
-        let is_zero: Vec<bool> = all.map(|at| zeros.is_zero(at % rows, at / rows)).collect();
+        let all = 0..rows * face.motion.rows.len();
+        let is_zero: Vec<bool> = all
+            .map(|at| face.zeros.is_zero(at % rows, at / rows))
+            .collect();
         let of_power = products.power.transpose();
         Self {
             count: (is_zero.iter().filter(|is_zero| !**is_zero).count() + 1) as f64,
@@ -78,10 +79,9 @@ impl<'a> Lifted<'a> {
 
     /// All products and multipliers 1 that can be.
     pub(super) fn start(&self) -> Point {
-        let lift = self.products.lift;
         let (rows, rates) = (
             self.products.conditions.nrows(),
-            self.products.motion.rows.len(),
+            self.products.face.motion.rows.len(),
         );
         let is_not_zero = self
             .is_zero
@@ -89,7 +89,7 @@ impl<'a> Lifted<'a> {
             .map(|is_zero| f64::from(u8::from(!is_zero)));
         let start = DMatrix::from_iterator(rows, rates, is_not_zero);
         Point {
-            unknowns: lift.zero(),
+            unknowns: self.products.face.zero(),
             products: start.clone(),
             multipliers: start,
             scale: [1.0, 1.0],
@@ -115,7 +115,7 @@ impl<'a> Lifted<'a> {
 
     /// Whether the bound is enough, or as good as it gets.
     pub(super) fn is_done(&self, residual: &Residual) -> bool {
-        let own = &self.products.lift.parameters;
+        let own = self.products.parameters();
         let Residual {
             sigma,
             above,
@@ -135,7 +135,7 @@ impl<'a> Lifted<'a> {
 
     /// Longest steps that keep products and multipliers from becoming negative.
     pub(super) fn lengths(&self, at: &Point, step: &Point) -> Lengths {
-        let most = 1.0 / (1.0 - self.products.lift.parameters.kept_back);
+        let most = 1.0 / (1.0 - self.products.parameters().kept_back);
         at.lengths(step, &self.is_zero, most)
     }
 }

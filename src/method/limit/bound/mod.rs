@@ -30,7 +30,8 @@
 //! verified state. Where narrow ones gain nothing, a slice is divided by a product that must be zero:
 //! one part assumes that its force is zero, the other its rate. Where equilibrium does not let a force
 //! vanish any more, from some λ on, the first part is empty, which a small linear program shows, and
-//! the other one goes on with fewer rates. Any number of slices and branches is a valid answer.
+//! the other one goes on with fewer rates. Forces and motions are described by the unknowns that are
+//! left (`face.rs`). Any number of slices and branches is a valid answer.
 //!
 //! What is claimed: no collapse state in which the push does work has 0 ≤ λ < lower. States in which
 //! it does none (a stone that drops while the push only holds on) are none of these, and nothing is
@@ -42,6 +43,7 @@
 mod branches;
 mod cleaner;
 mod dense;
+mod face;
 mod factor;
 mod interior_point;
 mod lift;

@@ -7,16 +7,24 @@
 
 use nalgebra::DMatrix;
 
-use super::parameters::ROUNDING;
+use super::parameters::{DEPENDENT, ROUNDING};
 use crate::certificate::{Conditions, Entry};
 
 /// How rates follow from a motion's unknowns: the velocities, then the forward slip of every joint.
+#[derive(Clone, Debug)]
 pub(super) struct Motion {
     /// Every rate in the unknowns: four a joint, the power, then those of slip bounds.
     pub(super) rows: Vec<Vec<Entry>>,
     /// Row of the live load's power among them.
     pub(super) power: usize,
     pub(super) unknowns: usize,
+}
+
+/// A rate that is zero, and the unknown that follows from others for it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pivot {
+    pub(super) rate: usize,
+    pub(super) unknown: usize,
 }
 
 impl Motion {
@@ -45,36 +53,101 @@ impl Motion {
         }
     }
 
-    /// In velocities and sums of the power along the blocks in this order. A sum is over the live load
-    /// of its last block in the direction in which that is largest, so that it is a velocity too.
-    pub(super) fn with_sums(conditions: &Conditions, order: &[usize]) -> Self {
-        let plain = Self::of_velocities(conditions);
-        // What the velocities that give way are, in what takes their place.
-        let mut replaced: Vec<Option<Vec<Entry>>> = vec![None; plain.unknowns];
-        let mut sum: Option<Entry> = None;
+    /// Without the unknowns that follow from others where these rates are zero, and which of these rates
+    /// each of them follows from: what is left of the others are the rates of all such motions. Rates that
+    /// follow from others are left out.
+    pub(super) fn where_zero(
+        mut self,
+        conditions: &Conditions,
+        is_zero: impl Fn(usize) -> bool,
+    ) -> (Self, Vec<Pivot>) {
+        let mut followed = Substitution::none(self.unknowns);
+        let mut pivots = Vec::new();
+        for rate in (0..self.rows.len()).filter(|&rate| is_zero(rate)) {
+            let row = followed.of(&self.rows[rate]);
+            let largest = row
+                .iter()
+                .fold(0.0, |most: f64, entry| most.max(entry.1.abs()));
+            if largest < DEPENDENT {
+                continue;
+            }
+            // A slip stands in few rates, a velocity in many.
+            let is_slip = |entry: &&Entry| entry.0 >= conditions.velocities();
+            let velocity = || row.iter().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
+            let pivot = row.iter().find(is_slip).or_else(velocity);
+            let &(unknown, value) = pivot.expect("the row is not empty");
+            let others = row.iter().filter(|entry| entry.0 != unknown);
+            let others = others.filter(|entry| entry.1.abs() > DEPENDENT * largest);
+            let others = others.map(|&(k, other)| (k, -other / value)).collect();
+            followed.replace(unknown, others);
+            pivots.push(Pivot { rate, unknown });
+        }
+        for (rate, row) in self.rows.iter_mut().enumerate() {
+            *row = if is_zero(rate) {
+                Vec::new()
+            } else {
+                followed.of(row)
+            };
+        }
+        (self, pivots)
+    }
+
+    /// In sums of the power along the blocks in this order, instead of one velocity each. A sum is over
+    /// the velocities of its last block, in the direction in which their power is largest, so that it is a
+    /// velocity too. Where that is less than this share of another term of the sum, the block's power goes
+    /// on to the next sum: divided by it, the others would be large.
+    pub(super) fn with_sums(
+        mut self,
+        conditions: &Conditions,
+        order: &[usize],
+        least_share: f64,
+    ) -> Self {
+        let mut in_sums = Substitution::none(self.unknowns);
+        let larger = |a: &Entry, b: &Entry| a.1.abs().total_cmp(&b.1.abs());
+        // The last sum, and what is not in it.
+        let mut terms: Vec<Entry> = Vec::new();
         for &block in order {
             // Supports that move have one velocity, the last.
             let own = 3 * block..(3 * block + 3).min(conditions.velocities());
-            let own = own.map(|k| (k, conditions.live[k]));
-            let own: Vec<Entry> = own.filter(|entry| entry.1 != 0.0).collect();
-            let largest = own.iter().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
-            let Some(&(at, load)) = largest else {
+            let own = self.power().iter().filter(|entry| own.contains(&entry.0));
+            let own: Vec<Entry> = own.copied().collect();
+            let largest = own.iter().copied().max_by(larger);
+            terms.extend(own);
+            let Some((at, load)) = largest else {
                 continue;
             };
-            let others = own.iter().filter(|entry| entry.0 != at).chain(&sum);
+            if terms
+                .iter()
+                .any(|term| load.abs() < least_share * term.1.abs())
+            {
+                continue;
+            }
+            let others = terms.iter().filter(|entry| entry.0 != at);
             let others = others.map(|&(k, value)| (k, -value / load));
-            replaced[at] = Some([(at, 1.0)].into_iter().chain(others).collect());
-            sum = Some((at, load));
+            in_sums.0[at] = Some([(at, 1.0)].into_iter().chain(others).collect());
+            terms = vec![(at, load)];
         }
-        let in_sums = |entries: &Vec<Entry>| {
-            combined(entries.iter().copied(), |k| {
-                replaced[k].clone().unwrap_or_else(|| vec![(k, 1.0)])
-            })
-        };
-        let mut rows: Vec<Vec<Entry>> = plain.rows.iter().map(in_sums).collect();
+        self.rows = self.rows.iter().map(|row| in_sums.of(row)).collect();
         // The sum of all, without what rounding leaves of the others.
-        rows[plain.power] = sum.into_iter().collect();
-        Self { rows, ..plain }
+        self.rows[self.power] = terms;
+        self
+    }
+
+    /// With the unknowns alone that stand in a rate.
+    pub(super) fn numbered(mut self) -> Self {
+        let mut places = vec![None; self.unknowns];
+        for &(k, _) in self.rows.iter().flatten() {
+            places[k] = Some(());
+        }
+        let mut count = 0..;
+        let places: Vec<Option<usize>> = (places.iter())
+            .map(|stands| stands.and_then(|()| count.next()))
+            .collect();
+        for (k, _) in self.rows.iter_mut().flatten() {
+            *k = places[*k].expect("it stands in a rate");
+        }
+        self.unknowns = places.iter().flatten().count();
+        self
     }
 
     /// The unknowns that meet in one rate, for each of them.
@@ -108,6 +181,34 @@ impl Motion {
             }
         }
         unknowns
+    }
+}
+
+/// What takes the place of unknowns; the others stay.
+struct Substitution(Vec<Option<Vec<Entry>>>);
+
+impl Substitution {
+    fn none(unknowns: usize) -> Self {
+        Self(vec![None; unknowns])
+    }
+
+    /// What a row becomes.
+    fn of(&self, row: &[Entry]) -> Vec<Entry> {
+        combined(row.iter().copied(), |k| {
+            self.0[k].clone().unwrap_or_else(|| vec![(k, 1.0)])
+        })
+    }
+
+    /// Puts others in the place of an unknown, everywhere.
+    fn replace(&mut self, unknown: usize, by: Vec<Entry>) {
+        let mut one = Self::none(self.0.len());
+        one.0[unknown] = Some(by);
+        for row in self.0.iter_mut().flatten() {
+            if row.iter().any(|entry| entry.0 == unknown) {
+                *row = one.of(row);
+            }
+        }
+        self.0[unknown] = one.0[unknown].take();
     }
 }
 
@@ -151,7 +252,7 @@ mod tests {
         let order: Vec<usize> = (0..blocks).rev().collect();
         let (plain, sums) = (
             Motion::of_velocities(&conditions),
-            Motion::with_sums(&conditions, &order),
+            Motion::of_velocities(&conditions).with_sums(&conditions, &order, 0.1),
         );
         let columns = |of: &dyn Fn(usize) -> f64| {
             DMatrix::from_fn(1, plain.unknowns, |_, k| {

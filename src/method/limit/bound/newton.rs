@@ -29,7 +29,7 @@ impl<'a> Newton<'a> {
         held: f64,
     ) -> Self {
         let one = &products.one;
-        let rates = products.motion.rows.iter().enumerate();
+        let rates = products.face.motion.rows.iter().enumerate();
         let mut parts: Vec<_> = rates.map(|(rate, row)| (rate, row, None)).collect();
         each(&mut parts, &|(rate, _, part)| {
             let mut scaled = products.transposed.clone();
@@ -37,12 +37,12 @@ impl<'a> Newton<'a> {
                 column *= *weight;
             }
             let mut sum = &scaled * &products.conditions;
-            if *rate == products.motion.power {
+            if *rate == products.face.motion.power {
                 sum.gemm(scale, one, &one.transpose(), 1.0);
             }
             *part = Some(sum);
         });
-        let mut tiles = Tiles::zero(products.pattern, one.len());
+        let mut tiles = Tiles::zero(&products.face.pattern, one.len());
         for (_, row, part) in parts {
             let part = part.expect("each is done");
             for &(p, x) in row {
@@ -51,7 +51,7 @@ impl<'a> Newton<'a> {
                 }
             }
         }
-        let [share, floor] = products.lift.parameters.regular;
+        let [share, floor] = products.parameters().regular;
         Self {
             products,
             weights,
@@ -83,7 +83,7 @@ impl<'a> Newton<'a> {
 
     /// Solves to a residual of this share of the right side, or as far as rounding lets it.
     pub(super) fn solve(&self, right: &DMatrix<f64>, share: f64) -> DMatrix<f64> {
-        let own = &self.products.lift.parameters;
+        let own = self.products.parameters();
         let mut x = self.solve_once(right);
         let mut residual = right - self.times(&x);
         let enough = share * right.amax();

@@ -3,13 +3,14 @@
 use nalgebra::DMatrix;
 
 use super::cleaner::Cleaner;
+use super::face::Face;
 use super::interior_point::Multipliers;
 use super::lift::Lift;
 use super::lifted::Request;
 use super::motion::Motion;
 use super::parameters::GRAIN;
 use super::products::Products;
-use crate::certificate::{Assumption, Slice, SliceProof, Zeros};
+use crate::certificate::{Assumption, Slice, SliceProof};
 
 /// The slice of a certificate with the highest bound that `prove` finds, of up to three: multipliers
 /// cleaned so that they leave as little of the identity as double precision allows, each changed in
@@ -17,15 +18,15 @@ use crate::certificate::{Assumption, Slice, SliceProof, Zeros};
 /// freely: where some motion can be as fast as it likes, its multipliers must vanish, and what rounding
 /// left of them is all that remains.
 pub(super) fn best_proof(
-    lift: &Lift,
+    face: &Face,
     request: Request,
     assumed: &[Assumption],
     multipliers: &Multipliers,
     prove: impl Fn(&Slice) -> Option<SliceProof>,
 ) -> Option<(Slice, SliceProof)> {
-    let zeros = Zeros::of(lift.joints(), assumed);
+    let (lift, zeros) = (face.lift, &face.zeros);
     let ends = [request.from, request.to];
-    let products = Products::all(lift, ends);
+    let products = Products::new(face, ends);
     let cleaner = Cleaner {
         products: &products,
         lambda: products.lambda.clone(),
@@ -45,7 +46,8 @@ pub(super) fn best_proof(
     let lost = lift.parameters.lost * (request.to - request.from);
     let mut best: Option<(Slice, SliceProof)> = None;
     for (values, of_sigma) in [(kept, little), (&dropped, little), (&dropped, freely)] {
-        let (values, sigma) = cleaner.clean(values.clone(), multipliers.sigma, of_sigma);
+        let (mut values, sigma) = cleaner.clean(values.clone(), multipliers.sigma, of_sigma);
+        face.complete(&mut values, sigma, ends);
         let slice = certified(lift, ends, assumed, sigma, values);
         if let Some(proof) = prove(&slice)
             && best.as_ref().is_none_or(|best| proof.least > best.1.least)

@@ -3,6 +3,7 @@
 use nalgebra::DMatrix;
 
 use super::branches::{Leaf, Leaves, most_violated};
+use super::face::Face;
 use super::interior_point::{Multipliers, solve};
 use super::lift::Lift;
 use super::lifted::Request;
@@ -10,9 +11,7 @@ use super::parameters::OTHER_MACHINE;
 use super::slice::best_proof;
 use super::vanishing::Vanishing;
 use crate::answer::{BoundFact, Budget};
-use crate::certificate::{
-    Assumption, Factor, Prover, SliceProof, Zeros, scene_fingerprint, together,
-};
+use crate::certificate::{Assumption, Factor, Prover, SliceProof, scene_fingerprint, together};
 use crate::certificate::{Certificate, Proved, Slice};
 use crate::method::settings::BoundSettings;
 use crate::scene::Scene;
@@ -68,14 +67,15 @@ impl Search<'_> {
         slices.ended_by = None;
         let tolerance = self.settings.bound_gap * state.max(1e-3);
         while state - slices.lower > tolerance {
-            let steps_left = match self.steps_left(slices) {
+            let at = slices.leaves.lowest();
+            let face = Face::of(self.lift, &slices.leaves.0[at].assumed);
+            let steps_left = match self.steps_left(slices, &face) {
                 Ok(steps) => steps,
                 Err(budget) => {
                     slices.ended_by = Some(budget);
                     return;
                 }
             };
-            let at = slices.leaves.lowest();
             if self.exclude(slices, at, state) {
                 slices.raise(told);
                 continue;
@@ -104,13 +104,13 @@ impl Search<'_> {
     }
 
     /// How many further steps the settings allow, or which of them allows none.
-    fn steps_left(&self, slices: &Slices) -> Result<usize, Budget> {
+    fn steps_left(&self, slices: &Slices, face: &Face) -> Result<usize, Budget> {
         let settings = self.settings;
         if slices.programs >= settings.lifts {
             return Err(Budget::Programs);
         }
         let by_steps = settings.lift_steps.saturating_sub(slices.steps);
-        let step = self.lift.step_work();
+        let step = face.step_work();
         let least = self.lift.parameters.least_steps as f64 * step;
         let by_work = (1e9 * settings.lift_work).max(least) - slices.work;
         let by_work = (by_work / step).max(0.0) as usize;
@@ -203,12 +203,12 @@ impl Search<'_> {
     /// Solves one slice of a leaf.
     fn solve(&self, found: &mut Slices, leaf: usize, request: Request) -> Seen {
         let assumed = found.leaves.0[leaf].assumed.clone();
-        let zeros = Zeros::of(self.lift.joints(), &assumed);
+        let face = Face::of(self.lift, &assumed);
         let prove = |slice: &Slice| self.proof(slice);
-        let mut multipliers = solve(self.lift, request, &zeros);
+        let mut multipliers = solve(&face, request);
         found.programs += 1;
-        found.count(multipliers.steps, self.lift);
-        let mut best = best_proof(self.lift, request, &assumed, &multipliers, prove);
+        found.count(multipliers.steps, &face);
+        let mut best = best_proof(&face, request, &assumed, &multipliers, prove);
         let least = |best: &Option<(Slice, SliceProof)>| {
             best.as_ref()
                 .map_or(f64::NEG_INFINITY, |(_, proof)| proof.least)
@@ -221,16 +221,16 @@ impl Search<'_> {
                 exact: true,
                 ..request
             };
-            let again = solve(self.lift, exact, &zeros);
+            let again = solve(&face, exact);
             found.programs += 1;
-            found.count(again.steps, self.lift);
-            let other = best_proof(self.lift, exact, &assumed, &again, prove);
+            found.count(again.steps, &face);
+            let other = best_proof(&face, exact, &assumed, &again, prove);
             if least(&other) > least(&best) {
                 found.exact = true;
                 (best, multipliers) = (other, again);
             }
         }
-        let violated = most_violated(self.lift, request, &zeros, &multipliers);
+        let violated = most_violated(&face, request, &multipliers);
         let Some((slice, proof)) = best else {
             return Seen {
                 gain: 0.0,
@@ -238,7 +238,7 @@ impl Search<'_> {
             };
         };
         if proof.least <= request.to {
-            found.normals = normals(self.lift, &multipliers);
+            found.normals = normals(&face, &multipliers);
         }
         let reached = proof.least.min(request.to);
         let gain = (reached - request.from) / (request.to - request.from);
@@ -260,9 +260,9 @@ impl Slices {
         }
     }
 
-    fn count(&mut self, steps: usize, lift: &Lift) {
+    fn count(&mut self, steps: usize, face: &Face) {
         self.steps += steps;
-        self.work += steps as f64 * lift.step_work();
+        self.work += steps as f64 * face.step_work();
     }
 
     /// What ended the proof before it met the lowest state.
@@ -298,9 +298,10 @@ impl Slices {
 
 /// Normal forces of the states that the lift is made of: the columns of the power and of the rates
 /// that weigh most.
-fn normals(lift: &Lift, multipliers: &Multipliers) -> Vec<Vec<f64>> {
-    let rates = lift.motion.rates(&multipliers.unknowns);
-    let weights = lift.basis.row(0) * &rates;
+fn normals(face: &Face, multipliers: &Multipliers) -> Vec<Vec<f64>> {
+    let lift = face.lift;
+    let rates = face.motion.rates(&multipliers.unknowns);
+    let weights = face.basis.row(0) * &rates;
     let power = lift.conditions.power();
     let mut order: Vec<usize> = (0..power).collect();
     order.sort_by(|&a, &b| weights[b].total_cmp(&weights[a]));
@@ -309,7 +310,7 @@ fn normals(lift: &Lift, multipliers: &Multipliers) -> Vec<Vec<f64>> {
     let least = own.state_weight * weights[power].abs();
     let usable = chosen.filter(|&rate| weights[rate] > least);
     let normal = |rate: usize| {
-        let forces: DMatrix<f64> = &lift.basis * rates.columns(rate, 1) / weights[rate];
+        let forces: DMatrix<f64> = &face.basis * rates.columns(rate, 1) / weights[rate];
         let joints = (0..lift.joints()).map(|j| (forces[2 + 3 * j] + forces[3 + 3 * j]).max(0.0));
         joints.collect()
     };

@@ -36,7 +36,7 @@ struct Aimed {
 
 impl<'a> Linearised<'a> {
     pub(super) fn new(program: &'a Lifted<'a>, at: &'a Point, residual: &'a Residual) -> Self {
-        let own = &program.products.lift.parameters;
+        let own = program.products.parameters();
         let of_mean = |[share, least, most]: [f64; 3]| (share * residual.mean).clamp(least, most);
         let softness = of_mean(own.softness);
         let soften = |product, multiplier| 1.0 / (product + softness * multiplier);
@@ -65,7 +65,7 @@ impl<'a> Linearised<'a> {
     /// Mehrotra's step, drawn to the centre, and how far it goes.
     pub(super) fn corrected(&self) -> (Point, Lengths) {
         let (program, at, mean) = (self.program, self.at, self.residual.mean);
-        let own = &program.products.lift.parameters;
+        let own = program.products.parameters();
         let scale = at.scale[1] / at.scale[0];
         let weights = &self.weights;
         let newton = Newton::new(&program.products, &weights.values, scale, weights.held);
@@ -103,7 +103,7 @@ impl<'a> Linearised<'a> {
     /// factor is there already, so that each correction is one more solution.
     fn drawn_to_centre(&self, newton: &Newton, mut aimed: Aimed, centre: f64) -> Point {
         let (program, at) = (self.program, self.at);
-        let own = &program.products.lift.parameters;
+        let own = program.products.parameters();
         let range = [own.near_centre * centre, centre / own.near_centre];
         let mut reach = program.lengths(at, &aimed.step);
         for _ in 0..own.corrections {
@@ -167,7 +167,7 @@ impl<'a> Linearised<'a> {
         let mut right = program.products.transposed(&target);
         right -= &residual.identity;
         right -= &program.scale_row * of_scale;
-        let unknowns = newton.solve(&right, program.products.lift.parameters.solved_to);
+        let unknowns = newton.solve(&right, program.products.parameters().solved_to);
         let moved = program.products.of(&unknowns);
         let multipliers = target - values.component_mul(&moved);
         let mut products = moved + &residual.products + &multipliers * *softness;

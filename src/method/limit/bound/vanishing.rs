@@ -11,9 +11,8 @@ use clarabel::algebra::CscMatrix;
 use nalgebra::{DMatrix, DVector};
 
 use super::cleaner::Cleaner;
-use super::factor::Pattern;
+use super::face::Face;
 use super::lift::Lift;
-use super::motion::Motion;
 use super::parameters::OPTIMAL;
 use super::products::Products;
 use super::slice::certified;
@@ -109,9 +108,8 @@ impl Vanishing {
     /// hold that the forces vanish.
     pub(super) fn slice(&self, lift: &Lift, [from, to]: [f64; 2], assumed: &[Assumption]) -> Slice {
         let own = &lift.parameters;
-        let motion = Motion::of_one_rate();
-        let pattern = Pattern::new(1, motion.meetings());
-        let products = Products::new(lift, [from, to], (&motion, &pattern));
+        let face = Face::of_one_rate(lift);
+        let products = Products::new(&face, [from, to]);
         let rows = products.conditions.nrows();
         let one = rows - 3;
         let excess = self.share * from - self.upto;
@@ -127,7 +125,7 @@ impl Vanishing {
         // Together they are to be −1.
         let cleaner = Cleaner {
             products: &products,
-            lambda: DVector::zeros(lift.free()),
+            lambda: DVector::zeros(face.free()),
             is_zero: &vanishes,
             exponent: 2,
         };
