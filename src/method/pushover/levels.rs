@@ -61,10 +61,13 @@ pub struct Enclosure {
 /// Pushes a portion with shorter and shorter substeps until the brackets agree.
 pub fn by_levels(scene: &Scene, portion: &Portion, asked: Asked) -> Levels {
     let tuned = &asked.tuned;
+    let model = Model::new(scene, portion, tuned);
+    let sways = (model.as_ref()).is_ok_and(|model| model.courses >= tuned.swaying);
     let sizes = Sizes {
         unit: portion.multiplier_unit(scene),
-        extent: Model::new(scene, portion, tuned).map_or(1.0, |model| model.extent),
+        extent: model.map_or(1.0, |model| model.extent),
     };
+    let least = if sways { tuned.levels_of_swaying } else { 2 };
     let mut levels = Levels {
         seen: Vec::new(),
         last: Outcome::of(Status::Undecided),
@@ -88,7 +91,8 @@ pub fn by_levels(scene: &Scene, portion: &Portion, asked: Asked) -> Levels {
                 levels.last = outcome;
                 levels.halvings = halvings;
                 let ends = levels.seen.len() >= tuned.levels || spent + cost > tuned.budget;
-                levels.agreed = agreement(&levels.seen, sizes, target, ends, tuned);
+                let agreed = agreement(&levels.seen, sizes, target, ends, tuned);
+                levels.agreed = agreed.filter(|_| levels.seen.len() >= least);
                 if ends || levels.agreed.is_some() {
                     break;
                 }
@@ -147,11 +151,8 @@ fn shortens(before: &mut f64, outcome: &Outcome, shrinking: f64) -> bool {
 
 /// The figure of the check on drift.
 fn drift(outcome: &Outcome) -> f64 {
-    let of = outcome
-        .evidence
-        .checks()
-        .iter()
-        .find(|check| check.what == Checked::Drift);
+    let mut checks = outcome.evidence.checks().iter();
+    let of = checks.find(|check| check.what == Checked::Drift);
     of.map_or(f64::INFINITY, |check| check.value)
 }
 
@@ -182,11 +183,17 @@ fn agreement(
         return None;
     }
     let ratio = ratio.min(tuned.shrinking);
-    let left = step * ratio / (1.0 - ratio);
-    let bracket = covering(before.bracket, last.bracket, left, sizes.unit / GRID);
+    let grid = sizes.unit / GRID;
+    let shows = !overlap(before.bracket, last.bracket, grid);
+    let left = if shows {
+        step * ratio / (1.0 - ratio)
+    } else {
+        0.0
+    };
+    let bracket = covering(before.bracket, last.bracket, left, grid);
     let error = bracket
         .relative_width(sizes.unit)
-        .max(slid(before, last) / sizes.extent);
+        .max(moved(before, last, shows) / sizes.extent);
     let error = rounded_up(error);
     let most = if ends {
         tuned.most_error * target
@@ -196,39 +203,39 @@ fn agreement(
     (error <= most).then_some(Enclosure { bracket, error })
 }
 
-/// How far the scene slid before it collapsed, in course heights. Contacts deflect with the square of
-/// the substep; what is left for a substep of 0 is no deflection. A scene that slid collapses in
-/// another place than where it was laid, with lever arms that differ by as much.
-fn slid(before: Level, last: Level) -> f64 {
-    ((4.0 * last.drift - before.drift) / 3.0).clamp(0.0, last.drift)
+/// How far the scene moved before it collapsed, in course heights, where no trend makes up for it: it
+/// collapses in another place than where it was laid, with lever arms that differ by as much. Contacts
+/// deflect with the square of the substep, and a trend that `shows` goes to a substep of 0; what is left
+/// there is no deflection, but the scene slid.
+fn moved(before: Level, last: Level, shows: bool) -> f64 {
+    let slid = (4.0 * last.drift - before.drift) / 3.0;
+    if shows {
+        slid.clamp(0.0, last.drift)
+    } else {
+        last.drift
+    }
 }
 
 fn middle(bracket: Bracket) -> f64 {
     bracket.lower.midpoint(bracket.upper)
 }
 
-/// Both brackets, and the last one moved on by what the trend leaves; the ends on the grid. Brackets
-/// that overlap or meet show no trend.
-fn covering(before: Bracket, last: Bracket, left: f64, grid: f64) -> Bracket {
+/// Whether brackets overlap or meet: they show no trend.
+fn overlap(before: Bracket, last: Bracket, grid: f64) -> bool {
     let tiny = grid / 2.0;
-    let overlap = before.lower < last.upper + tiny && last.lower < before.upper + tiny;
-    let left = if overlap { 0.0 } else { left };
+    before.lower < last.upper + tiny && last.lower < before.upper + tiny
+}
+
+/// Both brackets, and the last one moved on by what the trend leaves; the ends on the grid.
+fn covering(before: Bracket, last: Bracket, left: f64, grid: f64) -> Bracket {
     let lower = before.lower.min(last.lower + left.min(0.0));
     let upper = before.upper.max(last.upper + left.max(0.0));
+    let on_grid = |steps: f64| steps / GRID * (grid * GRID);
     // Ends that are on the grid stay where they are in spite of rounding.
-    let on_grid = |at: f64, round: fn(f64) -> f64| {
-        let steps = at / grid;
-        let near = steps.round();
-        let steps = if (steps - near).abs() < 1e-6 * near.max(1.0) {
-            near
-        } else {
-            round(steps)
-        };
-        steps / GRID * (grid * GRID)
-    };
+    let rounding = |at: f64| 1e-6 * (at / grid).max(1.0);
     Bracket {
-        lower: on_grid(lower, f64::floor).max(0.0),
-        upper: on_grid(upper, f64::ceil),
+        lower: on_grid((lower / grid + rounding(lower)).floor()).max(0.0),
+        upper: on_grid((upper / grid - rounding(upper)).ceil()),
     }
 }
 

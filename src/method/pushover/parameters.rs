@@ -52,7 +52,7 @@ impl Basis {
         let sways = model.courses >= tuned.swaying;
         // Elastic deflections, and with them all drift up to the limit, fall with the square of the
         // substep at the same number of substeps: a wall that sways has to be kept from leaning.
-        let product = if sways { 0.015 } else { 0.025 } / finer;
+        let product = if sways { 0.03 } else { 0.025 } / finer;
         Self {
             accuracy,
             courses: model.courses,
@@ -60,11 +60,7 @@ impl Basis {
             sways,
             finer,
             product,
-            sway: if sways {
-                (product / 0.025).powi(2)
-            } else {
-                1.0
-            },
+            sway: if sways { (product / 0.05).powi(2) } else { 1.0 },
             stated_error: stated_error(accuracy, model.courses),
         }
     }

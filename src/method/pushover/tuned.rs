@@ -28,8 +28,10 @@ tuned! {
     more_sweeps: usize = 2;
     /// Levels that may end with a load that neither rests nor collapses in time.
     doubts: usize = 3;
-    /// Blocks times substeps after which no further level is begun.
-    budget: usize = 400_000_000;
+    /// Levels that must agree where a scene sways: only three show whether differences shrink.
+    levels_of_swaying: usize = 3;
+    /// Blocks times substeps after which no further level is begun; 1800 blocks need 80 to 310 million each.
+    budget: usize = 1_000_000_000;
     /// Part of the error asked for within which two levels agree at once.
     close: f64 = 0.25;
     /// Part of a difference between levels that the next one may be, where they shrink.
