@@ -67,7 +67,8 @@ pub fn by_levels(scene: &Scene, portion: &Portion, asked: Asked) -> Levels {
         unit: portion.multiplier_unit(scene),
         extent: model.map_or(1.0, |model| model.extent),
     };
-    let least = if sways { tuned.levels_of_swaying } else { 2 };
+    let swaying = tuned.levels_of_swaying.min(tuned.levels);
+    let least = if sways { swaying } else { 2 };
     let mut levels = Levels {
         seen: Vec::new(),
         last: Outcome::of(Status::Undecided),
@@ -203,10 +204,9 @@ fn agreement(
     (error <= most).then_some(Enclosure { bracket, error })
 }
 
-/// How far the scene moved before it collapsed, in course heights, where no trend makes up for it: it
-/// collapses in another place than where it was laid, with lever arms that differ by as much. Contacts
-/// deflect with the square of the substep, and a trend that `shows` goes to a substep of 0; what is left
-/// there is no deflection, but the scene slid.
+/// How far the scene moved before it collapsed, in course heights: it collapses elsewhere than where it
+/// was laid, with lever arms that differ by as much. Contacts deflect with the square of the substep; a
+/// trend that `shows` makes up for that, and what is left for a substep of 0 is how far the scene slid.
 fn moved(before: Level, last: Level, shows: bool) -> f64 {
     let slid = (4.0 * last.drift - before.drift) / 3.0;
     if shows {
