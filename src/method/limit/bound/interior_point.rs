@@ -25,45 +25,58 @@ pub(super) struct Multipliers {
     pub(super) unknowns: DMatrix<f64>,
     /// The bound on λ* that they give, but for what they leave of the identity.
     pub(super) sigma: f64,
-    /// Steps done.
-    pub(super) steps: usize,
 }
 
-/// Solves one slice.
-pub(super) fn solve(face: &Face, request: Request) -> Multipliers {
+/// Solves one slice until its multipliers `suffice`, are as good as they get, or steps are used up, and
+/// returns its steps. `suffice` gets multipliers that the iteration may end with, and whether they are to be
+/// those of the optimum; where they do not suffice, it goes on, to leave less of the identity.
+pub(super) fn solve(
+    face: &Face,
+    request: Request,
+    suffice: &mut dyn FnMut(&Multipliers, bool) -> bool,
+) -> usize {
     let own = &face.lift.parameters;
-    let program = Lifted::new(face, request);
+    let mut program = Lifted::new(face, request);
     let mut at = program.start();
     let mut stalled = 0;
     let mut best: Option<(f64, Multipliers)> = None;
-    for steps in 0..=request.steps {
+    let mut steps = 0;
+    loop {
         let residual = program.residual(&at);
         if !residual.is_finite() {
             break;
         }
+        let multipliers = || Multipliers {
+            values: at.multipliers.clone(),
+            products: at.products.clone(),
+            unknowns: at.unknowns.clone(),
+            sigma: residual.sigma,
+        };
+        if program.is_done(&residual) {
+            if suffice(&multipliers(), program.request.exact) {
+                return steps;
+            }
+            program.refine(&residual);
+        }
         let merit = residual.sigma.min(request.enough) - own.of_left * residual.left;
         if best.as_ref().is_none_or(|(most, _)| merit > *most) {
-            let multipliers = Multipliers {
-                values: at.multipliers.clone(),
-                products: at.products.clone(),
-                unknowns: at.unknowns.clone(),
-                sigma: residual.sigma,
-                steps,
-            };
-            best = Some((merit, multipliers));
+            best = Some((merit, multipliers()));
         }
         let is_stuck = stalled > own.stalled_steps || residual.mean < own.least_mean;
-        if program.is_done(&residual) || is_stuck || steps == request.steps {
+        if is_stuck || steps == request.steps {
             break;
         }
         let (step, reach) = Linearised::new(&program, &at, &residual).corrected();
         let [primal, dual] = reach.map(|length| ((1.0 - own.kept_back) * length).min(1.0));
         at.advance(&step, [primal, dual]);
+        steps += 1;
         stalled = if primal.max(dual) < own.stalled_step {
             stalled + 1
         } else {
             0
         };
     }
-    best.expect("the start is finite").1
+    let (_, best) = best.expect("the start is finite");
+    suffice(&best, program.request.exact);
+    steps
 }

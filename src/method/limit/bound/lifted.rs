@@ -22,12 +22,14 @@ pub(super) struct Request {
     /// Whether it goes on to the optimum: slower, and for slices whose multipliers leave too much of the
     /// identity otherwise.
     pub(super) exact: bool,
+    /// What multipliers may leave of the identity at the end.
+    pub(super) left: f64,
 }
 
 /// The lifted program of one slice.
 pub(super) struct Lifted<'a> {
     pub(super) products: Products<'a>,
-    request: Request,
+    pub(super) request: Request,
     /// Whether a product is zero, column by column, so that its multiplier has any sign.
     pub(super) is_zero: Vec<bool>,
     /// How many are not, with the scale condition.
@@ -113,6 +115,13 @@ impl<'a> Lifted<'a> {
         }
     }
 
+    /// Goes on from multipliers that left too much of the identity to be proved.
+    pub(super) fn refine(&mut self, residual: &Residual) {
+        let own = self.products.parameters();
+        self.request.exact = true;
+        self.request.left = own.refined * residual.left.min(self.request.left);
+    }
+
     /// Whether the bound is enough, or as good as it gets.
     pub(super) fn is_done(&self, residual: &Residual) -> bool {
         let own = self.products.parameters();
@@ -124,11 +133,11 @@ impl<'a> Lifted<'a> {
             ..
         } = *residual;
         let Request { from, enough, .. } = self.request;
-        let excludes = sigma > enough && left < own.left;
+        let excludes = sigma > enough && left < self.request.left;
         // A lifted state well inside the slice: where exactly the bound ends is of no use.
         let inside = above - sigma < own.rough * (above - from).min(enough - above);
         let leave = |most: f64| left < most && violated < most;
-        let is_optimal = above - sigma < own.gap && leave(own.left);
+        let is_optimal = above - sigma < own.gap && leave(self.request.left);
         let is_rough = inside && leave(own.roughly_left);
         excludes || is_optimal || (is_rough && !self.request.exact)
     }

@@ -21,7 +21,7 @@ pub(super) fn best_proof(
     face: &Face,
     request: Request,
     assumed: &[Assumption],
-    multipliers: &Multipliers,
+    (multipliers, exact): (&Multipliers, bool),
     prove: impl Fn(&Slice) -> Option<SliceProof>,
 ) -> Option<(Slice, SliceProof)> {
     let (lift, zeros) = (face.lift, &face.zeros);
@@ -31,7 +31,7 @@ pub(super) fn best_proof(
         products: &products,
         lambda: products.lambda.clone(),
         is_zero: &|force, rate| zeros.is_zero(force, rate),
-        exponent: if request.exact { 2 } else { 1 },
+        exponent: if exact { 2 } else { 1 },
     };
     let kept = &multipliers.values;
     let dropped = kept.map_with_location(|force, rate, value| {

@@ -48,6 +48,23 @@ pub(super) struct Slices {
     pub(super) normals: Vec<Vec<f64>>,
 }
 
+/// What the multipliers of a slice gave that have the highest bound.
+struct Best {
+    proof: Option<(Slice, SliceProof)>,
+    /// The product that the lifted state violates most.
+    violated: Option<usize>,
+    /// Normal forces of the states that it is made of.
+    normals: Vec<Vec<f64>>,
+    /// Whether they are those of the optimum.
+    exact: bool,
+}
+
+impl Best {
+    fn least(&self) -> Option<f64> {
+        self.proof.as_ref().map(|(_, proof)| proof.least)
+    }
+}
+
 /// What one slice showed.
 struct Seen {
     /// Share of its width by which it raises the bound.
@@ -59,9 +76,9 @@ struct Seen {
 impl Search<'_> {
     /// Solves slices until the bound meets the lowest state or the budget is spent, always of the
     /// branch with the lowest bound. A slice begins where the last one ended: the whole distance to
-    /// the state at first, half as far after one that gained less than half of its width, twice as far
-    /// after one without states. Where short ones gain nothing either, the branch is divided. `told`
-    /// gets the slices each time that the bound has grown.
+    /// the state at first, then half of what is left; half as far after one that gained less than half of its
+    /// width, twice as far after one without states. Where short ones gain nothing either, the branch is
+    /// divided. `told` gets the slices each time that the bound has grown.
     pub(super) fn run(&mut self, slices: &mut Slices, state: f64, told: &dyn Fn(&Slices)) {
         let own = &self.lift.parameters;
         slices.ended_by = None;
@@ -88,10 +105,11 @@ impl Search<'_> {
             let seen = self.solve(slices, at, request);
             let leaf = &mut slices.leaves.0[at];
             if leaf.lower >= request.to.min(state) {
-                leaf.share = f64::min(1.0, 2.0 * leaf.share);
+                leaf.share *= 2.0;
             } else if seen.gain < own.half_gain {
                 leaf.share *= 0.5;
             }
+            leaf.share = leaf.share.min(own.next_share);
             let divides = leaf.share < own.least_share || seen.gain < own.least_gain;
             slices.raise(told);
             if divides {
@@ -140,6 +158,7 @@ impl Search<'_> {
             most: to + own.beyond[0] * to + own.beyond[1],
             steps: 0,
             exact: false,
+            left: own.left,
         }
     }
 
@@ -204,41 +223,38 @@ impl Search<'_> {
     fn solve(&self, found: &mut Slices, leaf: usize, request: Request) -> Seen {
         let assumed = found.leaves.0[leaf].assumed.clone();
         let face = Face::of(self.lift, &assumed);
-        let prove = |slice: &Slice| self.proof(slice);
-        let mut multipliers = solve(&face, request);
-        found.programs += 1;
-        found.count(multipliers.steps, &face);
-        let mut best = best_proof(&face, request, &assumed, &multipliers, prove);
-        let least = |best: &Option<(Slice, SliceProof)>| {
-            best.as_ref()
-                .map_or(f64::NEG_INFINITY, |(_, proof)| proof.least)
-        };
-        // What the multipliers promise and the proof does not keep is lost to rounding.
-        let promised = multipliers.sigma.min(request.to);
         let bearable = self.lift.parameters.lost_to_rounding * (request.to - request.from);
-        if !request.exact && promised - least(&best) > bearable {
-            let exact = Request {
-                exact: true,
-                ..request
+        let mut best: Option<Best> = None;
+        let steps = solve(&face, request, &mut |multipliers, exact| {
+            let prove = |slice: &Slice| self.proof(slice);
+            let proof = best_proof(&face, request, &assumed, (multipliers, exact), prove);
+            let own = Best {
+                violated: most_violated(&face, request, multipliers),
+                normals: normals(&face, multipliers),
+                proof,
+                exact,
             };
-            let again = solve(&face, exact);
-            found.programs += 1;
-            found.count(again.steps, &face);
-            let other = best_proof(&face, exact, &assumed, &again, prove);
-            if least(&other) > least(&best) {
-                found.exact = true;
-                (best, multipliers) = (other, again);
+            if best.as_ref().is_none_or(|best| own.least() > best.least()) {
+                best = Some(own);
             }
-        }
-        let violated = most_violated(&face, request, &multipliers);
-        let Some((slice, proof)) = best else {
+            // What the multipliers promise and the proof does not keep is lost to rounding.
+            let promised = multipliers.sigma.min(request.to);
+            let least = best.as_ref().and_then(Best::least);
+            least.is_some_and(|least| promised - least <= bearable)
+        });
+        found.programs += 1;
+        found.count(steps, &face);
+        let best = best.expect("the iteration ends with multipliers");
+        found.exact |= best.exact;
+        let violated = best.violated;
+        let Some((slice, proof)) = best.proof else {
             return Seen {
                 gain: 0.0,
                 violated,
             };
         };
         if proof.least <= request.to {
-            found.normals = normals(&face, &multipliers);
+            found.normals = best.normals;
         }
         let reached = proof.least.min(request.to);
         let gain = (reached - request.from) / (request.to - request.from);
