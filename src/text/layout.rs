@@ -18,7 +18,7 @@ pub struct Layout {
 }
 
 impl Layout {
-    /// The width, where there is one: [`LEAST_WIDTH`] at least.
+    /// The width, where there is one: `LEAST_WIDTH` at least.
     pub fn columns(self) -> Option<usize> {
         self.width.map(|width| width.max(LEAST_WIDTH))
     }
