@@ -33,6 +33,7 @@ fn the_stored_certificates_of_walls_enclose_them() {
     let files = std::fs::read_dir(folder).unwrap();
     let sizes = files.map(|file| file.unwrap().metadata().unwrap().len());
     assert!(sizes.sum::<u64>() < 15_000_000);
+    let ci = std::path::Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.ci"));
     let (contact, open) = (HeadJoints::Contact, HeadJoints::Open);
     for (file, own, other, lowest, gap) in [
         ("paper-1", contact, open, 0.638_982, 5e-4),
@@ -41,7 +42,12 @@ fn the_stored_certificates_of_walls_enclose_them() {
     ] {
         let name = file.split('@').next().expect("there is a first part");
         let case = &case::find(name).unwrap()[0];
-        let bytes = std::fs::read(format!("{folder}/{file}.right.bound")).unwrap();
+        let path = format!("{folder}/{file}.right.bound");
+        // The crate has no `.ci`, and not the largest certificate either.
+        if !ci.exists() && gap == 1e-3 {
+            continue;
+        }
+        let bytes = std::fs::read(path).unwrap();
         let certificate = Certificate::from_bytes(&bytes).unwrap();
         let proved = prove(&case.scene(own), &certificate).unwrap();
         let enclosed = lowest * (1.0 - gap)..lowest + 1e-6;
