@@ -169,9 +169,9 @@ fn zero_forces(lift: &Lift, zeros: &Zeros) -> Vec<usize> {
     forces.filter(|&force| zeros.force(force)).collect()
 }
 
-/// The inverse of a matrix on what it maps to. That of its singular values is off by 1e-11 on walls of 50
-/// blocks, which a step of Newton's method squares (Ben-Israel and Cohen, SIAM J. Numer. Anal. 3 (1966)
-/// 410-419).
+/// The inverse of a matrix on what it maps to. By its singular values alone, it was off by 1e-11 on paper-2
+/// with open head joints; a step of Newton's method squares that (Ben-Israel and Cohen, SIAM J. Numer. Anal.
+/// 3 (1966) 410-419).
 fn inverse(matrix: DMatrix<f64>) -> DMatrix<f64> {
     let inverse = matrix.clone().pseudo_inverse(DEPENDENT);
     let inverse = inverse.expect("the least share is not negative");
