@@ -21,6 +21,10 @@ pub(super) struct Leaf {
     pub(super) lower: f64,
     /// Share of the distance to the lowest state that the next slice spans.
     pub(super) share: f64,
+    /// Whether shorter slices gain nothing either, so that it is to be divided.
+    pub(super) divides: bool,
+    /// Products that its last lifted state violates, the worst first.
+    pub(super) violated: Vec<usize>,
     /// Up to which λ its forces can vanish; `None` until it is asked for.
     pub(super) vanishing: Option<Vanishings>,
 }
@@ -67,6 +71,23 @@ impl Leaf {
             (self.vanishing).get_or_insert_with(|| Vanishings::of(conditions, assumed));
         (vanishings, solved)
     }
+
+    /// Its parts: in one the force of a product is zero, in the other its rate.
+    pub(super) fn parts(&self, pair: usize) -> [Self; 2] {
+        [Factor::Force, Factor::Rate].map(|zero| {
+            let mut assumed = self.assumed.clone();
+            assumed.push(Assumption { pair, zero });
+            Self {
+                assumed,
+                lower: self.lower,
+                share: 1.0,
+                divides: false,
+                violated: Vec::new(),
+                // What assumes no more forces has the same.
+                vanishing: self.vanishing.clone().filter(|_| zero == Factor::Rate),
+            }
+        })
+    }
 }
 
 /// All branches together; they leave no state out.
@@ -78,6 +99,8 @@ impl Default for Leaves {
             assumed: Vec::new(),
             lower: 0.0,
             share: 1.0,
+            divides: false,
+            violated: Vec::new(),
             vanishing: None,
         }])
     }
@@ -95,33 +118,11 @@ impl Leaves {
     pub(super) fn lower(&self) -> f64 {
         self.0[self.lowest()].lower
     }
-
-    /// Divides a leaf: in one part the force of a product is zero, in the other its rate.
-    pub(super) fn divide(&mut self, leaf: usize, pair: usize) {
-        let part = |zero: Factor, leaf: &Leaf| {
-            let mut assumed = leaf.assumed.clone();
-            assumed.push(Assumption { pair, zero });
-            Leaf {
-                assumed,
-                lower: leaf.lower,
-                share: 1.0,
-                // What assumes no more forces has the same.
-                vanishing: leaf.vanishing.clone().filter(|_| zero == Factor::Rate),
-            }
-        };
-        let other = part(Factor::Rate, &self.0[leaf]);
-        self.0[leaf] = part(Factor::Force, &self.0[leaf]);
-        self.0.push(other);
-    }
 }
 
-/// The product of a joint that is zero in every state and of which the lifted state has both factors
-/// most in the mean; `None` where none is left.
-pub(super) fn most_violated(
-    face: &Face,
-    request: Request,
-    multipliers: &Multipliers,
-) -> Option<usize> {
+/// The products of joints that are zero in every state and of which the lifted state has both factors,
+/// those first of which it has most in the mean.
+pub(super) fn violated(face: &Face, request: Request, multipliers: &Multipliers) -> Vec<usize> {
     let zeros = &face.zeros;
     let products = Products::new(face, [request.from, request.to]);
     let products = products.of(&multipliers.unknowns);
@@ -130,9 +131,9 @@ pub(super) fn most_violated(
     let one = power;
     let both = |pair: usize| products[(pair, power)] * products[(one, pair)];
     let pairs = (0..one).filter(|&pair| !zeros.is_zero(pair, power) && !zeros.is_zero(one, pair));
-    pairs
-        .filter(|&pair| both(pair) > 0.0)
-        .max_by(|&a, &b| both(a).total_cmp(&both(b)))
+    let mut violated: Vec<usize> = pairs.filter(|&pair| both(pair) > 0.0).collect();
+    violated.sort_by(|&a, &b| both(b).total_cmp(&both(a)));
+    violated
 }
 
 #[cfg(test)]
@@ -158,7 +159,9 @@ mod tests {
         let settings = Settings::default().bound;
         let mut slices = Slices::default();
         for (leaf, &pair) in pairs.iter().enumerate() {
-            slices.leaves.divide(leaf, pair);
+            let [part, other] = slices.leaves.0[leaf].parts(pair);
+            slices.leaves.0[leaf] = part;
+            slices.leaves.0.push(other);
         }
         let mut search = Search {
             lift: &lift,

@@ -62,8 +62,10 @@ pub(super) fn solve(
         if best.as_ref().is_none_or(|(most, _)| merit > *most) {
             best = Some((merit, multipliers()));
         }
+        let is_behind = (best.as_ref()).is_some_and(|(most, _)| *most < request.from);
+        let is_late = is_behind && steps >= own.late;
         let is_stuck = stalled > own.stalled_steps || residual.mean < own.least_mean;
-        if is_stuck || steps == request.steps {
+        if is_stuck || is_late || steps == request.steps {
             break;
         }
         let (step, reach) = Linearised::new(&program, &at, &residual).corrected();

@@ -43,6 +43,7 @@
 mod branches;
 mod cleaner;
 mod dense;
+mod division;
 mod face;
 mod factor;
 mod interior_point;

@@ -2,7 +2,8 @@
 
 use nalgebra::DMatrix;
 
-use super::branches::{Leaf, Leaves, most_violated};
+use super::branches::{Leaf, Leaves, violated};
+use super::division::Gains;
 use super::face::Face;
 use super::interior_point::{Multipliers, solve};
 use super::lift::Lift;
@@ -24,6 +25,15 @@ pub(super) struct Search<'a> {
     pub(super) settings: &'a BoundSettings,
 }
 
+/// What a bound is to reach.
+#[derive(Clone, Copy)]
+pub(super) struct Goal {
+    /// λ of the lowest known collapse state.
+    pub(super) state: f64,
+    /// How far below it the bound may stay.
+    pub(super) tolerance: f64,
+}
+
 /// The slices so far.
 #[derive(Default)]
 pub(super) struct Slices {
@@ -31,8 +41,10 @@ pub(super) struct Slices {
     pub(super) lower: f64,
     /// The branches that leave no state out.
     pub(super) leaves: Leaves,
+    /// What divisions gained so far.
+    pub(super) gains: Gains,
     /// Slices that raised a leaf.
-    slices: Vec<(Slice, SliceProof)>,
+    pub(super) slices: Vec<(Slice, SliceProof)>,
     /// Lifts solved, and their steps.
     pub(super) programs: usize,
     pub(super) steps: usize,
@@ -51,8 +63,8 @@ pub(super) struct Slices {
 /// What the multipliers of a slice gave that have the highest bound.
 struct Best {
     proof: Option<(Slice, SliceProof)>,
-    /// The product that the lifted state violates most.
-    violated: Option<usize>,
+    /// Products that the lifted state violates, the worst first.
+    violated: Vec<usize>,
     /// Normal forces of the states that it is made of.
     normals: Vec<Vec<f64>>,
     /// Whether they are those of the optimum.
@@ -65,14 +77,6 @@ impl Best {
     }
 }
 
-/// What one slice showed.
-struct Seen {
-    /// Share of its width by which it raises the bound.
-    gain: f64,
-    /// The product that the lifted state violates most, as a product of means.
-    violated: Option<usize>,
-}
-
 impl Search<'_> {
     /// Solves slices until the bound meets the lowest state or the budget is spent, always of the
     /// branch with the lowest bound. A slice begins where the last one ended: the whole distance to
@@ -80,45 +84,62 @@ impl Search<'_> {
     /// width, twice as far after one without states. Where short ones gain nothing either, the branch is
     /// divided. `told` gets the slices each time that the bound has grown.
     pub(super) fn run(&mut self, slices: &mut Slices, state: f64, told: &dyn Fn(&Slices)) {
-        let own = &self.lift.parameters;
         slices.ended_by = None;
         let tolerance = self.settings.bound_gap * state.max(1e-3);
+        let goal = Goal { state, tolerance };
         while state - slices.lower > tolerance {
             let at = slices.leaves.lowest();
-            let face = Face::of(self.lift, &slices.leaves.0[at].assumed);
-            let steps_left = match self.steps_left(slices, &face) {
-                Ok(steps) => steps,
+            let mut leaf = slices.leaves.0[at].clone();
+            let result = if leaf.divides {
+                self.divide(slices, &leaf, goal)
+            } else {
+                let advanced = self.advance(slices, &mut leaf, goal);
+                advanced.map(|()| vec![leaf])
+            };
+            let mut parts = match result {
+                Ok(parts) => parts.into_iter(),
                 Err(budget) => {
                     slices.ended_by = Some(budget);
                     return;
                 }
             };
-            if self.exclude(slices, at, state) {
-                slices.raise(told);
-                continue;
-            }
-            let request = Request {
-                steps: own.steps.min(steps_left),
-                exact: slices.exact,
-                ..self.request(&slices.leaves.0[at], state, tolerance)
+            let Some(first) = parts.next() else {
+                return;
             };
-            let seen = self.solve(slices, at, request);
-            let leaf = &mut slices.leaves.0[at];
-            if leaf.lower >= request.to.min(state) {
-                leaf.share *= 2.0;
-            } else if seen.gain < own.half_gain {
-                leaf.share *= 0.5;
-            }
-            leaf.share = leaf.share.min(own.next_share);
-            let divides = leaf.share < own.least_share || seen.gain < own.least_gain;
+            slices.leaves.0[at] = first;
+            slices.leaves.0.extend(parts);
             slices.raise(told);
-            if divides {
-                let Some(pair) = seen.violated else {
-                    return;
-                };
-                slices.leaves.divide(at, pair);
-            }
         }
+    }
+
+    /// Solves a leaf's next slice.
+    pub(super) fn advance(
+        &self,
+        slices: &mut Slices,
+        leaf: &mut Leaf,
+        goal: Goal,
+    ) -> Result<(), Budget> {
+        let own = &self.lift.parameters;
+        let steps_left = self.steps_left(slices, &Face::of(self.lift, &leaf.assumed))?;
+        if self.exclude(slices, leaf, goal.state) {
+            return Ok(());
+        }
+        let request = Request {
+            steps: own.steps.min(steps_left),
+            exact: slices.exact,
+            ..self.request(leaf, goal)
+        };
+        let gain = self.solve(slices, leaf, request);
+        if leaf.lower >= request.to.min(goal.state) {
+            leaf.share *= 2.0;
+        } else if gain < own.half_gain {
+            leaf.share *= 0.5;
+        }
+        leaf.share = leaf.share.min(own.next_share);
+        // A slice that reaches the state may fail where one that ends before it does not.
+        let is_tried = gain > 0.0 || request.to <= goal.state;
+        leaf.divides = is_tried && (leaf.share < own.least_share || gain < own.least_gain);
+        Ok(())
     }
 
     /// How many further steps the settings allow, or which of them allows none.
@@ -141,7 +162,8 @@ impl Search<'_> {
 
     /// The next slice of a leaf, without steps. The state itself is to be well inside a slice that
     /// reaches it.
-    fn request(&self, leaf: &Leaf, state: f64, tolerance: f64) -> Request {
+    fn request(&self, leaf: &Leaf, goal: Goal) -> Request {
+        let Goal { state, tolerance } = goal;
         let own = &self.lift.parameters;
         let (from, share) = (leaf.lower, leaf.share);
         let (to, enough) = if share == 1.0 {
@@ -164,11 +186,11 @@ impl Search<'_> {
 
     /// Assumes what follows from equilibrium beyond a leaf's bound: rates are zero whose forces can
     /// vanish no more. Whether the leaf itself is done, as no forces are left.
-    fn exclude(&self, found: &mut Slices, at: usize, state: f64) -> bool {
-        let from = found.leaves.0[at].lower;
+    fn exclude(&self, found: &mut Slices, leaf: &mut Leaf, state: f64) -> bool {
+        let from = leaf.lower;
         let to = state + self.lift.parameters.behind * (state - from);
         let conditions = &self.lift.conditions;
-        let (vanishings, solved) = found.leaves.0[at].vanishings(conditions);
+        let (vanishings, solved) = leaf.vanishings(conditions);
         let vanishings = vanishings.clone();
         found.small_programs += solved;
         let mut prove = |vanishing: &Option<Vanishing>, assumed: &[Assumption]| {
@@ -183,7 +205,7 @@ impl Search<'_> {
             found.slices.extend(proof.map(|proof| (slice, proof)));
             proof.is_some()
         };
-        let mut assumed = found.leaves.0[at].assumed.clone();
+        let mut assumed = leaf.assumed.clone();
         let is_done = prove(&vanishings.own, &assumed);
         let known: Vec<usize> = assumed.iter().map(|assumed| assumed.pair).collect();
         for (pair, vanishing) in vanishings.with.iter().enumerate() {
@@ -199,7 +221,6 @@ impl Search<'_> {
                 assumed.pop();
             }
         }
-        let leaf = &mut found.leaves.0[at];
         if is_done {
             leaf.lower = to;
         }
@@ -219,9 +240,9 @@ impl Search<'_> {
         }
     }
 
-    /// Solves one slice of a leaf.
-    fn solve(&self, found: &mut Slices, leaf: usize, request: Request) -> Seen {
-        let assumed = found.leaves.0[leaf].assumed.clone();
+    /// Solves one slice of a leaf, and returns the share of its width by which it raises the leaf's bound.
+    fn solve(&self, found: &mut Slices, leaf: &mut Leaf, request: Request) -> f64 {
+        let assumed = leaf.assumed.clone();
         let face = Face::of(self.lift, &assumed);
         let bearable = self.lift.parameters.lost_to_rounding * (request.to - request.from);
         let mut best: Option<Best> = None;
@@ -229,7 +250,7 @@ impl Search<'_> {
             let prove = |slice: &Slice| self.proof(slice);
             let proof = best_proof(&face, request, &assumed, (multipliers, exact), prove);
             let own = Best {
-                violated: most_violated(&face, request, multipliers),
+                violated: violated(&face, request, multipliers),
                 normals: normals(&face, multipliers),
                 proof,
                 exact,
@@ -246,12 +267,9 @@ impl Search<'_> {
         found.count(steps, &face);
         let best = best.expect("the iteration ends with multipliers");
         found.exact |= best.exact;
-        let violated = best.violated;
+        leaf.violated = best.violated;
         let Some((slice, proof)) = best.proof else {
-            return Seen {
-                gain: 0.0,
-                violated,
-            };
+            return 0.0;
         };
         if proof.least <= request.to {
             found.normals = best.normals;
@@ -259,10 +277,10 @@ impl Search<'_> {
         let reached = proof.least.min(request.to);
         let gain = (reached - request.from) / (request.to - request.from);
         if gain > 0.0 {
-            found.leaves.0[leaf].lower = reached;
+            leaf.lower = reached;
             found.slices.push((slice, proof));
         }
-        Seen { gain, violated }
+        gain
     }
 }
 
