@@ -5,6 +5,8 @@
 //! does not open (or friction is not used up in one direction, or there is no slip in it). This is the
 //! branching on complementary pairs of mixed-integer programming, without its large constants.
 
+use std::collections::BTreeMap;
+
 use super::face::Face;
 use super::interior_point::Multipliers;
 use super::lifted::Request;
@@ -117,6 +119,32 @@ impl Leaves {
     /// No state has its λ* below this.
     pub(super) fn lower(&self) -> f64 {
         self.0[self.lowest()].lower
+    }
+}
+
+/// What divisions by each product have gained: their sum and number.
+#[derive(Default)]
+pub(super) struct Gains(BTreeMap<usize, (f64, usize)>);
+
+impl Gains {
+    /// Notes what a division by a product gained.
+    pub(super) fn add(&mut self, pair: usize, gain: f64) {
+        let own = self.0.entry(pair).or_default();
+        *own = (own.0 + gain, own.1 + 1);
+    }
+
+    /// What a division by a product can be expected to gain: the mean of those by it, or else of all.
+    fn expected(&self, pair: usize) -> f64 {
+        let all = (self.0.values()).fold((0.0, 0), |all, own| (all.0 + own.0, all.1 + own.1));
+        let (sum, times) = self.0.get(&pair).copied().unwrap_or(all);
+        sum / times.max(1) as f64
+    }
+
+    /// Products in the order in which divisions by them are tried; of equals, as they are given.
+    pub(super) fn in_order(&self, violated: &[usize]) -> Vec<usize> {
+        let mut order = violated.to_vec();
+        order.sort_by(|&a, &b| self.expected(b).total_cmp(&self.expected(a)));
+        order
     }
 }
 

@@ -2,8 +2,7 @@
 
 use nalgebra::DMatrix;
 
-use super::branches::{Leaf, Leaves, violated};
-use super::division::Gains;
+use super::branches::{Gains, Leaf, Leaves, violated};
 use super::face::Face;
 use super::interior_point::{Multipliers, solve};
 use super::lift::Lift;
