@@ -155,6 +155,7 @@ impl Program {
             rows_of_blocks,
             tolerance,
             width: 0.0,
+            useless_above: f64::INFINITY,
             has_own_units: equilibration.is_some(),
             has_slack: matches!(goal, Goal::Slack(_)),
         };

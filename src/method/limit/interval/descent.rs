@@ -160,18 +160,24 @@ impl Descent<'_, '_> {
         if self.approach != Approach::Quick {
             let change = changes[0];
             changes = &changes[1..];
-            let tilted = self.search.nearest(prices, 1.0 - change)?;
+            let highest = self.search.associative.unwrap_or(f64::INFINITY);
+            let most = change * highest + closed;
+            let tilted = (self.search).nearest_within(prices, 1.0 - change, most)?;
             let gap = prices.gap(&tilted);
             if gap.abs() <= closed {
                 return Ok(Tested::Lowest(state(tilted)));
             }
-            let highest = self.search.associative.unwrap_or(f64::INFINITY);
-            if gap + change * tilted.lambda > change * highest + closed {
+            if gap + change * tilted.lambda > most {
                 let normal = totals(&tilted.forces);
                 return Ok(Tested::None { gap, normal });
             }
         }
-        let below = self.search.nearest(prices, 1.0)?;
+        // The quick way needs the nearest one where none has no gap either.
+        let most = match self.approach {
+            Approach::Quick => f64::INFINITY,
+            Approach::Blending | Approach::Nearby => closed,
+        };
+        let below = self.search.nearest_within(prices, 1.0, most)?;
         let gap = prices.gap(&below);
         if gap.abs() > closed {
             let normal = totals(&below.forces);

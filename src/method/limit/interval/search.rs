@@ -124,8 +124,8 @@ impl Numerics {
 /// The programs of one scene.
 pub(super) struct Search<'a> {
     pub(super) scene: &'a Scene,
-    /// What solves the programs.
-    pub(super) engine: Engine,
+    /// How its programs are written and solved.
+    pub(super) numerics: Numerics,
     pub(super) tuned: Tuned,
     program: Program,
     /// The program for forces at a given λ, once it is needed.
@@ -155,7 +155,7 @@ impl<'a> Search<'a> {
         }
         Self {
             scene,
-            engine: numerics.engine,
+            numerics,
             tuned,
             program,
             statics: None,
@@ -220,8 +220,20 @@ impl<'a> Search<'a> {
         prices: &Prices,
         weight: f64,
     ) -> Result<Solution, SearchFailure> {
+        self.nearest_within(prices, weight, f64::INFINITY)
+    }
+
+    /// The same, or any Coulomb state once it is sure that gap + (1 − `weight`) λ of the nearest one is
+    /// larger than `most`.
+    pub(super) fn nearest_within(
+        &mut self,
+        prices: &Prices,
+        weight: f64,
+        most: f64,
+    ) -> Result<Solution, SearchFailure> {
         self.program.set_friction(&self.coulomb);
         self.program.set_cost(weight, &prices.friction);
+        self.program.end_above(most + prices.dead_power);
         self.solve()
     }
 
@@ -304,7 +316,7 @@ impl<'a> Search<'a> {
         let scale = self.program.scale();
         let scene = self.scene;
         let lambda = lambda * scale.multiplier;
-        let engine = self.engine;
+        let engine = self.numerics.engine;
         let program = self
             .statics
             .get_or_insert_with(|| Program::at_multiplier(scene, lambda, scale).by(engine));

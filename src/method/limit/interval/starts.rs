@@ -272,7 +272,7 @@ fn open_state(search: &mut Search) -> Option<Vec<f64>> {
         return None;
     }
     let open = scene.clone().with_head_joints(HeadJoints::Open);
-    let mut inner = Search::new(&open, Numerics::first(search.engine), search.tuned);
+    let mut inner = Search::new(&open, Numerics::first(search.numerics.engine), search.tuned);
     let state = inner.associative().ok().and_then(|normal| {
         let mut descent = Descent {
             search: &mut inner,

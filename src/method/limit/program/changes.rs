@@ -73,9 +73,16 @@ impl Program {
         self.change_cost(lambda, |j| prices[j]);
     }
 
+    /// Lets the solver end with any admissible forces once it is sure that those of the optimum cost more
+    /// than this, until the cost changes.
+    pub(in super::super) fn end_above(&mut self, cost: f64) {
+        self.numbers.useless_above = cost;
+    }
+
     /// As [`Program::set_cost`], with prices in the program's own units.
     fn change_cost(&mut self, lambda: f64, price: impl Fn(usize) -> f64) {
         let joints = self.friction_at.len();
+        self.numbers.useless_above = f64::INFINITY;
         let cost = &mut self.numbers.cost;
         cost.fill(0.0);
         for j in 0..joints {

@@ -42,6 +42,9 @@ impl InteriorPoint {
             if largest <= problem.tolerance && measure.is_balanced {
                 return Ok(self.answer(iterations));
             }
+            if measure.least_cost > problem.useless_above && measure.is_balanced {
+                return Ok(self.answer(iterations));
+            }
             since += 1;
             if measure.distance() < PROGRESS * best {
                 (best, since) = (measure.distance(), 0);
@@ -168,6 +171,7 @@ mod tests {
         let measure = |complementarity, gap, velocities| Measure {
             complementarity,
             size: 1.0,
+            least_cost: 0.0,
             gap,
             forces: 1e-3,
             velocities,

@@ -10,6 +10,9 @@ pub(super) struct Measure {
     pub(super) complementarity: f64,
     /// What costs are measured by.
     pub(super) size: f64,
+    /// What forces cost at least: the cost of velocities, less what these leave of their conditions at
+    /// forces of this size.
+    pub(super) least_cost: f64,
     /// Relative gap between the costs of forces and of velocities. Far from the conditions it says
     /// nothing: where forces and velocities both cost next to nothing it is small.
     pub(super) gap: f64,
@@ -49,6 +52,7 @@ impl InteriorPoint {
         let mut complementarity = 0.0;
         let mut violated = [0.0, left.push.abs()];
         let mut sizes = [self.lambda.abs(), largest(&self.velocities)];
+        let mut sum = self.lambda.abs();
         for joint in &mut self.joints {
             let against = joint.forces.map(|force| -force);
             joint.bodies.push(against, &mut left.blocks);
@@ -59,6 +63,7 @@ impl InteriorPoint {
             costs[1] -= dot(&joint.law.limits[..rows], &joint.multipliers[..rows]);
             violated[0] = largest(&joint.left_slacks).max(violated[0]);
             violated[1] = largest(&joint.left_flow).max(violated[1]);
+            sum += joint.forces.iter().map(|force| force.abs()).sum::<f64>();
             sizes[0] = largest(&joint.forces).max(sizes[0]);
             sizes[1] = largest(&joint.multipliers).max(sizes[1]);
         }
@@ -67,6 +72,7 @@ impl InteriorPoint {
         Measure {
             complementarity,
             size,
+            least_cost: costs[1] - violated[1] * sum,
             gap: (costs[0] - costs[1]).abs() / size,
             forces: largest(&left.blocks).max(violated[0]) / sizes[0].max(1.0),
             velocities: violated[1] / sizes[1].max(self.multiplier_cost.abs()).max(1.0),
