@@ -32,7 +32,7 @@ pub use recomputed::{Recomputed, largest, residual_words};
 pub use residual::{
     CollapseResidual, StaticResidual, dead_power, falling_violation, kinematic_multiplier,
 };
-pub(crate) use residual::{VERIFIED_RESIDUAL, associative_violation, live_unit};
+pub(crate) use residual::{VERIFIED_RESIDUAL, associative_violation, live_power, live_unit};
 pub use rigid_parts::parts;
 pub use state::{Ceiling, CollapseState, ForceState, JointForce};
 pub(crate) use thrust::CourseResultant;

@@ -1,6 +1,6 @@
 //! Units of the dimensionless program, and the way back to the case's own.
 
-use crate::mechanics::{CollapseState, JointForce, Mechanism, Motion};
+use crate::mechanics::{CollapseState, JointForce, Mechanism, Motion, live_power};
 use crate::scene::{Scene, Vector};
 
 /// Units of the dimensionless program. Without them Clarabel reports "solved" far from the
@@ -47,6 +47,17 @@ impl Scale {
             forces: self.forces(forces),
             mechanism: self.mechanism(velocity),
         }
+    }
+
+    /// A mechanism's velocities, on which the live load does unit work.
+    pub(super) fn velocity(&self, scene: &Scene, mechanism: &Mechanism) -> Vec<f64> {
+        let power = live_power(scene, mechanism) * self.multiplier / self.force;
+        let motions = mechanism.motions.iter();
+        let velocity = motions.flat_map(|motion| {
+            let Motion { velocity, rotation } = motion;
+            [velocity.x, velocity.y, rotation * self.length].map(|rate| rate / power)
+        });
+        velocity.collect()
     }
 
     /// Velocities as a mechanism in the case's length unit.

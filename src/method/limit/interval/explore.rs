@@ -88,9 +88,13 @@ pub(super) fn follow(
         }
         let branch = branch.and_then(|mut branch| {
             let proof = place.prove(scale, &mut branch, lowest, work);
-            if proof == Err(SearchFailure::Unproved) {
-                let blocks = place.unresolved(scale, &branch.lowest);
-                unresolved = unresolved.or(blocks);
+            match proof {
+                Err(SearchFailure::Unproved) => {
+                    let blocks = place.unresolved(scale, &branch.lowest);
+                    unresolved = unresolved.or(blocks);
+                }
+                Err(SearchFailure::PartOnly) => found.take_of_part(&branch.lowest),
+                _ => (),
             }
             proof.map(|()| branch)
         });
@@ -106,7 +110,15 @@ pub(super) fn follow(
             break;
         }
     }
-    let states = whole_states(place, &mut search, &found, work);
+    let beyond = found.lower_of_part();
+    let beyond = beyond.map(|state| place.beyond_part(&search, state, work));
+    let mut states = whole_states(place, &mut search, &found, work);
+    if let Some(beyond) = beyond {
+        let lambda = |state: &CollapseState| state.lambda;
+        endings.push(beyond.as_ref().map(lambda).map_err(|&why| why));
+        states.extend(beyond);
+    }
+    states.sort_by(|a, b| a.lambda.total_cmp(&b.lambda));
     *work = *work + search.work;
     work.modelled = searched.blocks().len();
     let facts = SearchFacts {

@@ -19,6 +19,8 @@ pub(super) struct Found {
     distinct: Vec<Met>,
     /// The highest of the first states of the starts, in descending order of λ.
     firsts: Vec<State>,
+    /// The lowest state of the part that is searched which is none of the whole scene.
+    of_part: Option<State>,
 }
 
 impl Found {
@@ -39,6 +41,21 @@ impl Found {
             .partition_point(|met| met.state.lambda < lambda);
         let state = branch.lowest;
         self.distinct.insert(at, Met { state, times: 1 });
+    }
+
+    /// Takes a state of a part that is none of the whole scene.
+    pub(super) fn take_of_part(&mut self, state: &State) {
+        let is_lower = |known: &State| state.lambda < known.lambda;
+        if self.of_part.as_ref().is_none_or(is_lower) {
+            self.of_part = Some(state.clone());
+        }
+    }
+
+    /// The lowest state that is one of the part alone, where it lies below all of the whole scene. Where
+    /// there is none of those, the part is too small.
+    pub(super) fn lower_of_part(&self) -> Option<&State> {
+        let lowest = self.lowest()?.lambda;
+        self.of_part.as_ref().filter(|own| own.lambda < lowest)
     }
 
     pub(super) fn lowest(&self) -> Option<&State> {

@@ -1,7 +1,8 @@
 //! Where a search takes place: in a scene or in a part of it, whose states are completed.
 
-use super::descent::Branch;
-use super::search::State;
+use super::descent::{Approach, Branch, Descent};
+use super::noise::Noise;
+use super::search::{Search, State};
 use crate::answer::{SearchFailure, Work};
 use crate::mechanics::{
     BlockResidual, CollapseResidual, CollapseState, JointForce, StaticResidual, VERIFIED_RESIDUAL,
@@ -70,6 +71,34 @@ impl<'a> Place<'a> {
             state.mechanism = part.extend(self.whole, &state.mechanism);
         }
         is_proved(self.whole, &state).then_some(state)
+    }
+
+    /// A state of the whole scene that a state leads to which is one of the part alone: its mechanism
+    /// pushes the rest harder than that can bear.
+    pub(super) fn beyond_part(
+        &self,
+        search: &Search,
+        state: &State,
+        work: &mut Work,
+    ) -> Result<CollapseState, SearchFailure> {
+        let part = self.part.ok_or(SearchFailure::PartOnly)?;
+        let mut whole = Search::new(self.whole, search.numerics, search.tuned);
+        let [of_part, of_whole] = [search, &whole].map(|search| search.program().scale());
+        let mechanism = part.extend(self.whole, &of_part.mechanism(&state.velocity));
+        let prices = whole.prices(&of_whole.velocity(self.whole, &mechanism));
+        let nearest = whole.nearest(&prices, 1.0);
+        let lowest = nearest.and_then(|nearest| {
+            let mut descent = Descent {
+                search: &mut whole,
+                approach: Approach::Quick,
+                noise: Noise::new(0),
+                known: &[],
+            };
+            Ok(descent.follow(totals(&nearest.forces))?.lowest)
+        });
+        *work = *work + whole.work;
+        let state = Place::whole(self.whole).state(of_whole, &lowest?, work);
+        state.ok_or(SearchFailure::Unproved)
     }
 
     /// The block that keeps a state of the scene that is searched from being proved.
