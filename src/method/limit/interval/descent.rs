@@ -20,6 +20,16 @@ pub(super) enum Approach {
     Nearby,
 }
 
+impl Approach {
+    /// Frozen programs until a start is given up.
+    fn steps(self, tuned: &Tuned) -> usize {
+        match self {
+            Approach::Quick => tuned.quick_steps,
+            Approach::Blending | Approach::Nearby => tuned.steps,
+        }
+    }
+}
+
 /// The states that one start leads to, of the scene that is searched.
 pub(super) struct Branch {
     pub(super) first: State,
@@ -56,7 +66,7 @@ impl Descent<'_, '_> {
         let mut last_gap = f64::INFINITY;
         let mut infeasible = 0;
         let mut failure = SearchFailure::GapOpen;
-        for _ in 0..tuned.steps {
+        for _ in 0..self.approach.steps(&tuned) {
             let above = match self.frozen(&normal, branch.is_some()) {
                 // Inclined joints may need more shear than these capacities give.
                 Err(SearchFailure::Infeasible) if infeasible < tuned.infeasible => {
