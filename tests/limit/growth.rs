@@ -1,10 +1,10 @@
 //! How time and memory grow with the wall: a table, with the few limits that are promised.
 
 use crate::scenes::{laid, running_bond};
-use trilith::answer::Status;
+use trilith::answer::{BoundFact, Fact, Status};
 use trilith::judge::judge;
 use trilith::method::limit::{Associative, Interval};
-use trilith::method::{Method, Settings};
+use trilith::method::{Method, Settings, methods};
 use trilith::scene::{HeadJoints, Scene};
 
 /// What one method costs on one scene.
@@ -118,3 +118,50 @@ fn time_and_memory_grow_as_promised() {
         println!("{name}: seconds grow as blocks^{:.2}", exponent(points));
     }
 }
+
+/// One step of the bound's interior point on walls of 8 to 72 blocks: unknowns, time and memory.
+#[test]
+#[ignore = "a measurement, in release only"]
+fn a_step_of_the_bound_grows_as_stated() {
+    let bound = methods()
+        .into_iter()
+        .find(|method| method.name() == "bound");
+    let bound = bound.expect("it is one of the methods");
+    for head_joints in [HeadJoints::Contact, HeadJoints::Open] {
+        println!("{head_joints:?}: blocks, joints, unknowns, seconds of CPU a step, MB");
+        let mut points = Vec::new();
+        for (courses, units) in [(4, 2), (4, 3), (5, 4), (6, 5), (8, 6), (10, 7)] {
+            let scene = laid(&running_bond(courses, units, 0.75), head_joints);
+            let mut settings = Settings::default();
+            settings.interval.starts = 1;
+            settings.bound.lift_unknowns = 0;
+            let refused = bound.solve(&scene, &settings);
+            let unknowns = refused.facts.iter().find_map(|fact| match fact {
+                Fact::Bound(BoundFact::TooLarge { unknowns, .. }) => Some(*unknowns),
+                _ => None,
+            });
+            settings.bound.lift_unknowns = usize::MAX;
+            let [few, many] = [STEPS / 2, STEPS].map(|steps| {
+                settings.bound.lift_steps = steps;
+                reset_peak();
+                let clock = cpu_time::ProcessTime::now();
+                let outcome = bound.solve(&scene, &settings);
+                let seconds = clock.elapsed().as_secs_f64();
+                (seconds, peak(), outcome.work.iterations)
+            });
+            let step = (many.0 - few.0) / (STEPS - STEPS / 2) as f64;
+            println!(
+                "  {:3} {:4} {:6} {step:9.4} {:5.0}",
+                scene.blocks().len(),
+                scene.joints().len(),
+                unknowns.expect("it is too large for no unknowns"),
+                many.1,
+            );
+            points.push((scene.blocks().len() as f64, step));
+        }
+        println!("a step grows as blocks^{:.2}", exponent(&points));
+    }
+}
+
+/// Steps of a bound whose time is measured: half of them are taken off.
+const STEPS: usize = 16;
