@@ -119,7 +119,8 @@ fn time_and_memory_grow_as_promised() {
     }
 }
 
-/// One step of the bound's interior point on walls of 8 to 72 blocks: unknowns, time and memory.
+/// One step of the bound's interior point on walls of 10 to 33 blocks: unknowns, time and memory.
+/// With head joints in contact 33 blocks take 15,048 unknowns, 5.7 s of CPU and 641 MB.
 #[test]
 #[ignore = "a measurement, in release only"]
 fn a_step_of_the_bound_grows_as_stated() {
@@ -130,7 +131,7 @@ fn a_step_of_the_bound_grows_as_stated() {
     for head_joints in [HeadJoints::Contact, HeadJoints::Open] {
         println!("{head_joints:?}: blocks, joints, unknowns, seconds of CPU a step, MB");
         let mut points = Vec::new();
-        for (courses, units) in [(4, 2), (4, 3), (5, 4), (6, 5), (8, 6), (10, 7)] {
+        for (courses, units) in [(4, 2), (4, 3), (5, 4), (6, 5)] {
             let scene = laid(&running_bond(courses, units, 0.75), head_joints);
             let mut settings = Settings::default();
             settings.interval.starts = 1;
