@@ -21,8 +21,8 @@ pub(super) struct Numbers {
     /// Relative width of λ* that is enough where rounding leaves no better answer; whoever sets it
     /// tests what the answer proves.
     pub(super) width: f64,
-    /// Cost above which an optimum is of no use, so that a solver may end with any forces once it is sure
-    /// to lie there.
+    /// Cost above which an optimum is of no use: once it is known to lie there, the solver may end with any
+    /// forces in equilibrium.
     pub(super) useless_above: f64,
     /// Whether blocks or joints have units of their own.
     pub(super) has_own_units: bool,

@@ -73,8 +73,8 @@ impl<'a> Place<'a> {
         is_proved(self.whole, &state).then_some(state)
     }
 
-    /// A state of the whole scene that a state leads to which is one of the part alone: its mechanism
-    /// pushes the rest harder than that can bear.
+    /// A state of the whole scene, by a descent from a state of the part alone: the rest cannot bear the
+    /// forces of that one.
     pub(super) fn beyond_part(
         &self,
         search: &Search,

@@ -223,7 +223,7 @@ impl<'a> Search<'a> {
         self.nearest_within(prices, weight, f64::INFINITY)
     }
 
-    /// The same, or any Coulomb state once it is sure that gap + (1 − `weight`) λ of the nearest one is
+    /// The same, or forces on the way to it once gap + (1 − `weight`) λ of the nearest one is known to be
     /// larger than `most`.
     pub(super) fn nearest_within(
         &mut self,

@@ -73,7 +73,7 @@ impl Program {
         self.change_cost(lambda, |j| prices[j]);
     }
 
-    /// Lets the solver end with any admissible forces once it is sure that those of the optimum cost more
+    /// Lets the solver end with any forces in equilibrium once those of the optimum are known to cost more
     /// than this, until the cost changes.
     pub(in super::super) fn end_above(&mut self, cost: f64) {
         self.numbers.useless_above = cost;
