@@ -4,7 +4,7 @@ use crate::scenes::{laid, running_bond};
 use trilith::answer::Status;
 use trilith::judge::judge;
 use trilith::method::limit::{Associative, Interval};
-use trilith::method::{Method, Settings, methods};
+use trilith::method::{Method, Settings};
 use trilith::scene::{HeadJoints, Scene};
 
 /// What one method costs on one scene.
@@ -116,54 +116,5 @@ fn time_and_memory_grow_as_promised() {
     }
     for (name, points) in names.iter().zip(&points) {
         println!("{name}: seconds grow as blocks^{:.2}", exponent(points));
-    }
-}
-
-/// Steps of a bound whose time is measured: what half of them take is taken off, with the search before.
-const STEPS: usize = 16;
-
-/// One step of the bound's interior point on walls of 10 to 33 blocks: unknowns, time and memory.
-#[test]
-#[ignore = "a measurement, in release only"]
-fn what_a_step_of_the_bound_costs() {
-    let bound = methods()
-        .into_iter()
-        .find(|method| method.name() == "bound");
-    let bound = bound.expect("it is one of the methods");
-    for head_joints in [HeadJoints::Contact, HeadJoints::Open] {
-        println!("{head_joints:?}: blocks, joints, unknowns, seconds of CPU a step, MB");
-        let mut points = Vec::new();
-        for (courses, units) in [(4, 2), (4, 3), (5, 4), (6, 5)] {
-            let scene = laid(&running_bond(courses, units, 0.75), head_joints);
-            let mut settings = Settings::default();
-            settings.interval.starts = 1;
-            settings.bound.lift_unknowns = 0;
-            let refused = bound.solve(&scene, &settings);
-            // It names them where it refuses them.
-            let reason = refused.reason();
-            let mut numbers = reason.split_whitespace().flat_map(str::parse::<usize>);
-            let unknowns = numbers.next().expect("it is too large for no unknowns");
-            settings.bound.lift_unknowns = usize::MAX;
-            let [few, many] = [STEPS / 2, STEPS].map(|steps| {
-                settings.bound.lift_steps = steps;
-                reset_peak();
-                let clock = cpu_time::ProcessTime::now();
-                let outcome = bound.solve(&scene, &settings);
-                let seconds = clock.elapsed().as_secs_f64();
-                (seconds, peak(), outcome.work.iterations)
-            });
-            assert_eq!(many.2 - few.2, STEPS - STEPS / 2, "all steps are taken");
-            assert!(many.1.is_nan() || many.1 < 1536.0, "{} MB", many.1);
-            let step = (many.0 - few.0) / (many.2 - few.2) as f64;
-            println!(
-                "  {:3} {:4} {:6} {step:9.4} {:5.0}",
-                scene.blocks().len(),
-                scene.joints().len(),
-                unknowns,
-                many.1,
-            );
-            points.push((scene.blocks().len() as f64, step));
-        }
-        println!("a step grows as blocks^{:.2}", exponent(&points));
     }
 }
