@@ -29,6 +29,8 @@ pub struct Hold<'a> {
     first: f64,
     /// The longest time that a push took to come to rest.
     longest: f64,
+    /// Blocks before they moved by more than half of what told the last collapse.
+    pub halfway: Vec<BodyState>,
 }
 
 impl<'a> Hold<'a> {
@@ -40,19 +42,15 @@ impl<'a> Hold<'a> {
             elapsed: 0.0,
             first: 0.0,
             longest: 0.0,
+            halfway: Vec::new(),
         }
     }
 
     /// The scene under its weight and a push against its live loads: none, or a small one.
     pub fn settle(&mut self, physics: &mut Physics, push: f64) -> Held {
         let own = self.parameters;
-        self.hold(
-            physics,
-            [-push; 2],
-            own.settled_speed,
-            own.fall,
-            own.patience,
-        )
+        let (speed, limit) = (own.settled_speed, own.fall);
+        self.hold(physics, [-push; 2], speed, limit, own.patience)
     }
 
     /// From rest at one λ* to another, in grid units. `last`: a collapse counts, and there is all the
@@ -113,6 +111,7 @@ impl<'a> Hold<'a> {
         // Twice the kinetic energy at its peak since the blocks were last stopped.
         let mut energy = 0.0;
         let mut pace_before = None;
+        self.halfway.clone_from(&from);
         for window in 0..windows {
             let ramping = ((window * steps) as f64) < ramp - 1.0;
             let damped = ramping || peak_before > resting_speed;
@@ -132,6 +131,9 @@ impl<'a> Hold<'a> {
                 if moved > limit && now >= peak_before {
                     let acceleration = now * now / (2.0 * moved);
                     return Held::Collapse { acceleration };
+                }
+                if moved <= limit / 2.0 {
+                    self.halfway.clone_from(&states);
                 }
                 let present = twice_kinetic_energy(self.model, &states, parameters.seen);
                 let falling = present < parameters.damp_below * energy;

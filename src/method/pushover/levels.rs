@@ -170,7 +170,8 @@ fn agreement(
     let [.., before, last] = *levels else {
         return None;
     };
-    let apart = |one: Level, other: Level| middle(other.bracket) - middle(one.bracket);
+    let middle = |of: Level| of.bracket.lower.midpoint(of.bracket.upper);
+    let apart = |one: Level, other: Level| middle(other) - middle(one);
     let size = magnitude(last.bracket.upper, sizes.unit);
     let step = apart(before, last);
     // Where none may follow, the difference itself has to be within the target, and is stated.
@@ -196,11 +197,7 @@ fn agreement(
         .relative_width(sizes.unit)
         .max(moved(before, last, shows) / sizes.extent);
     let error = rounded_up(error);
-    let most = if ends {
-        tuned.most_error * target
-    } else {
-        target
-    };
+    let most = target * if ends { tuned.most_error } else { 1.0 };
     (error <= most).then_some(Enclosure { bracket, error })
 }
 
@@ -214,10 +211,6 @@ fn moved(before: Level, last: Level, shows: bool) -> f64 {
     } else {
         last.drift
     }
-}
-
-fn middle(bracket: Bracket) -> f64 {
-    bracket.lower.midpoint(bracket.upper)
 }
 
 /// Whether brackets overlap or meet: they show no trend.

@@ -184,17 +184,13 @@ impl<'a> Physics<'a> {
 
     fn pair_contacts(&self, pair: &ContactPair) -> Vec<Contact> {
         let of = |collider: ColliderHandle| self.world.colliders.get(collider);
-        let Some([one, other]) = of(pair.collider1)
-            .zip(of(pair.collider2))
-            .map(<[_; 2]>::from)
-        else {
+        let (Some(one), Some(other)) = (of(pair.collider1), of(pair.collider2)) else {
             return Vec::new();
         };
         // From the joint's first body to its second.
-        let sign = if one.user_data < other.user_data {
-            1.0
-        } else {
-            -1.0
+        let sign = match one.user_data < other.user_data {
+            true => 1.0,
+            false => -1.0,
         };
         let solved = pair.manifolds().iter();
         let solved = solved.filter(|manifold| !manifold.data.solver_contacts.is_empty());

@@ -122,7 +122,7 @@ fn run(
     let expected = trial.expected.map(|at| model.in_grid(at));
     let mut outcome = match search(&mut physics, &model, &parameters, expected, slip) {
         SearchEnd::Bracketed(seen) => {
-            let states = [&seen.settled.states[..], &seen.collapsed];
+            let states = [&seen.settled.states[..], &seen.falling[1]];
             moved &= strip_moved(portion, &model, parameters.still, states);
             let settlement = measure::displacement(&model, &laid, &seen.settled.states);
             let settles = check(Checked::Settlement, settlement, parameters.settlement);
@@ -170,7 +170,8 @@ fn judged(
         return observing(undecided, |observed| observed.checks = checks);
     }
     let moved = |frame: &Vec<BodyState>| mechanism(scene, model, &seen.settled.states, frame);
-    let mechanism = mechanism(scene, model, &seen.rest.states, &seen.collapsed);
+    let [halfway, collapsed] = &seen.falling;
+    let mechanism = mechanism(scene, model, halfway, collapsed);
     let observed = Observed {
         bracket: Some(Bracket {
             lower: model.lambda(seen.lower),

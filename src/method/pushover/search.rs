@@ -19,8 +19,8 @@ pub struct Observation {
     pub settled: RestState,
     /// Blocks at rest at `lower`.
     pub rest: RestState,
-    /// Blocks when the collapse at `upper` was called.
-    pub collapsed: Vec<BodyState>,
+    /// Blocks on their way to the collapse at `upper`, and when it was called.
+    pub falling: [Vec<BodyState>; 2],
     /// What happened then, where frames are asked for.
     pub fall: Option<Fall>,
 }
@@ -99,7 +99,10 @@ pub fn search(
             return SearchEnd::Undecided(fact);
         }
         let held = match hold.step(physics, [lower, target], finest, last) {
-            Held::Rest if left_its_place(&physics.states()) => Held::Collapse { acceleration: 0.0 },
+            Held::Rest if left_its_place(&physics.states()) => {
+                hold.halfway.clone_from(&seen.states);
+                Held::Collapse { acceleration: 0.0 }
+            }
             held => held,
         };
         match held {
@@ -110,7 +113,7 @@ pub fn search(
                 continue;
             }
             Held::Collapse { .. } if last => {
-                let collapsed = physics.states();
+                let falling = [hold.halfway, physics.states()];
                 let fall = (parameters.frames > 0)
                     .then(|| fall(physics, model, target, &settled.states, parameters.frames));
                 return SearchEnd::Bracketed(Box::new(Observation {
@@ -118,7 +121,7 @@ pub fn search(
                     upper: target,
                     settled,
                     rest: seen,
-                    collapsed,
+                    falling,
                     fall,
                 }));
             }
