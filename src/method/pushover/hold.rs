@@ -29,8 +29,8 @@ pub struct Hold<'a> {
     first: f64,
     /// The longest time that a push took to come to rest.
     longest: f64,
-    /// Blocks before they moved by more than half of what told the last collapse.
-    pub halfway: Vec<BodyState>,
+    /// Blocks since when the last collapse was more than a deflection.
+    pub deflected: Vec<BodyState>,
 }
 
 impl<'a> Hold<'a> {
@@ -42,7 +42,7 @@ impl<'a> Hold<'a> {
             elapsed: 0.0,
             first: 0.0,
             longest: 0.0,
-            halfway: Vec::new(),
+            deflected: Vec::new(),
         }
     }
 
@@ -111,7 +111,7 @@ impl<'a> Hold<'a> {
         // Twice the kinetic energy at its peak since the blocks were last stopped.
         let mut energy = 0.0;
         let mut pace_before = None;
-        self.halfway.clone_from(&from);
+        self.deflected.clone_from(&from);
         for window in 0..windows {
             let ramping = ((window * steps) as f64) < ramp - 1.0;
             let damped = ramping || peak_before > resting_speed;
@@ -132,8 +132,8 @@ impl<'a> Hold<'a> {
                     let acceleration = now * now / (2.0 * moved);
                     return Held::Collapse { acceleration };
                 }
-                if moved <= limit / 2.0 {
-                    self.halfway.clone_from(&states);
+                if moved <= parameters.deflects * limit {
+                    self.deflected.clone_from(&states);
                 }
                 let present = twice_kinetic_energy(self.model, &states, parameters.seen);
                 let falling = present < parameters.damp_below * energy;

@@ -176,9 +176,11 @@ parameters! { of:
     /// Displacement beyond which the last, small step has collapsed.
     collapse: f64 = of.sway * if of.sways { 7.5e-3 } else { 6e-3 } * of.courses.max(6.0),
         "collapse", LENGTH;
-    /// What is left of these two where the substep is halved: a wall that sways deflects by a quarter then,
-    /// near its limit by about a third. Others fall soon enough, and rubble jumps from facet to facet.
+    /// What is left of time step, window and these two where the substep is halved. A wall that sways does
+    /// it twice as fast then and deflects by a quarter, near its limit by about a third. Others fall soon.
     left: f64 = if of.sways { 0.5 } else { 1.0 };
+    /// Part of what tells a collapse from which on the mechanism is read: a wall that sways deflects before.
+    deflects: f64 = if of.sways { 0.5 } else { 0.0 };
     /// Slip of a joint since the scene settled beyond which it counts as collapse.
     slip: f64 = f64::INFINITY, "first slip", LENGTH;
     /// Displacement since the scene settled beyond which a rest counts as collapse.
@@ -264,16 +266,16 @@ impl Parameters {
         self.substep * self.substeps as f64
     }
 
-    /// The same with the substep halved so many times. Contacts are four times as stiff each time, so that
-    /// the scene sways twice as fast and has half the time to show that it rests. The ramp stays: the shorter
-    /// it is beside a sway, the further a step overshoots, and levels that overshoot alike do not tell.
+    /// The same with the substep halved so many times: contacts are four times as stiff each time. The ramp
+    /// stays, or steps would overshoot alike on all levels, which then would not tell.
     pub fn halved(self, times: u32) -> Self {
         let part = 0.5f64.powi(times as i32);
         let left = self.left.powi(times as i32);
         Self {
             substep: part * self.substep,
             contact_frequency: self.contact_frequency / part,
-            window: part * self.window,
+            substeps: (left / part) as usize * self.substeps,
+            window: left * self.window,
             runaway: left * self.runaway,
             collapse: left * self.collapse,
             ..self

@@ -19,7 +19,7 @@ pub struct Observation {
     pub settled: RestState,
     /// Blocks at rest at `lower`.
     pub rest: RestState,
-    /// Blocks on their way to the collapse at `upper`, and when it was called.
+    /// Blocks when the collapse at `upper` was more than a deflection, and when it was called.
     pub falling: [Vec<BodyState>; 2],
     /// What happened then, where frames are asked for.
     pub fall: Option<Fall>,
@@ -100,7 +100,7 @@ pub fn search(
         }
         let held = match hold.step(physics, [lower, target], finest, last) {
             Held::Rest if left_its_place(&physics.states()) => {
-                hold.halfway.clone_from(&seen.states);
+                hold.deflected.clone_from(&seen.states);
                 Held::Collapse { acceleration: 0.0 }
             }
             held => held,
@@ -113,7 +113,7 @@ pub fn search(
                 continue;
             }
             Held::Collapse { .. } if last => {
-                let falling = [hold.halfway, physics.states()];
+                let falling = [hold.deflected, physics.states()];
                 let fall = (parameters.frames > 0)
                     .then(|| fall(physics, model, target, &settled.states, parameters.frames));
                 return SearchEnd::Bracketed(Box::new(Observation {
