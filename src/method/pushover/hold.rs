@@ -159,6 +159,12 @@ impl<'a> Hold<'a> {
         Held::Unclear
     }
 
+    /// A rest that counts as a collapse since blocks were there.
+    pub fn slid(&mut self, from: &[BodyState]) -> Held {
+        self.deflected = from.to_vec();
+        Held::Collapse { acceleration: 0.0 }
+    }
+
     /// How fast all blocks are together: the root of twice their kinetic energy.
     fn pace(&self, states: &[BodyState]) -> f64 {
         twice_kinetic_energy(self.model, states, self.parameters.seen).sqrt()

@@ -81,9 +81,8 @@ pub fn search(
     let settled = RestState::now(physics);
     let (mut rest, mut seen) = (physics.checkpoint(), RestState::now(physics));
     let mut hint = Hint::new(parameters, expected);
-    let (mut lower, mut unclear): (u64, bool) = (0, false);
-    // Steps in a row that took too long.
-    let mut slow = 0;
+    // How many steps in a row took too long.
+    let (mut lower, mut unclear, mut slow): (u64, bool, usize) = (0, false, 0);
     let left_its_place = |states: &[BodyState]| {
         slip(&settled.states, states) > parameters.slip
             || displacement(model, &settled.states, states) > parameters.slide
@@ -99,10 +98,7 @@ pub fn search(
             return SearchEnd::Undecided(fact);
         }
         let held = match hold.step(physics, [lower, target], finest, last) {
-            Held::Rest if left_its_place(&physics.states()) => {
-                hold.deflected.clone_from(&seen.states);
-                Held::Collapse { acceleration: 0.0 }
-            }
+            Held::Rest if left_its_place(&physics.states()) => hold.slid(&seen.states),
             held => held,
         };
         match held {

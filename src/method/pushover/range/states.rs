@@ -45,10 +45,8 @@ impl Varied<'_> {
                 ..own
             }));
         }
-        let runs = variants
-            .iter()
-            .map(|&conditions| self.run(conditions, level));
-        let mut runs: Vec<_> = runs.collect();
+        let run = |&conditions: &Conditions| self.run(conditions, level);
+        let mut runs: Vec<_> = variants.iter().map(run).collect();
         let Some(coarse) = covered(&runs) else {
             return joined(runs, spent, None, vec![fact.into()]);
         };
