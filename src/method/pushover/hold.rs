@@ -29,8 +29,8 @@ pub struct Hold<'a> {
     first: f64,
     /// The longest time that a push took to come to rest.
     longest: f64,
-    /// Blocks since when the last collapse was more than a deflection.
-    pub deflected: Vec<BodyState>,
+    /// Blocks when the last hold had seen no more than bending: what moves after that is the mechanism.
+    pub bent: Vec<BodyState>,
 }
 
 impl<'a> Hold<'a> {
@@ -42,7 +42,7 @@ impl<'a> Hold<'a> {
             elapsed: 0.0,
             first: 0.0,
             longest: 0.0,
-            deflected: Vec::new(),
+            bent: Vec::new(),
         }
     }
 
@@ -111,7 +111,7 @@ impl<'a> Hold<'a> {
         // Twice the kinetic energy at its peak since the blocks were last stopped.
         let mut energy = 0.0;
         let mut pace_before = None;
-        self.deflected.clone_from(&from);
+        self.bent.clone_from(&from);
         for window in 0..windows {
             let ramping = ((window * steps) as f64) < ramp - 1.0;
             let damped = ramping || peak_before > resting_speed;
@@ -132,8 +132,8 @@ impl<'a> Hold<'a> {
                     let acceleration = now * now / (2.0 * moved);
                     return Held::Collapse { acceleration };
                 }
-                if moved <= parameters.deflects * limit {
-                    self.deflected.clone_from(&states);
+                if moved <= parameters.bending * limit {
+                    self.bent.clone_from(&states);
                 }
                 let present = twice_kinetic_energy(self.model, &states, parameters.seen);
                 let falling = present < parameters.damp_below * energy;
@@ -159,9 +159,9 @@ impl<'a> Hold<'a> {
         Held::Unclear
     }
 
-    /// A rest that counts as a collapse since blocks were there.
+    /// A collapse that is a rest far from where blocks were: all that moved is the mechanism.
     pub fn slid(&mut self, from: &[BodyState]) -> Held {
-        self.deflected = from.to_vec();
+        self.bent = from.to_vec();
         Held::Collapse { acceleration: 0.0 }
     }
 

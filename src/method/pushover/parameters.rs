@@ -169,18 +169,18 @@ parameters! { of:
     slow_motion: f64 = if of.sways { 0.04 } else { 0.02 }, "slow motion", "λ* g";
     /// Speed below which the settled scene is at rest under its own weight.
     settled_speed: f64 = 1e-7, "settled speed", SPEED;
-    /// Displacement beyond which a large step is given up. A wall that sways
-    /// leans far on its way to a rest.
+    /// Displacement beyond which a large step is given up, which is only a hint of where the limit is. A wall
+    /// that sways leans far on its way to a rest.
     runaway: f64 = of.sway * if of.sways { 9e-3 } else { 2e-3 } * of.courses.max(10.0),
         "runaway", LENGTH;
     /// Displacement beyond which the last, small step has collapsed.
     collapse: f64 = of.sway * if of.sways { 7.5e-3 } else { 6e-3 } * of.courses.max(6.0),
         "collapse", LENGTH;
-    /// What is left of time step, window and these two where the substep is halved. A wall that sways does
-    /// it twice as fast then and deflects by a quarter, near its limit by about a third. Others fall soon.
-    left: f64 = if of.sways { 0.5 } else { 1.0 };
-    /// Part of what tells a collapse from which on the mechanism is read: a wall that sways deflects before.
-    deflects: f64 = if of.sways { 0.5 } else { 0.0 };
+    /// Factor of time step, window, runaway and collapse where the substep is halved. A wall that sways does
+    /// so twice as fast then and deflects less: a quarter of it, and near its limit a half to a third.
+    level_factor: f64 = if of.sways { 0.5 } else { 1.0 };
+    /// Part of the collapse displacement beyond which the mechanism is read: a wall that sways bends before.
+    bending: f64 = if of.sways { 0.5 } else { 0.0 };
     /// Slip of a joint since the scene settled beyond which it counts as collapse.
     slip: f64 = f64::INFINITY, "first slip", LENGTH;
     /// Displacement since the scene settled beyond which a rest counts as collapse.
@@ -267,17 +267,17 @@ impl Parameters {
     }
 
     /// The same with the substep halved so many times: contacts are four times as stiff each time. The ramp
-    /// stays, or steps would overshoot alike on all levels, which then would not tell.
+    /// stays: if it shrank, steps would overshoot alike on all levels, and no difference would show it.
     pub fn halved(self, times: u32) -> Self {
         let part = 0.5f64.powi(times as i32);
-        let left = self.left.powi(times as i32);
+        let factor = self.level_factor.powi(times as i32);
         Self {
             substep: part * self.substep,
             contact_frequency: self.contact_frequency / part,
-            substeps: (left / part) as usize * self.substeps,
-            window: left * self.window,
-            runaway: left * self.runaway,
-            collapse: left * self.collapse,
+            substeps: (factor / part) as usize * self.substeps,
+            window: factor * self.window,
+            runaway: factor * self.runaway,
+            collapse: factor * self.collapse,
             ..self
         }
     }

@@ -170,8 +170,8 @@ fn judged(
         return observing(undecided, |observed| observed.checks = checks);
     }
     let moved = |frame: &Vec<BodyState>| mechanism(scene, model, &seen.settled.states, frame);
-    let [deflected, collapsed] = &seen.falling;
-    let mechanism = mechanism(scene, model, deflected, collapsed);
+    let [bent, collapsed] = &seen.falling;
+    let mechanism = mechanism(scene, model, bent, collapsed);
     let observed = Observed {
         bracket: Some(Bracket {
             lower: model.lambda(seen.lower),

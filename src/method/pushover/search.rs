@@ -19,7 +19,7 @@ pub struct Observation {
     pub settled: RestState,
     /// Blocks at rest at `lower`.
     pub rest: RestState,
-    /// Blocks when the collapse at `upper` was more than a deflection, and when it was called.
+    /// Blocks between which the mechanism of the collapse at `upper` is read: bent, and when it was called.
     pub falling: [Vec<BodyState>; 2],
     /// What happened then, where frames are asked for.
     pub fall: Option<Fall>,
@@ -109,7 +109,7 @@ pub fn search(
                 continue;
             }
             Held::Collapse { .. } if last => {
-                let falling = [hold.deflected, physics.states()];
+                let falling = [hold.bent, physics.states()];
                 let fall = (parameters.frames > 0)
                     .then(|| fall(physics, model, target, &settled.states, parameters.frames));
                 return SearchEnd::Bracketed(Box::new(Observation {
