@@ -88,7 +88,7 @@ pub mod inside {
     pub use crate::method::limit::ending::Ending;
     pub use crate::method::limit::program::Program;
     pub use crate::method::pushover::parameters::Parameters;
-    pub use crate::method::pushover::single::solve_with;
+    pub use crate::method::pushover::run::solve_with;
     pub use crate::picture::{Options, View, dxf, figure};
     pub use crate::record::record;
     pub use crate::report::html::{manual, page};

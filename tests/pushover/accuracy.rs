@@ -91,22 +91,28 @@ fn the_tall_wall_with_and_without_damping() {
     }
 }
 
-/// Walls of paper-1's bond and of hundreds of blocks, so many units wide and courses high: both ends lie
-/// within the stated error of the lowest state that the limit analysis verifies. Above 30 courses that state
-/// lies within the bracket and its stated error, and no end is farther from it than 0.3 %.
+/// Walls of paper-1's bond and of hundreds of blocks, so many units wide and courses high, with the most that each
+/// may state: both ends lie within the stated error of the lowest state that the limit analysis verifies. Above 30
+/// courses that state lies within the bracket and its stated error, and no end is farther from it than 0.3 %.
 #[test]
 #[ignore = "minutes"]
 fn large_walls_are_within_their_stated_error() {
-    let paper_1 = ([4.0, 1.75], 0.65);
-    let paper_3 = ([3.0, 1.0], 0.75);
+    let paper_1 = ([4.0, 1.75], 0.65, 2e-3);
+    let paper_3 = ([3.0, 1.0], 0.75, 2e-3);
+    // Here blocks creep far, or jump, before they come to rest, and shorter distances from level to level took
+    // that for collapse: 0.32825 to 0.32875 of 0.329863, and 0.4319 to 0.432 of 0.443350, 0.2 % stated or less.
+    let creeps = ([2.0, 1.0], 0.863, 1e-2);
+    let jumps = ([3.0, 1.75], 0.946, 2e-3);
     let walls = [
         (36, 20, paper_1),
         (60, 30, paper_1),
         (24, 48, paper_1),
         (20, 48, paper_3),
         (30, 60, paper_3),
+        (9, 42, creeps),
+        (13, 22, jumps),
     ];
-    for (units, courses, ([length, height], friction)) in walls {
+    for (units, courses, ([length, height], friction, most)) in walls {
         let even = [
             vec![Piece::Half],
             vec![Piece::Unit; units - 1],
@@ -150,6 +156,6 @@ fn large_walls_are_within_their_stated_error() {
             error <= stated
         };
         assert!(right, "{units} × {courses}: {bracket:?}, verified {exact}");
-        assert!(stated <= 2e-3, "{units} × {courses}: {stated}");
+        assert!(stated <= most, "{units} × {courses}: {stated}");
     }
 }

@@ -52,11 +52,8 @@ pub fn repetition_agrees(
     unit: f64,
     tolerance: f64,
 ) -> SelfCheck {
-    let apart = answer.as_ref().map_or(f64::INFINITY, |other| {
-        (first.lower - other.upper)
-            .max(other.lower - first.upper)
-            .max(0.0)
-    });
+    let between = |other: &Bracket| (first.lower - other.upper).max(other.lower - first.upper);
+    let apart = answer.as_ref().map_or(f64::INFINITY, between).max(0.0);
     let relative = apart / magnitude(first.upper, unit);
     check(Checked::Repetition { with, answer }, relative, tolerance)
 }
@@ -71,10 +68,8 @@ pub fn reaction(scene: &Scene, contacts: &[Contact], fixed: impl Fn(Side) -> boo
             [false, true] => -1.0,
             _ => continue,
         };
-        sum = [
-            sum[0] + sign * contact.force[0],
-            sum[1] + sign * contact.force[1],
-        ];
+        let force = contact.force.map(|force| sign * force);
+        sum = [sum[0] + force[0], sum[1] + force[1]];
     }
     sum
 }

@@ -3,7 +3,7 @@
 //! stiffness of the contacts do is measured on every scene by its levels.
 
 use super::parameters::Parameters;
-use super::single::solve_with;
+use super::run::solve_with;
 use super::tests::wall;
 use super::tuned::Tuned;
 use super::*;

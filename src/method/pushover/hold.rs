@@ -29,8 +29,6 @@ pub struct Hold<'a> {
     first: f64,
     /// The longest time that a push took to come to rest.
     longest: f64,
-    /// Blocks when the last hold had seen no more than bending: what moves after that is the mechanism.
-    pub bent: Vec<BodyState>,
 }
 
 impl<'a> Hold<'a> {
@@ -42,15 +40,19 @@ impl<'a> Hold<'a> {
             elapsed: 0.0,
             first: 0.0,
             longest: 0.0,
-            bent: Vec::new(),
         }
     }
 
     /// The scene under its weight and a push against its live loads: none, or a small one.
     pub fn settle(&mut self, physics: &mut Physics, push: f64) -> Held {
         let own = self.parameters;
-        let (speed, limit) = (own.settled_speed, own.fall);
-        self.hold(physics, [-push; 2], speed, limit, own.patience)
+        self.hold(
+            physics,
+            [-push; 2],
+            own.settled_speed,
+            own.fall,
+            own.patience,
+        )
     }
 
     /// From rest at one λ* to another, in grid units. `last`: a collapse counts, and there is all the
@@ -111,7 +113,6 @@ impl<'a> Hold<'a> {
         // Twice the kinetic energy at its peak since the blocks were last stopped.
         let mut energy = 0.0;
         let mut pace_before = None;
-        self.bent.clone_from(&from);
         for window in 0..windows {
             let ramping = ((window * steps) as f64) < ramp - 1.0;
             let damped = ramping || peak_before > resting_speed;
@@ -131,9 +132,6 @@ impl<'a> Hold<'a> {
                 if moved > limit && now >= peak_before {
                     let acceleration = now * now / (2.0 * moved);
                     return Held::Collapse { acceleration };
-                }
-                if moved <= parameters.bending * limit {
-                    self.bent.clone_from(&states);
                 }
                 let present = twice_kinetic_energy(self.model, &states, parameters.seen);
                 let falling = present < parameters.damp_below * energy;
@@ -157,12 +155,6 @@ impl<'a> Hold<'a> {
             }
         }
         Held::Unclear
-    }
-
-    /// A collapse that is a rest far from where blocks were: all that moved is the mechanism.
-    pub fn slid(&mut self, from: &[BodyState]) -> Held {
-        self.bent = from.to_vec();
-        Held::Collapse { acceleration: 0.0 }
     }
 
     /// How fast all blocks are together: the root of twice their kinetic energy.

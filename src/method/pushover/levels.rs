@@ -187,10 +187,9 @@ fn agreement(
     let ratio = ratio.min(tuned.shrinking);
     let grid = sizes.unit / GRID;
     let shows = !overlap(before.bracket, last.bracket, grid);
-    let left = if shows {
-        step * ratio / (1.0 - ratio)
-    } else {
-        0.0
+    let left = match shows {
+        true => step * ratio / (1.0 - ratio),
+        false => 0.0,
     };
     let bracket = covering(before.bracket, last.bracket, left, grid);
     let error = bracket
@@ -206,10 +205,9 @@ fn agreement(
 /// trend that `shows` makes up for that, and what is left for a substep of 0 is how far the scene slid.
 fn moved(before: Level, last: Level, shows: bool) -> f64 {
     let slid = (4.0 * last.drift - before.drift) / 3.0;
-    if shows {
-        slid.clamp(0.0, last.drift)
-    } else {
-        last.drift
+    match shows {
+        true => slid.clamp(0.0, last.drift),
+        false => last.drift,
     }
 }
 

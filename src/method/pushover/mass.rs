@@ -62,8 +62,7 @@ pub fn inert(
 /// The moment of inertia about the base stays as it is, and with it the time in which the scene rocks.
 fn heavier_by_depth(scene: &Scene, portion: &Portion, length: f64, tuned: &Tuned) -> Vec<f64> {
     let height = |block: &Block| block.shape.centroid().y;
-    let (low, high) = portion.bounds(scene);
-    let (low, high) = (low.y, high.y);
+    let [low, high] = <[_; 2]>::from(portion.bounds(scene)).map(|corner| corner.y);
     if (high - low) / length < tuned.swaying {
         return vec![1.0; scene.blocks().len()];
     }

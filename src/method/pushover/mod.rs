@@ -26,9 +26,8 @@ mod parts;
 mod physics;
 mod portion;
 mod range;
-mod run;
+pub(crate) mod run;
 mod search;
-pub(crate) mod single;
 #[cfg(test)]
 mod tests;
 mod tuned;

@@ -176,11 +176,8 @@ parameters! { of:
     /// Displacement beyond which the last, small step has collapsed.
     collapse: f64 = of.sway * if of.sways { 7.5e-3 } else { 6e-3 } * of.courses.max(6.0),
         "collapse", LENGTH;
-    /// Factor of time step, window, runaway and collapse where the substep is halved. A wall that sways does
-    /// so twice as fast then and deflects less: a quarter of it, and near its limit a half to a third.
+    /// Factor of time step and window where the substep is halved: a wall that sways does so twice as fast then.
     level_factor: f64 = if of.sways { 0.5 } else { 1.0 };
-    /// Part of the collapse displacement beyond which the mechanism is read: a wall that sways bends before.
-    bending: f64 = if of.sways { 0.5 } else { 0.0 };
     /// Slip of a joint since the scene settled beyond which it counts as collapse.
     slip: f64 = f64::INFINITY, "first slip", LENGTH;
     /// Displacement since the scene settled beyond which a rest counts as collapse.
@@ -276,8 +273,6 @@ impl Parameters {
             contact_frequency: self.contact_frequency / part,
             substeps: (factor / part) as usize * self.substeps,
             window: factor * self.window,
-            runaway: factor * self.runaway,
-            collapse: factor * self.collapse,
             ..self
         }
     }

@@ -25,10 +25,8 @@ pub fn weakest(scene: &Scene, answer: impl Fn(&Portion) -> Outcome) -> Outcome {
             break;
         }
     }
-    let checks = answers
-        .iter()
-        .flat_map(|(_, of)| of.evidence.checks().to_vec());
-    let checks = checks.collect();
+    let of_part = |(_, of): &(_, Outcome)| of.evidence.checks().to_vec();
+    let checks = answers.iter().flat_map(of_part).collect();
     let mut outcome = decisive(scene, answers);
     outcome.work.block_steps = block_steps;
     observing(outcome, |observed| observed.checks = checks)

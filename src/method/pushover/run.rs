@@ -5,6 +5,7 @@ use super::measure;
 use super::model::{GRID, Model};
 use super::observing::observing;
 use super::parameters::{Asked, Parameters};
+use super::parts::weakest;
 use super::physics::{BodyState, Physics};
 use super::portion::{Portion, beyond_stagger};
 use super::search::{Observation, SearchEnd, search};
@@ -12,6 +13,7 @@ use crate::answer::{
     Bracket, Checked, Fact, Observed, Outcome, PushoverFact, Recording, SelfCheck, Status, Work,
 };
 use crate::mechanics::{Mechanism, Motion, crack_slope_by_gap};
+use crate::method::PushoverSettings;
 use crate::scene::{Scene, Side, Vector};
 use nalgebra::Rotation2;
 
@@ -83,6 +85,18 @@ impl<'a> Trial<'a> {
     }
 }
 
+/// One pushover of a single level, whose error nothing measures, with its parameters changed: for comparisons,
+/// and where a user asks for substeps of a certain length.
+pub fn solve_with(
+    scene: &Scene,
+    settings: &PushoverSettings,
+    change: impl Fn(Parameters) -> Parameters,
+) -> Outcome {
+    weakest(scene, |portion| {
+        Trial::new(scene, portion, Asked::new(settings)).run(&change)
+    })
+}
+
 /// Whether the scene neither rested nor fell in time, under its weight alone or under a push.
 pub fn is_unclear(outcome: &Outcome) -> bool {
     use PushoverFact::{NotSettled, Unclear};
@@ -122,7 +136,7 @@ fn run(
     let expected = trial.expected.map(|at| model.in_grid(at));
     let mut outcome = match search(&mut physics, &model, &parameters, expected, slip) {
         SearchEnd::Bracketed(seen) => {
-            let states = [&seen.settled.states[..], &seen.falling[1]];
+            let states = [&seen.settled.states[..], &seen.collapsed];
             moved &= strip_moved(portion, &model, parameters.still, states);
             let settlement = measure::displacement(&model, &laid, &seen.settled.states);
             let settles = check(Checked::Settlement, settlement, parameters.settlement);
@@ -170,8 +184,7 @@ fn judged(
         return observing(undecided, |observed| observed.checks = checks);
     }
     let moved = |frame: &Vec<BodyState>| mechanism(scene, model, &seen.settled.states, frame);
-    let [bent, collapsed] = &seen.falling;
-    let mechanism = mechanism(scene, model, bent, collapsed);
+    let mechanism = mechanism(scene, model, &seen.rest.states, &seen.collapsed);
     let observed = Observed {
         bracket: Some(Bracket {
             lower: model.lambda(seen.lower),

@@ -19,8 +19,8 @@ pub struct Observation {
     pub settled: RestState,
     /// Blocks at rest at `lower`.
     pub rest: RestState,
-    /// Blocks between which the mechanism of the collapse at `upper` is read: bent, and when it was called.
-    pub falling: [Vec<BodyState>; 2],
+    /// Blocks when the collapse at `upper` was called.
+    pub collapsed: Vec<BodyState>,
     /// What happened then, where frames are asked for.
     pub fall: Option<Fall>,
 }
@@ -98,7 +98,7 @@ pub fn search(
             return SearchEnd::Undecided(fact);
         }
         let held = match hold.step(physics, [lower, target], finest, last) {
-            Held::Rest if left_its_place(&physics.states()) => hold.slid(&seen.states),
+            Held::Rest if left_its_place(&physics.states()) => Held::Collapse { acceleration: 0.0 },
             held => held,
         };
         match held {
@@ -109,7 +109,7 @@ pub fn search(
                 continue;
             }
             Held::Collapse { .. } if last => {
-                let falling = [hold.bent, physics.states()];
+                let collapsed = physics.states();
                 let fall = (parameters.frames > 0)
                     .then(|| fall(physics, model, target, &settled.states, parameters.frames));
                 return SearchEnd::Bracketed(Box::new(Observation {
@@ -117,7 +117,7 @@ pub fn search(
                     upper: target,
                     settled,
                     rest: seen,
-                    falling,
+                    collapsed,
                     fall,
                 }));
             }

@@ -3,7 +3,7 @@
 use super::checks::repetition_agrees;
 use super::observing::observing;
 use super::parameters::Parameters;
-use super::single::solve_with;
+use super::run::solve_with;
 use crate::answer::{Fact, Outcome, PushoverFact, Repetition, SelfCheck, Status};
 use crate::method::PushoverSettings;
 use crate::scene::Scene;
