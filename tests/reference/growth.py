@@ -108,7 +108,8 @@ def fit(points):
 
 def above(points):
     """Factor and power of the trend, and each point with how many times it lies above the trend."""
-    factor, power = fit([(blocks, seconds) for blocks, seconds, _ in points])
+    # What is refused at once costs nothing, and would draw the trend down.
+    factor, power = fit([(blocks, seconds) for blocks, seconds, row in points if row["status"] != "undecided"])
     return factor, power, sorted(((s / (factor * b**power), b, s, row) for b, s, row in points), key=lambda p: -p[0])
 
 
@@ -182,7 +183,8 @@ def chart():
         factor, power, found = above(measured("pushover", joints))
         for _, blocks, seconds, row in found:
             pushed.dot(blocks, seconds, colour, row["status"] == "undecided")
-        ends = min(point[1] for point in found), max(point[1] for point in found)
+        answered = [blocks for _, blocks, _, row in found if row["status"] != "undecided"]
+        ends = min(answered), max(answered)
         pushed.trend(factor, power, ends, colour)
         pushed.trend(OUTLIER * factor, power, ends, colour, ' stroke-dasharray="4 3"')
     proved = Panel(LEFT + PANEL + 60, "bound, default limits", (5, 50), (1e-2, 1e5), "seconds, MB, unknowns")

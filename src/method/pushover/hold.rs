@@ -46,13 +46,8 @@ impl<'a> Hold<'a> {
     /// The scene under its weight and a push against its live loads: none, or a small one.
     pub fn settle(&mut self, physics: &mut Physics, push: f64) -> Held {
         let own = self.parameters;
-        self.hold(
-            physics,
-            [-push; 2],
-            own.settled_speed,
-            own.fall,
-            own.patience,
-        )
+        let (speed, limit) = (own.settled_speed, own.fall);
+        self.hold(physics, [-push; 2], speed, limit, own.patience)
     }
 
     /// From rest at one λ* to another, in grid units. `last`: a collapse counts, and there is all the

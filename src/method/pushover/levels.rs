@@ -190,28 +190,31 @@ fn agreement(
     let ratio = ratio.min(tuned.shrinking);
     let grid = sizes.unit / GRID;
     let shows = !overlap(before.bracket, last.bracket, grid);
+    let both = covering(before.bracket, last.bracket, 0.0, grid);
     let left = match shows {
         true => step * ratio / (1.0 - ratio),
-        false if sizes.sways => unresolved(levels, grid),
+        false if sizes.sways => unresolved(levels, both, grid),
         false => 0.0,
     };
+    // A further level may show what these two do not.
+    if !ends && !shows && left != 0.0 {
+        return None;
+    }
     let bracket = covering(before.bracket, last.bracket, left, grid);
     let error = bracket
         .relative_width(sizes.unit)
         .max(moved(before, last, shows) / sizes.extent);
-    let most = target * if ends { tuned.most_error } else { 1.0 };
-    let agrees = error <= most * (1.0 + 1e-9);
     let error = rounded_up(error);
-    agrees.then_some(Enclosure { bracket, error })
+    let most = target * if ends { tuned.most_error } else { 1.0 };
+    (error <= most).then_some(Enclosure { bracket, error })
 }
 
-/// What may be left of a trend that the last two brackets no longer show. They overlap or meet, so that it was no
-/// more than a bracket's width between them, and what follows is no more than that again.
-fn unresolved(levels: &[Level], grid: f64) -> f64 {
+/// What may be left of a trend that earlier levels show and the last two, whose brackets overlap or meet, do not.
+/// Their limits differ by no more than both brackets cover; as differences halve, what follows is no more either.
+fn unresolved(levels: &[Level], both: Bracket, grid: f64) -> f64 {
     let apart = |pair: &&[Level]| !overlap(pair[0].bracket, pair[1].bracket, grid);
     levels.windows(2).rfind(apart).map_or(0.0, |pair| {
-        let Bracket { lower, upper } = levels[levels.len() - 1].bracket;
-        (upper - lower).copysign(pair[1].bracket.lower - pair[0].bracket.lower)
+        (both.upper - both.lower).copysign(pair[1].bracket.lower - pair[0].bracket.lower)
     })
 }
 
@@ -220,9 +223,10 @@ fn unresolved(levels: &[Level], grid: f64) -> f64 {
 /// trend that `shows` makes up for that, and what is left for a substep of 0 is how far the scene slid.
 fn moved(before: Level, last: Level, shows: bool) -> f64 {
     let slid = (4.0 * last.drift - before.drift) / 3.0;
-    match shows {
-        true => slid.clamp(0.0, last.drift),
-        false => last.drift,
+    if shows {
+        slid.clamp(0.0, last.drift)
+    } else {
+        last.drift
     }
 }
 
@@ -317,6 +321,7 @@ mod tests {
         let (lower, upper) = (0.4335, 0.4345);
         assert_eq!(found.bracket, Bracket { lower, upper });
         assert_eq!(found.error, 5e-3);
+        assert_eq!(agreement(&levels, sways, 4e-3, false, &Tuned::TUNED), None);
         let without = agreement(&levels[2..], sways, 4e-3, true, &Tuned::TUNED).unwrap();
         assert_eq!(without.bracket, two.bracket);
     }
