@@ -190,32 +190,31 @@ fn agreement(
     let ratio = ratio.min(tuned.shrinking);
     let grid = sizes.unit / GRID;
     let shows = !overlap(before.bracket, last.bracket, grid);
-    let both = covering(before.bracket, last.bracket, 0.0, grid);
     let left = match shows {
         true => step * ratio / (1.0 - ratio),
-        false if sizes.sways => unresolved(levels, both, grid),
+        false if sizes.sways => unresolved(levels, grid),
         false => 0.0,
     };
     // A further level may show what these two do not.
-    if !ends && !shows && left != 0.0 {
-        return None;
-    }
+    let complete = ends || shows || left == 0.0;
     let bracket = covering(before.bracket, last.bracket, left, grid);
     let error = bracket
         .relative_width(sizes.unit)
         .max(moved(before, last, shows) / sizes.extent);
     let error = rounded_up(error);
     let most = target * if ends { tuned.most_error } else { 1.0 };
-    (error <= most).then_some(Enclosure { bracket, error })
+    (complete && error <= most).then_some(Enclosure { bracket, error })
 }
 
 /// What may be left of a trend that earlier levels show and the last two, whose brackets overlap or meet, do not.
-/// Their limits differ by no more than both brackets cover; as differences halve, what follows is no more either.
-fn unresolved(levels: &[Level], both: Bracket, grid: f64) -> f64 {
+/// Their middles differ by no more than the wider one's width; as differences halve, what follows is no more either.
+fn unresolved(levels: &[Level], grid: f64) -> f64 {
     let apart = |pair: &&[Level]| !overlap(pair[0].bracket, pair[1].bracket, grid);
-    levels.windows(2).rfind(apart).map_or(0.0, |pair| {
-        (both.upper - both.lower).copysign(pair[1].bracket.lower - pair[0].bracket.lower)
-    })
+    let [before, last] = [2, 1].map(|back| levels[levels.len() - back].bracket);
+    let width = (before.upper - before.lower).max(last.upper - last.lower);
+    let trend = |pair: &[Level]| pair[1].bracket.lower - pair[0].bracket.lower;
+    let shown = levels.windows(2).rfind(apart);
+    shown.map_or(0.0, |pair| width.copysign(trend(pair)))
 }
 
 /// How far the scene moved before it collapsed, in course heights: it collapses elsewhere than where it
