@@ -167,9 +167,9 @@ pub(super) fn violated(face: &Face, request: Request, multipliers: &Multipliers)
 #[cfg(test)]
 mod tests {
     use super::super::lift::Lift;
+    use super::super::opening;
     use super::super::parameters::Parameters;
     use super::super::slices::{Search, Slices};
-    use super::super::{opening, orders};
     use super::*;
     use crate::answer::Work;
     use crate::certificate::{Certificate, Refusal, prove};
@@ -183,7 +183,7 @@ mod tests {
         let conditions = Conditions::of(scene).with_slip_bounds(scene);
         let opening = opening(scene, &mut Work::default()).unwrap();
         let prover = Prover::new(scene, conditions.clone(), &opening).unwrap();
-        let lift = Lift::new(conditions, &orders(scene), Parameters::TUNED).unwrap();
+        let lift = Lift::new(conditions, Parameters::TUNED).unwrap();
         let settings = Settings::default().bound;
         let mut slices = Slices::default();
         for (leaf, &pair) in pairs.iter().enumerate() {

@@ -44,7 +44,20 @@ fn subtract(values: &mut [f64], n: usize, [from, to]: [usize; 2], row: usize, mu
     }
 }
 
-/// Solves X Lᵀ = A for X in place, L being a factor.
+/// A lower triangle R with R Rᵀ = a symmetric matrix, but for the pivots that rounding has taken.
+pub(super) fn root(mut a: DMatrix<f64>) -> DMatrix<f64> {
+    factor(&mut a);
+    a.fill_upper_triangle(0.0, 1);
+    for k in 0..a.nrows() {
+        if a[(k, k)] == HELD_PIVOT {
+            a.column_mut(k).fill(0.0);
+        }
+    }
+    a
+}
+
+/// Solves X Lᵀ = A for X in place, L being a factor, by substitution: with inverses of its diagonal blocks, which
+/// are faster, a slice of paper-1 with open head joints lost its proof.
 pub(super) fn solve_right(a: &mut DMatrix<f64>, factor: &DMatrix<f64>) {
     let (rows, n) = a.shape();
     for start in (0..n).step_by(BLOCK) {

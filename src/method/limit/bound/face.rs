@@ -30,28 +30,19 @@ pub(super) struct Face<'a> {
 }
 
 impl<'a> Face<'a> {
-    /// That of these assumptions, with the sums of power that make the linear systems cheapest.
+    /// That of these assumptions.
     pub(super) fn of(lift: &'a Lift, assumed: &[Assumption]) -> Self {
         let conditions = &lift.conditions;
         let zeros = Zeros::of(lift.joints(), assumed);
         let plain = Motion::of_velocities(conditions);
         let (left, pivots) = plain.where_zero(conditions, |rate| zeros.rate(rate));
-        let motions = lift.orders.iter().map(|order| {
-            let motion = left.clone();
-            let motion = motion.with_sums(conditions, order, lift.parameters.least_power);
-            let motion = motion.numbered();
-            let pattern = Pattern::new(motion.unknowns, motion.meetings());
-            (motion, pattern)
-        });
-        let (motion, pattern) = motions
-            .min_by(|a, b| a.1.cost().total_cmp(&b.1.cost()))
-            .expect("there is an order");
+        let motion = left.numbered();
         Self {
             basis: forces_where_zero(lift, &zeros),
             lift,
             zeros,
+            pattern: motion.pattern(),
             motion,
-            pattern,
             pivots,
         }
     }
@@ -63,7 +54,7 @@ impl<'a> Face<'a> {
             lift,
             zeros: Zeros::of(lift.joints(), &[]),
             basis: lift.basis.clone(),
-            pattern: Pattern::new(1, motion.meetings()),
+            pattern: motion.pattern(),
             motion,
             pivots: Vec::new(),
         }
@@ -198,7 +189,6 @@ fn forces_where_zero(lift: &Lift, zeros: &Zeros) -> DMatrix<f64> {
 mod tests {
     use super::*;
     use crate::certificate::{Conditions, Factor};
-    use crate::method::limit::bound::orders;
     use crate::method::limit::bound::parameters::Parameters;
     use crate::method::limit::walls::{LOWEST_OF_SMALL_WALL as LOWEST, small_wall};
     use crate::scene::HeadJoints;
@@ -209,7 +199,7 @@ mod tests {
     fn assumed_factors_take_what_a_face_leaves() {
         let scene = small_wall(HeadJoints::Contact);
         let conditions = Conditions::of(&scene).with_slip_bounds(&scene);
-        let lift = Lift::new(conditions, &orders(&scene), Parameters::TUNED).unwrap();
+        let lift = Lift::new(conditions, Parameters::TUNED).unwrap();
         let assume = |pair: usize, zero: Factor| Assumption { pair, zero };
         let rates = [0, 2, 3, 9].map(|pair| assume(pair, Factor::Rate));
         let forces = [5, 10].map(|pair| assume(pair, Factor::Force));

@@ -16,20 +16,14 @@ pub(super) struct Lift {
     /// Orthonormal combinations of the equilibrium conditions, by column, and what they are made of.
     across: DMatrix<f64>,
     triangle: DMatrix<f64>,
-    /// Orders of the blocks along which the power may be summed.
-    pub(super) orders: Vec<Vec<usize>>,
     /// What it is solved with.
     pub(super) parameters: Parameters,
 }
 
 impl Lift {
-    /// Of a scene's conditions, with sums of the power along its blocks in one of these orders. `None`
-    /// where the equilibrium conditions are not independent: a block hangs on nothing.
-    pub(super) fn new(
-        conditions: Conditions,
-        orders: &[Vec<usize>],
-        parameters: Parameters,
-    ) -> Option<Self> {
+    /// Of a scene's conditions. `None` where the equilibrium conditions are not independent: a block hangs
+    /// on nothing.
+    pub(super) fn new(conditions: Conditions, parameters: Parameters) -> Option<Self> {
         let (rows, forces) = (conditions.velocities(), conditions.forces());
         let mut transposed = DMatrix::zeros(forces, rows);
         for row in 0..rows {
@@ -58,7 +52,6 @@ impl Lift {
             return None;
         }
         Some(Self {
-            orders: orders.to_vec(),
             basis: whole.rows(rows, forces - rows).transpose(),
             across: whole.rows(0, rows).transpose(),
             triangle,

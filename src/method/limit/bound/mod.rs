@@ -40,6 +40,7 @@
 //! What proves it is not the interior point that found the multipliers but the identity that they
 //! satisfy; see [`crate::certificate::Certificate`] and the rounding argument there.
 
+mod bordered;
 mod branches;
 mod cleaner;
 mod dense;
@@ -72,7 +73,7 @@ use crate::certificate::{Certificate, Conditions, Proved, Prover, Unknown};
 use crate::mechanics::CollapseState;
 use crate::method::settings::{BoundSettings, LP_TOLERANCE};
 use crate::method::{Method, Settings, SoFar, Watch};
-use crate::scene::{Point, Scene};
+use crate::scene::Scene;
 use lift::Lift;
 use parameters::Parameters;
 use slices::{Search, Slices};
@@ -125,7 +126,7 @@ fn solve_with(
         return answer(state, None, work, vec![fact.into()]);
     }
     let conditions = conditions.with_slip_bounds(scene);
-    let Some(lift) = Lift::new(conditions.clone(), &orders(scene), parameters) else {
+    let Some(lift) = Lift::new(conditions.clone(), parameters) else {
         return answer(state, None, work, vec![BoundFact::NoState.into()]);
     };
     let opened = opening(scene, &mut work).and_then(|opening| {
@@ -260,18 +261,6 @@ fn push_moves(found: &Outcome) -> Option<BoundFact> {
     };
     let proves = found.facts.iter().any(frictionless);
     proves.then_some(BoundFact::PushMoves)
-}
-
-/// The blocks from side to side and from below: orders in which neighbours are near to each other.
-fn orders(scene: &Scene) -> [Vec<usize>; 2] {
-    let blocks = scene.blocks();
-    let sorted = |key: fn(Point) -> f64| {
-        let mut order: Vec<usize> = (0..blocks.len()).collect();
-        let place = |block: &usize| key(blocks[*block].shape.centroid());
-        order.sort_by(|a, b| place(a).total_cmp(&place(b)));
-        order
-    };
-    [sorted(|at| at.x), sorted(|at| at.y)]
 }
 
 /// A motion that opens every joint by 1 beyond μ times its slip (the lengths over the height), so

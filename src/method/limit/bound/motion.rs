@@ -1,12 +1,8 @@
-//! Motions in unknowns of which one is the live load's power.
-//!
-//! The power is a sum over all blocks: as a term of the linear systems it would couple each of them
-//! with every other one. So the velocity of a block in the direction of its load gives way to the
-//! power of all blocks up to it, in some order. Each joint then has a few unknowns more, and the whole
-//! power is a single one: that of the last block.
+//! How the rates of a lift follow from the unknowns of a motion, and which unknowns meet in a rate.
 
 use nalgebra::DMatrix;
 
+use super::factor::Pattern;
 use super::parameters::{DEPENDENT, ROUNDING};
 use crate::certificate::{Conditions, Entry};
 
@@ -92,47 +88,6 @@ impl Motion {
         (self, pivots)
     }
 
-    /// In sums of the power along the blocks in this order, instead of one velocity each. A sum is over
-    /// the velocities of its last block, in the direction in which their power is largest, so that it is a
-    /// velocity too. Where that is less than this share of another term of the sum, the block's power goes
-    /// on to the next sum: divided by it, the others would be large.
-    pub(super) fn with_sums(
-        mut self,
-        conditions: &Conditions,
-        order: &[usize],
-        least_share: f64,
-    ) -> Self {
-        let mut in_sums = Substitution::none(self.unknowns);
-        let larger = |a: &Entry, b: &Entry| a.1.abs().total_cmp(&b.1.abs());
-        // The last sum, and what is not in it.
-        let mut terms: Vec<Entry> = Vec::new();
-        for &block in order {
-            // Supports that move have one velocity, the last.
-            let own = 3 * block..(3 * block + 3).min(conditions.velocities());
-            let own = self.power().iter().filter(|entry| own.contains(&entry.0));
-            let own: Vec<Entry> = own.copied().collect();
-            let largest = own.iter().copied().max_by(larger);
-            terms.extend(own);
-            let Some((at, load)) = largest else {
-                continue;
-            };
-            if terms
-                .iter()
-                .any(|term| load.abs() < least_share * term.1.abs())
-            {
-                continue;
-            }
-            let others = terms.iter().filter(|entry| entry.0 != at);
-            let others = others.map(|&(k, value)| (k, -value / load));
-            in_sums.0[at] = Some([(at, 1.0)].into_iter().chain(others).collect());
-            terms = vec![(at, load)];
-        }
-        self.rows = self.rows.iter().map(|row| in_sums.of(row)).collect();
-        // The sum of all, without what rounding leaves of the others.
-        self.rows[self.power] = terms;
-        self
-    }
-
     /// With the unknowns alone that stand in a rate.
     pub(super) fn numbered(mut self) -> Self {
         let mut places = vec![None; self.unknowns];
@@ -150,10 +105,18 @@ impl Motion {
         self
     }
 
-    /// The unknowns that meet in one rate, for each of them.
-    pub(super) fn meetings(&self) -> impl Iterator<Item = Vec<usize>> {
-        let unknowns = |entries: &Vec<Entry>| entries.iter().map(|entry| entry.0).collect();
-        self.rows.iter().map(unknowns)
+    /// Whether a rate is the live load's power, and one of several unknowns: each of these would meet every
+    /// other one.
+    pub(super) fn couples_all(&self, rate: usize) -> bool {
+        rate == self.power && self.rows[rate].len() > 1
+    }
+
+    /// Which unknowns meet in a rate, but for one that couples all.
+    pub(super) fn pattern(&self) -> Pattern {
+        let rates = 0..self.rows.len();
+        let rates = rates.filter(|&rate| !self.couples_all(rate));
+        let meetings = rates.map(|rate| self.rows[rate].iter().map(|entry| entry.0).collect());
+        Pattern::new(self.unknowns, meetings)
     }
 
     /// The live load's power.
@@ -242,47 +205,6 @@ mod tests {
     use crate::method::limit::interval::lowest;
     use crate::method::limit::walls::wall;
     use crate::scene::Push;
-
-    /// Rates of velocities are those of the same motion in sums, whose last one is its power.
-    #[test]
-    fn sums_describe_the_same_motions() {
-        let scene = wall(3, Push::Right);
-        let conditions = Conditions::of(&scene).with_slip_bounds(&scene);
-        let blocks = conditions.velocities() / 3;
-        let order: Vec<usize> = (0..blocks).rev().collect();
-        let (plain, sums) = (
-            Motion::of_velocities(&conditions),
-            Motion::of_velocities(&conditions).with_sums(&conditions, &order, 0.1),
-        );
-        let columns = |of: &dyn Fn(usize) -> f64| {
-            DMatrix::from_fn(1, plain.unknowns, |_, k| {
-                if k < 3 * blocks {
-                    of(k)
-                } else {
-                    (k as f64).cos()
-                }
-            })
-        };
-        let velocity = |k: usize| (2.0 + k as f64).sin();
-        let live = &conditions.live;
-        let of_velocity = |k: usize| live[k] * velocity(k);
-        let power = |block: usize| (3 * block..3 * block + 3).map(of_velocity).sum::<f64>();
-        let in_sums = columns(&|k| {
-            let block = k / 3;
-            // The push is horizontal; the overburden's has a moment too.
-            if k % 3 != 0 {
-                return velocity(k);
-            }
-            (block..blocks).map(power).sum::<f64>() / live[k]
-        });
-        let (expected, found) = (plain.rates(&columns(&velocity)), sums.rates(&in_sums));
-        assert!((expected - &found).amax() < 1e-11);
-        assert_eq!(sums.power().len(), 1);
-
-        let multipliers = DMatrix::from_fn(1, found.ncols(), |_, rate| (rate as f64).sin());
-        let transposed = sums.of_rates(&multipliers).dot(&in_sums);
-        assert!((found.dot(&multipliers) - transposed).abs() < 1e-11);
-    }
 
     /// Slips of verified collapse states are within their bounds, all rates not negative.
     #[test]

@@ -1,10 +1,12 @@
 //! The linear system of the interior point: Σ weight · (force condition × rate)², factored.
 //!
 //! It is made of tiles, one row an unknown of the motion, and each rate adds to those where its unknowns
-//! meet. Conjugate gradients on the whole system take what rounding leaves.
+//! meet; the power, which couples all of them, is their border. Conjugate gradients on the whole system take
+//! what rounding leaves.
 
 use nalgebra::DMatrix;
 
+use super::bordered::Bordered;
 use super::factor::Tiles;
 use super::products::Products;
 use crate::method::at_once::each;
@@ -15,7 +17,7 @@ pub(super) struct Newton<'a> {
     weights: &'a DMatrix<f64>,
     /// Weight of the scale condition 1 − (row of 1)·power.
     scale: f64,
-    tiles: Tiles<'a>,
+    factor: Bordered<'a>,
     /// What holds the unknowns.
     held: f64,
 }
@@ -43,8 +45,13 @@ impl<'a> Newton<'a> {
             *part = Some(sum);
         });
         let mut tiles = Tiles::zero(&products.face.pattern, one.len());
-        for (_, row, part) in parts {
+        let mut coupling = None;
+        for (rate, row, part) in parts {
             let part = part.expect("each is done");
+            if products.face.motion.couples_all(rate) {
+                coupling = Some(part);
+                continue;
+            }
             for &(p, x) in row {
                 for &(q, y) in row {
                     tiles.add(p, q, x * y, &part);
@@ -52,11 +59,12 @@ impl<'a> Newton<'a> {
             }
         }
         let [share, floor] = products.parameters().regular;
+        let tiles = tiles.factor(share, floor, held);
         Self {
             products,
             weights,
             scale,
-            tiles: tiles.factor(share, floor, held),
+            factor: Bordered::new(tiles, &products.power, coupling),
             held,
         }
     }
@@ -73,31 +81,29 @@ impl<'a> Newton<'a> {
         out
     }
 
-    /// Solves by the factor alone.
-    fn solve_once(&self, right: &DMatrix<f64>) -> DMatrix<f64> {
-        let (free, unknowns) = right.shape();
-        let long = DMatrix::from_column_slice(free * unknowns, 1, right.as_slice());
-        let solved = self.tiles.solve(&long);
-        DMatrix::from_column_slice(free, unknowns, solved.as_slice())
-    }
-
     /// Solves to a residual of this share of the right side, or as far as rounding lets it.
     pub(super) fn solve(&self, right: &DMatrix<f64>, share: f64) -> DMatrix<f64> {
         let own = self.products.parameters();
-        let mut x = self.solve_once(right);
+        let mut x = self.factor.solve(right);
         let mut residual = right - self.times(&x);
         let enough = share * right.amax();
         let mut best = (residual.amax(), x.clone());
-        let mut direction = self.solve_once(&residual);
-        let mut rho = residual.dot(&direction);
         let mut halved = (best.0, 0);
+        let mut last: Option<(DMatrix<f64>, f64)> = None;
         for step in 0..own.gradients {
             if best.0 < 0.5 * halved.0 {
                 halved = (best.0, step);
             }
-            if best.0 <= enough || step - halved.1 >= own.to_halve || !rho.is_finite() || rho <= 0.0
-            {
+            if best.0 <= enough || step - halved.1 >= own.to_halve {
                 break;
+            }
+            let mut direction = self.factor.solve(&residual);
+            let rho = residual.dot(&direction);
+            if !rho.is_finite() || rho <= 0.0 {
+                break;
+            }
+            if let Some((before, last_rho)) = last {
+                direction += before * (rho / last_rho);
             }
             let image = self.times(&direction);
             let curvature = direction.dot(&image);
@@ -109,10 +115,7 @@ impl<'a> Newton<'a> {
             if residual.amax() < best.0 {
                 best = (residual.amax(), x.clone());
             }
-            let preconditioned = self.solve_once(&residual);
-            let next = residual.dot(&preconditioned);
-            direction = preconditioned + direction * (next / rho);
-            rho = next;
+            last = Some((direction, rho));
         }
         best.1
     }

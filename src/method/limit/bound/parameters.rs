@@ -111,9 +111,6 @@ tuned! {
     solved_to: f64 = 1e-11;
 
     // Linear systems.
-    /// Share of the other terms of a sum of power below which a block begins no sum of its own: without,
-    /// a scene of 9 blocks (irregular-0027 of the outside judge) had entries of 3e5 and no bound.
-    least_power: f64 = 0.1;
     /// Share of each diagonal entry, and of the largest, that is added to it. Not measured.
     regular: [f64; 2] = [1e-14, 1e-17];
     /// Rounds of conjugate gradients at most. Not measured.

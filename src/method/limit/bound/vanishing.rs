@@ -153,8 +153,8 @@ mod tests {
     use super::*;
     use crate::answer::Work;
     use crate::certificate::Prover;
+    use crate::method::limit::bound::opening;
     use crate::method::limit::bound::parameters::Parameters;
-    use crate::method::limit::bound::{opening, orders};
     use crate::method::limit::walls::wall;
     use crate::scene::{Push, Scene};
 
@@ -173,7 +173,7 @@ mod tests {
         let conditions = Conditions::of(&scene);
         let opening = opening(&scene, &mut Work::default()).unwrap();
         let prover = Prover::new(&scene, conditions.clone(), &opening).unwrap();
-        let lift = Lift::new(conditions, &orders(&scene), Parameters::TUNED).unwrap();
+        let lift = Lift::new(conditions, Parameters::TUNED).unwrap();
         let mut refuted = 0;
         for (pair, vanishing) in vanishings(&scene) {
             assert!(vanishing.share == 0.0 || !vanishing.is_excluded(vanishing.upto - 1e-3, &lift));
