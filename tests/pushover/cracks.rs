@@ -108,5 +108,5 @@ fn cracks_are_those_of_verified_mechanisms() {
 #[test]
 #[ignore = "minutes"]
 fn cracks_of_many_walls_are_those_of_verified_mechanisms() {
-    assert_cracks(100..200);
+    assert_cracks(100..150);
 }

@@ -309,7 +309,7 @@ fn many_walls_of_stepped_stones_are_right() {
 #[test]
 #[ignore = "minutes"]
 fn many_walls_of_stepped_stones_in_contact_are_right() {
-    assert_right(CLASSES[1], HeadJoints::Contact, 0..100, [1, 5]);
+    assert_right(CLASSES[1], HeadJoints::Contact, 0..60, [1, 3]);
 }
 
 /// Two of the three that are refused in contact may fall without a push.

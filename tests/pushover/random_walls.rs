@@ -183,5 +183,5 @@ fn random_walls_are_right_within_what_is_stated() {
 #[test]
 #[ignore = "minutes"]
 fn many_random_walls_are_right_within_what_is_stated() {
-    score(100..250).assert(4);
+    score(100..200).assert(4);
 }
