@@ -55,7 +55,8 @@ impl Certificate {
             list(&mut plain, &slice.multipliers);
             list(&mut plain, &slice.balance);
         }
-        let mut encoder = ZlibEncoder::new(Vec::new(), Compression::best());
+        // The best one takes four times as long, for 2 % less (openings-3).
+        let mut encoder = ZlibEncoder::new(Vec::new(), Compression::default());
         let compressed = encoder.write_all(&plain).and_then(|()| encoder.finish());
         let title = format!("{TITLE}{VERSION}\n");
         // Memory takes what is written.

@@ -112,11 +112,13 @@ fn tell(why: &str, runs: &CaseRuns, journal: Option<&Journal>, handed_out: Resul
 fn keep_proofs(proofs: &[Proof], certificates: Option<&Path>) {
     for proof in proofs {
         let write = |folder| {
+            // Seconds for a large one, in which a second signal would lose it.
+            tell!("so far, {proof}; its certificate is being written");
             let bytes = proof.so_far.certificate.to_bytes();
             output::write_certificate(folder, &proof.file, bytes)
         };
         match certificates.map(write) {
-            Some(Ok(path)) => tell!("so far, {proof}; the certificate is {}", path.display()),
+            Some(Ok(path)) => tell!("the certificate is {}", path.display()),
             Some(Err(stop)) => tell!("{}", stop.text.trim_end()),
             None => tell!("so far, {proof}; `--certificate DIR` keeps the certificate"),
         }
