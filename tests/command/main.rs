@@ -4,6 +4,8 @@
 mod long;
 #[path = "../scenes/mod.rs"]
 mod scenes;
+#[path = "../share/mod.rs"]
+mod share;
 #[path = "../skipped/mod.rs"]
 mod skipped;
 #[path = "../svg/mod.rs"]

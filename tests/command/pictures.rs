@@ -2,9 +2,10 @@
 //! picture.
 
 use crate::draw::all;
+use crate::share::share;
 use crate::svg::{assert_true_ticks, axes, faults, texts};
 use trilith::case::{find, library};
-use trilith::inside::{chart, chart::Chart};
+use trilith::inside::{chart, chart::Chart, chart::Measurement};
 use trilith::inside::{manual, page};
 use trilith::inside::{sweep::SweepTable, sweep::sweep_picture};
 use trilith::method::{Method, Settings, methods as all_methods};
@@ -76,7 +77,7 @@ fn the_librarys_pictures_are_clear() {
     }
 }
 
-fn assert_chart_is_clear(case: &str) {
+fn clear_chart(case: &str) -> Vec<Measurement> {
     let cases = find(case).unwrap();
     let chart = Chart::new(&cases, None, &[]);
     let entries = chart.measurements(&chart.run(None, &|_| {}).unwrap());
@@ -88,11 +89,12 @@ fn assert_chart_is_clear(case: &str) {
         assert!(axes.iter().any(|ticks| ticks.len() > 3), "{axes:?}");
         assert_true_ticks(&axes);
     }
+    entries
 }
 
 #[test]
 fn a_chart_is_clear() {
-    assert_chart_is_clear("stack");
+    assert!(!clear_chart("stack").is_empty());
 }
 
 /// The charts of the first wall of the paper and of one with openings; in contact the interval's answer lies
@@ -100,12 +102,10 @@ fn a_chart_is_clear() {
 #[test]
 #[ignore = "takes a minute in release"]
 fn the_charts_of_the_walls_are_clear() {
-    for case in ["paper-1", "openings-4"] {
-        assert_chart_is_clear(case);
-    }
-    let cases = find("paper-1").unwrap();
-    let chart = Chart::new(&cases, Some(HeadJoints::Contact), &[]);
-    let entries = chart.measurements(&chart.run(None, &|_| {}).unwrap());
+    let walls = ["paper-1", "openings-4"].iter().take(share(2));
+    let mut charts: Vec<_> = walls.map(|case| clear_chart(case)).collect();
+    let mut entries = charts.swap_remove(0);
+    entries.retain(|entry| entry.row.head_joints == HeadJoints::Contact);
     let error = |method: &str| {
         let mut own = entries.iter().filter(|entry| entry.row.method == method);
         let default = own.find(|entry| entry.setting() == "default");

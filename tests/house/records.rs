@@ -6,10 +6,7 @@ use std::fs;
 use std::path::Path;
 
 /// Records that are of no case alone, with the test that compares each.
-const OTHERS: [(&str, &str); 2] = [
-    ("malformed", "tests/command/malformed.rs"),
-    ("paper-3.pushover", "tests/long_records.rs"),
-];
+const OTHERS: [(&str, &str); 1] = [("malformed", "tests/command/malformed.rs")];
 
 /// Names of the files below a folder that end so, without the ending.
 fn names(folder: &Path, ending: &str, into: &mut BTreeSet<String>) {

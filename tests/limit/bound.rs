@@ -1,6 +1,7 @@
 //! The lower bound: what it proves of scenes with known answers, that nothing contradicts it, and that
 //! a changed certificate proves nothing.
 
+use crate::share::share;
 use trilith::answer::{Certificate, Outcome, Status};
 use trilith::case::{self, Quantity, SourceKind};
 use trilith::inside::{Refusal, prove};
@@ -388,12 +389,12 @@ fn nothing_contradicts_the_bounds_of_random_walls() {
     assert_eq!(random_walls(7, 2, 8).len(), 2);
 }
 
-/// How many of the walls that `TRILITH_BOUND_WALLS` asks for (60 where it is not set) are enclosed
-/// within 0.1 %, how wide the widest is, and how long they take. None may contradict a verified state.
+/// How many of sixty walls are enclosed within 0.1 %, how wide the widest is, and how long they take. None may
+/// contradict a verified state.
 #[test]
 #[ignore = "takes minutes"]
 fn many_random_walls_are_enclosed() {
-    let count = std::env::var("TRILITH_BOUND_WALLS").map_or(60, |count| count.parse().unwrap());
+    let count = share(60);
     let answers = random_walls(2026, count, 15);
     let narrow = answers
         .iter()

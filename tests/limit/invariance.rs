@@ -2,6 +2,7 @@
 //! friction, overburden, a heavy top.
 
 use crate::scenes::{laid, mirrored, scaled, shifted, small_walls, with_heavy_top};
+use crate::share::share;
 use trilith::answer::{Bracket, Outcome, Status};
 use trilith::judge::judge;
 use trilith::method::limit::{Associative, Interval};
@@ -31,17 +32,19 @@ fn verified(method: &dyn Method, scene: &Scene) -> Bracket {
     outcome.bracket().expect("verified with a bracket")
 }
 
-fn assert_same(name: &str, one: &Scene, other: &Scene) {
-    let same = |method: &dyn Method, end: fn(Bracket) -> f64| {
-        let (a, b) = (end(verified(method, one)), end(verified(method, other)));
-        assert!(
-            (a - b).abs() <= 1e-6 * a,
-            "{name} {}: {a} {b}",
-            method.name()
-        );
-    };
-    same(&Associative, |bracket| bracket.upper);
-    same(&Interval, |bracket| bracket.lower);
+/// λ_A and the lowest state.
+fn multipliers(scene: &Scene) -> [f64; 2] {
+    [
+        verified(&Associative, scene).upper,
+        verified(&Interval, scene).lower,
+    ]
+}
+
+fn assert_same(name: &str, one: [f64; 2], other: &Scene) {
+    let other = multipliers(other);
+    for (a, b) in one.into_iter().zip(other) {
+        assert!((a - b).abs() <= 1e-6 * a, "{name}: {one:?} {other:?}");
+    }
 }
 
 type Walls = Vec<(&'static str, Wall, HeadJoints)>;
@@ -64,9 +67,11 @@ fn units_place_and_side_leave_the_multiplier() {
 }
 
 #[test]
-#[ignore = "10 s: all walls"]
+#[ignore = "a minute in release: all walls"]
 fn units_place_and_side_leave_the_multiplier_of_every_wall() {
-    assert_units_place_and_side_leave_the_multiplier(all_walls());
+    let mut walls = all_walls();
+    walls.truncate(share(walls.len()));
+    assert_units_place_and_side_leave_the_multiplier(walls);
 }
 
 #[test]
@@ -76,7 +81,7 @@ fn ranges_give_true_answers() {
 }
 
 #[test]
-#[ignore = "10 s: all walls"]
+#[ignore = "a minute in release: all walls"]
 fn ranges_give_true_answers_on_every_wall() {
     assert_any_friction_gives_a_true_answer(all_walls());
     assert_any_load_gives_a_true_answer(all_walls());
@@ -86,17 +91,18 @@ fn ranges_give_true_answers_on_every_wall() {
 fn assert_units_place_and_side_leave_the_multiplier(walls: Walls) {
     for (name, wall, head_joints) in walls {
         let scene = laid(&wall, head_joints);
+        let as_it_is = multipliers(&scene);
         for length in [1e-3, 1e3] {
-            assert_same(name, &scene, &scaled(&scene, length, 1.0));
+            assert_same(name, as_it_is, &scaled(&scene, length, 1.0));
         }
         for weight in [1e-6, 1e6] {
-            assert_same(name, &scene, &scaled(&scene, 1.0, weight));
+            assert_same(name, as_it_is, &scaled(&scene, 1.0, weight));
         }
         let far = 1e6 * wall.unit_height;
         for by in [Vector::new(far, 0.0), Vector::new(-far, far)] {
-            assert_same(name, &scene, &shifted(&scene, by));
+            assert_same(name, as_it_is, &shifted(&scene, by));
         }
-        assert_same(name, &scene, &mirrored(&scene));
+        assert_same(name, as_it_is, &mirrored(&scene));
     }
 }
 

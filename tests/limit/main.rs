@@ -4,6 +4,8 @@
 mod scenes;
 #[path = "../seeded/mod.rs"]
 mod seeded;
+#[path = "../share/mod.rs"]
+mod share;
 
 mod arches;
 mod auto;

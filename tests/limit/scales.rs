@@ -5,6 +5,7 @@
 use std::cell::RefCell;
 
 use crate::scenes::{arch, ground, homogeneous, laid, rectangle, scene, small_walls, weighted};
+use crate::share::share;
 use trilith::answer::{Evidence, Fact, Outcome, Status};
 use trilith::inside::{JudgedFact, magnitude};
 use trilith::judge::judge;
@@ -162,9 +163,9 @@ impl Counts {
 
 const METHODS: [&dyn Method; 2] = [&Associative, &Interval];
 
-fn count(method: &dyn Method, spread: Spread, scenes: u64) -> Counts {
+fn count(method: &dyn Method, spread: Spread, scenes: usize) -> Counts {
     let mut counts = Counts::default();
-    for seed in 0..scenes {
+    for seed in 0..scenes as u64 {
         let Towers { scene, truth } = towers(&mut Draw(seed), spread);
         let what = format!("{} {spread:?} {seed}", method.name());
         counts.add(&judged(method, &scene), truth, &what);
@@ -173,7 +174,7 @@ fn count(method: &dyn Method, spread: Spread, scenes: u64) -> Counts {
     counts
 }
 
-fn count_all(spreads: &[(f64, f64)], scenes: u64, most_refused: usize) {
+fn count_all(spreads: &[(f64, f64)], scenes: usize, most_refused: usize) {
     for method in METHODS {
         for &(weight, size) in spreads {
             for overhangs in [false, true] {
@@ -202,14 +203,13 @@ fn towers_of_blocks_up_to_1e12_apart_are_right_where_they_are_answered() {
 #[test]
 #[ignore = "a minute in release: hundreds of scenes of every spread"]
 fn hundreds_of_towers_of_every_spread_are_right_where_they_are_answered() {
-    count_all(&[(0.0, 0.0), (2.0, 0.0), (4.0, 0.0), (6.0, 0.0)], 300, 1);
-    count_all(&[(0.0, 2.0), (0.0, 4.0), (0.0, 6.0)], 300, 1);
-    count_all(&[(4.0, 4.0), (6.0, 6.0)], 300, 2);
-    count_all(
-        &[(8.0, 0.0), (10.0, 0.0), (12.0, 0.0), (12.0, 6.0)],
-        300,
-        100,
-    );
+    let scenes = share(300);
+    let few = [(0.0, 0.0), (2.0, 0.0), (4.0, 0.0), (6.0, 0.0)];
+    count_all(&few, scenes, 1);
+    count_all(&[(0.0, 2.0), (0.0, 4.0), (0.0, 6.0)], scenes, 1);
+    count_all(&[(4.0, 4.0), (6.0, 6.0)], scenes, 2);
+    let many = [(8.0, 0.0), (10.0, 0.0), (12.0, 0.0), (12.0, 6.0)];
+    count_all(&many, scenes, share(100));
 }
 
 /// A pillar beside or on a block many times its size rocks by itself, at its width over its height,
@@ -385,10 +385,10 @@ fn friction_of_any_size_is_answered() {
 
 /// Walls and arches whose every block has a weight of its own, over so many decades: how often λ_A
 /// is answered.
-fn answered_of_uneven(scenes: &[(String, Scene)], seeds: u64, decades: f64) -> [usize; 2] {
+fn answered_of_uneven(scenes: &[(String, Scene)], seeds: usize, decades: f64) -> [usize; 2] {
     let (mut answered, mut all) = (0, 0);
     for (name, one) in scenes {
-        for seed in 0..seeds {
+        for seed in 0..seeds as u64 {
             let draw = RefCell::new(Draw(seed));
             let scene = one.clone().with_loads(|load, _| {
                 let factor = draw.borrow_mut().decades(decades);
@@ -421,10 +421,10 @@ fn walls_of_blocks_up_to_a_million_apart_are_answered() {
 fn hundreds_of_uneven_walls_are_answered_up_to_a_million_and_never_fail() {
     let scenes = ten();
     for decades in [2.0, 4.0, 6.0] {
-        let [answered, all] = answered_of_uneven(&scenes, 20, decades);
+        let [answered, all] = answered_of_uneven(&scenes, share(20), decades);
         assert!(answered + 2 >= all);
     }
     for decades in [8.0, 10.0, 12.0] {
-        answered_of_uneven(&scenes, 20, decades);
+        answered_of_uneven(&scenes, share(20), decades);
     }
 }

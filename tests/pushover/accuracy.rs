@@ -1,5 +1,6 @@
 //! What `--accuracy` promises: the stated error, and a bracket no wider than that.
 
+use crate::share::share;
 use trilith::answer::Status;
 use trilith::case;
 use trilith::inside::{Parameters, solve_with};
@@ -75,20 +76,17 @@ fn every_accuracy_sees_the_same_crack() {
     }
 }
 
-/// The tall wall: within 0.4 %, with and without kinetic damping, which agree within 0.4 %.
+/// The tall wall without kinetic damping: within 0.4 %, as its record is with it.
 #[test]
 #[ignore = "minutes"]
-fn the_tall_wall_with_and_without_damping() {
+fn the_tall_wall_without_damping() {
     let case = case::find("paper-3").unwrap_or_else(|complaint| panic!("{complaint}"));
     let scene = case[0].scene(HeadJoints::Open);
-    let damped = Pushover.solve(&scene, &Settings::default());
-    let undamped = solve_with(&scene, &PushoverSettings::default(), Parameters::undamped);
-    for outcome in [damped, undamped] {
-        let bracket = outcome
-            .bracket()
-            .unwrap_or_else(|| panic!("{}", outcome.reason()));
-        assert!(bracket.error(0.5413, 1.0) <= 4e-3, "{bracket:?}");
-    }
+    let outcome = solve_with(&scene, &PushoverSettings::default(), Parameters::undamped);
+    let bracket = outcome
+        .bracket()
+        .unwrap_or_else(|| panic!("{}", outcome.reason()));
+    assert!(bracket.error(0.5413, 1.0) <= 4e-3, "{bracket:?}");
 }
 
 /// Walls of paper-1's bond and of hundreds of blocks, so many units wide and courses high, with the most that each
@@ -104,13 +102,16 @@ fn large_walls_are_within_their_stated_error() {
     let creeps = ([2.0, 1.0], 0.863, 1e-2);
     let jumps = ([3.0, 1.75], 0.946, 2e-3);
     let walls = [
+        (13, 22, jumps),
+        (9, 42, creeps),
         (36, 20, paper_1),
         (24, 48, paper_1),
         (30, 60, paper_3),
-        (9, 42, creeps),
-        (13, 22, jumps),
+        (60, 30, paper_1),
+        (20, 48, paper_3),
     ];
-    for (units, courses, ([length, height], friction, most)) in walls {
+    let walls = walls.iter().take(share(walls.len()));
+    for &(units, courses, ([length, height], friction, most)) in walls {
         let even = [
             vec![Piece::Half],
             vec![Piece::Unit; units - 1],

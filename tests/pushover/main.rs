@@ -4,6 +4,8 @@
 mod random;
 #[path = "../scenes/mod.rs"]
 mod scenes;
+#[path = "../share/mod.rs"]
+mod share;
 
 mod accuracy;
 mod arches;
