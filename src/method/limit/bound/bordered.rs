@@ -75,7 +75,7 @@ impl<'a> Bordered<'a> {
                 part.gemm(-1.0, border, &across, 1.0);
             }
         }
-        let solved = self.tiles.backward(parts);
+        let solved = self.tiles.backward(&parts);
         DMatrix::from_column_slice(size, unknowns, solved.as_slice())
     }
 }
@@ -84,8 +84,9 @@ impl<'a> Bordered<'a> {
 mod tests {
     use nalgebra::Dyn;
 
-    use super::super::factor::Pattern;
+    use super::super::pattern::Pattern;
     use super::*;
+    use crate::certificate::Entry;
 
     /// With and without a border, whose part is one that rounding leaves singular.
     #[test]
@@ -103,21 +104,21 @@ mod tests {
         let part = &root * root.transpose();
         let power = DVector::from_fn(unknowns, |k, _| (1.0 + k as f64).cos());
         for border in [None, Some(1e6 * &part)] {
-            let mut tiles = Tiles::zero(&pattern, size);
-            let mut whole = DMatrix::identity(unknowns * size, unknowns * size);
-            for (n, meeting) in meetings.iter().enumerate() {
-                let value = |unknown: usize| ((3 * n + unknown) as f64).cos();
-                let mut row = DVector::zeros(unknowns);
-                for &p in meeting {
-                    row[p] = value(p);
-                    for &q in meeting {
-                        tiles.add(p, q, value(p) * value(q), &part);
-                    }
+            let value = |n: usize, unknown: usize| ((3 * n + unknown) as f64).cos();
+            let row = |n: usize| meetings[n].iter().map(|&p| (p, value(n, p))).collect();
+            let rows: Vec<Vec<Entry>> = (0..meetings.len()).map(row).collect();
+            let alone: Vec<Entry> = (0..unknowns).map(|unknown| (unknown, 1.0)).collect();
+            let one = DMatrix::identity(size, size);
+            let mut parts: Vec<_> = rows.iter().map(|row| (&row[..], &part)).collect();
+            parts.extend(alone.chunks(1).map(|row| (row, &one)));
+            let tiles = Tiles::sum(&pattern, size, &parts);
+            let mut whole = DMatrix::zeros(unknowns * size, unknowns * size);
+            for (row, part) in parts {
+                let mut column = DVector::zeros(unknowns);
+                for &(p, value) in row {
+                    column[p] = value;
                 }
-                whole += (&row * row.transpose()).kronecker(&part);
-            }
-            for unknown in 0..unknowns {
-                tiles.add(unknown, unknown, 1.0, &DMatrix::identity(size, size));
+                whole += (&column * column.transpose()).kronecker(part);
             }
             if let Some(part) = &border {
                 whole += (&power * power.transpose()).kronecker(part);

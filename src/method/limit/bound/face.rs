@@ -9,10 +9,10 @@
 
 use nalgebra::DMatrix;
 
-use super::factor::Pattern;
 use super::lift::Lift;
 use super::motion::{Motion, Pivot};
 use super::parameters::DEPENDENT;
+use super::pattern::Pattern;
 use crate::certificate::{Assumption, Zeros};
 
 /// Forces and motions that meet assumptions.

@@ -1,200 +1,162 @@
 //! A sparse Cholesky factor of square tiles: one row of tiles an unknown of the motion, a tile where two
 //! of them meet in a rate or elimination fills one in.
 
+use std::sync::Mutex;
+
 use nalgebra::DMatrix;
 
 use super::dense;
-use crate::method::at_once::each;
+use super::pattern::{Done, Pattern};
+use crate::certificate::Entry;
+use crate::method::at_once::{both, each};
 
-/// Which tiles a factor has.
-pub(super) struct Pattern {
-    /// Place in the order of elimination, by unknown.
-    place: Vec<usize>,
-    /// Places of the tiles below the diagonal, by column, ascending.
-    below: Vec<Vec<usize>>,
-}
-
-impl Pattern {
-    /// The pattern of so many unknowns, of which these meet. The unknown whose elimination fills in the
-    /// fewest tiles is eliminated next, of these the one that meets the fewest others (minimum local fill:
-    /// Tinney and Walker, Proc. IEEE 55 (1967) 1801-1809).
-    pub(super) fn new(unknowns: usize, meetings: impl Iterator<Item = Vec<usize>>) -> Self {
-        let mut meets = vec![vec![false; unknowns]; unknowns];
-        for meeting in meetings {
-            for &a in &meeting {
-                for &b in &meeting {
-                    meets[a][b] = a != b;
-                }
-            }
-        }
-        let mut left: Vec<usize> = (0..unknowns).collect();
-        let mut place = vec![0; unknowns];
-        let mut columns = Vec::new();
-        while !left.is_empty() {
-            let neighbours = |unknown: usize| -> Vec<usize> {
-                let others = left.iter().copied();
-                others.filter(|&other| meets[unknown][other]).collect()
-            };
-            let fill = |unknown: usize| {
-                let others = neighbours(unknown);
-                let missing =
-                    |&a: &usize| others.iter().filter(|&&b| a < b && !meets[a][b]).count();
-                let filled: usize = others.iter().map(missing).sum();
-                (filled, others.len())
-            };
-            let chosen = (left.iter().copied().min_by_key(|&unknown| fill(unknown)))
-                .expect("an unknown is left");
-            let others = neighbours(chosen);
-            for &a in &others {
-                for &b in &others {
-                    meets[a][b] = a != b;
-                }
-            }
-            left.retain(|&unknown| unknown != chosen);
-            place[chosen] = columns.len();
-            columns.push(others);
-        }
-        let below = columns.into_iter().map(|column| {
-            let mut below: Vec<usize> = column.into_iter().map(|other| place[other]).collect();
-            below.sort_unstable();
-            below
-        });
-        Self {
-            below: below.collect(),
-            place,
-        }
-    }
-
-    /// How many products of tiles the factor takes, with one more row that meets all.
-    pub(super) fn cost(&self) -> f64 {
-        let counts = self.below.iter().map(|below| below.len() as f64 + 1.0);
-        counts.map(|count| 1.0 / 3.0 + count + count * count).sum()
-    }
-}
-
-/// A symmetric matrix of tiles, then its factor.
+/// A symmetric matrix of tiles.
 pub(super) struct Tiles<'a> {
     pattern: &'a Pattern,
     size: usize,
-    diagonal: Vec<DMatrix<f64>>,
-    below: Vec<Vec<DMatrix<f64>>>,
+    columns: Vec<Column>,
+}
+
+/// The tiles of a column on and below the diagonal.
+#[derive(Default)]
+struct Column {
+    diagonal: DMatrix<f64>,
+    below: Vec<DMatrix<f64>>,
 }
 
 impl<'a> Tiles<'a> {
-    /// Zero, of tiles of this size.
-    pub(super) fn zero(pattern: &'a Pattern, size: usize) -> Self {
-        let tile = || DMatrix::zeros(size, size);
-        let columns = pattern.below.iter();
+    /// The sum of parts of this size, each at every two of its unknowns times both of their values.
+    pub(super) fn sum(
+        pattern: &'a Pattern,
+        size: usize,
+        parts: &[(&[Entry], &DMatrix<f64>)],
+    ) -> Self {
+        let mut sums: Vec<_> = pattern.below.iter().map(|_| Vec::new()).collect();
+        for (row, part) in parts {
+            for &(p, x) in *row {
+                for &(q, y) in *row {
+                    let [row, column] = [pattern.place[p], pattern.place[q]];
+                    if row >= column {
+                        sums[column].push((row, x * y, *part));
+                    }
+                }
+            }
+        }
+        let mut columns: Vec<_> = sums
+            .into_iter()
+            .enumerate()
+            .map(|(column, sums)| (column, sums, Column::default()))
+            .collect();
+        each(&mut columns, &|(column, sums, own)| {
+            let rows = &pattern.below[*column];
+            let tile = || DMatrix::zeros(size, size);
+            own.diagonal = tile();
+            own.below = rows.iter().map(|_| tile()).collect();
+            for (row, value, part) in sums {
+                let tile = if row == column {
+                    &mut own.diagonal
+                } else {
+                    let at = rows.binary_search(row);
+                    &mut own.below[at.expect("the unknowns meet")]
+                };
+                for (target, part) in tile.iter_mut().zip(*part) {
+                    *target += *value * part;
+                }
+            }
+        });
         Self {
             pattern,
             size,
-            diagonal: columns.clone().map(|_| tile()).collect(),
-            below: columns
-                .map(|column| column.iter().map(|_| tile()).collect())
-                .collect(),
-        }
-    }
-
-    /// The tile of two unknowns, where that is on or below the diagonal.
-    fn tile(&mut self, row: usize, column: usize) -> Option<&mut DMatrix<f64>> {
-        let (row, column) = (self.pattern.place[row], self.pattern.place[column]);
-        if row == column {
-            return Some(&mut self.diagonal[row]);
-        }
-        let at = self.pattern.below[column].binary_search(&row).ok()?;
-        Some(&mut self.below[column][at])
-    }
-
-    /// Adds value × part at two unknowns.
-    pub(super) fn add(&mut self, row: usize, column: usize, value: f64, part: &DMatrix<f64>) {
-        if let Some(tile) = self.tile(row, column) {
-            for (target, part) in tile.iter_mut().zip(part) {
-                *target += value * part;
-            }
+            columns: columns.into_iter().map(|(.., own)| own).collect(),
         }
     }
 
     /// Adds a share of each diagonal entry and a share of the largest one, and factors.
     pub(super) fn factor(mut self, share: f64, floor: f64, held: f64) -> Self {
-        let largest = self.diagonal.iter().map(|tile| tile.diagonal().amax());
-        let largest = largest.fold(0.0, f64::max);
-        for tile in &mut self.diagonal {
+        let diagonals = self.columns.iter().map(|own| own.diagonal.diagonal());
+        let largest = diagonals.map(|own| own.amax()).fold(0.0, f64::max);
+        for Column { diagonal, .. } in &mut self.columns {
             for k in 0..self.size {
-                tile[(k, k)] += share * tile[(k, k)] + floor * largest + held;
+                diagonal[(k, k)] += share * diagonal[(k, k)] + floor * largest + held;
             }
         }
-        for column in 0..self.diagonal.len() {
-            dense::factor(&mut self.diagonal[column]);
-            let mut below = std::mem::take(&mut self.below[column]);
-            each(&mut below, &|tile| {
-                dense::solve_right(tile, &self.diagonal[column]);
-            });
-            self.eliminate(column, &below);
-            self.below[column] = below;
-        }
+        let given = std::mem::take(&mut self.columns).into_iter();
+        let given: Vec<_> = given.map(Mutex::new).collect();
+        self.columns = self.pattern.upwards(&|column, done: &Done<Column>| {
+            let given = given[column].lock();
+            let given = std::mem::take(&mut *given.expect("no thread panics with it"));
+            self.factored(column, given, done)
+        });
         self
     }
 
-    /// Takes the tiles below a factored one from those to its right, a column at a time.
-    fn eliminate(&mut self, column: usize, below: &[DMatrix<f64>]) {
-        let places = &self.pattern.below[column];
-        let columns = self.diagonal.iter_mut().zip(&mut self.below).enumerate();
-        let mut columns: Vec<_> = columns
-            .filter_map(|(across, tiles)| {
-                let first = places.binary_search(&across).ok()?;
-                Some((across, first, tiles))
-            })
-            .collect();
-        each(&mut columns, &|(across, first, (diagonal, tiles))| {
-            let transposed = below[*first].transpose();
-            for (tile, row) in below.iter().zip(places).skip(*first) {
-                let target = if row == across {
-                    &mut **diagonal
-                } else {
-                    let at = self.pattern.below[*across].binary_search(row);
-                    &mut tiles[at.expect("elimination filled it in")]
-                };
-                target.gemm(-1.0, tile, &transposed, 1.0);
-            }
+    /// A column of the factor, those to the left being done: less their products, in their order.
+    fn factored(&self, column: usize, mut own: Column, done: &Done<Column>) -> Column {
+        let left = self.pattern.left[column].iter();
+        let mut across: Vec<_> = left.map(|&left| (left, DMatrix::zeros(0, 0))).collect();
+        each(&mut across, &|((before, at), transposed)| {
+            *transposed = done.of(*before).below[*at].transpose();
         });
+        let take = |row: usize, tile: &mut DMatrix<f64>| {
+            for &((before, at), ref transposed) in &across {
+                if let Ok(further) = self.pattern.below[before][at..].binary_search(&row) {
+                    let other = &done.of(before).below[at + further];
+                    tile.gemm(-1.0, other, transposed, 1.0);
+                }
+            }
+        };
+        let rows = self.pattern.below[column].iter().copied();
+        let mut below: Vec<_> = rows.zip(&mut own.below).collect();
+        both(
+            || {
+                take(column, &mut own.diagonal);
+                dense::factor(&mut own.diagonal);
+            },
+            || each(&mut below, &|(row, tile)| take(*row, tile)),
+        );
+        each(&mut own.below, &|tile| {
+            dense::solve_right(tile, &own.diagonal)
+        });
+        own
     }
 
     /// Solves with the lower triangle for right sides in the order of the unknowns. The solution is in the
     /// order of elimination, a part for each unknown.
     pub(super) fn forward(&self, right: &DMatrix<f64>) -> Vec<DMatrix<f64>> {
-        let (size, place) = (self.size, &self.pattern.place);
-        let mut parts = vec![DMatrix::zeros(0, 0); place.len()];
-        for (unknown, &at) in place.iter().enumerate() {
-            parts[at] = right.rows(unknown * size, size).clone_owned();
-        }
-        for column in 0..parts.len() {
-            let mut own = std::mem::take(&mut parts[column]);
-            if own.iter().any(|value| *value != 0.0) {
-                self.diagonal[column].solve_lower_triangular_mut(&mut own);
-                for (tile, &row) in self.below[column].iter().zip(&self.pattern.below[column]) {
-                    parts[row].gemm(-1.0, tile, &own, 1.0);
+        let is_zero = |part: &DMatrix<f64>| part.iter().all(|value| *value == 0.0);
+        self.pattern.upwards(&|column, done| {
+            let start = self.pattern.unknown[column] * self.size;
+            let mut own = right.rows(start, self.size).clone_owned();
+            for &(before, at) in &self.pattern.left[column] {
+                let part = done.of(before);
+                if !is_zero(part) {
+                    own.gemm(-1.0, &self.columns[before].below[at], part, 1.0);
                 }
             }
-            parts[column] = own;
-        }
-        parts
+            if !is_zero(&own) {
+                let diagonal = &self.columns[column].diagonal;
+                diagonal.solve_lower_triangular_mut(&mut own);
+            }
+            own
+        })
     }
 
     /// Solves with its transpose for parts in the order of elimination. The solution is in the order of the
     /// unknowns.
-    pub(super) fn backward(&self, mut parts: Vec<DMatrix<f64>>) -> DMatrix<f64> {
-        for column in (0..parts.len()).rev() {
-            let mut own = std::mem::take(&mut parts[column]);
-            for (tile, &row) in self.below[column].iter().zip(&self.pattern.below[column]) {
-                own.gemm_tr(-1.0, tile, &parts[row], 1.0);
+    pub(super) fn backward(&self, parts: &[DMatrix<f64>]) -> DMatrix<f64> {
+        let solved = self.pattern.downwards(&|column, done| {
+            let Column { diagonal, below } = &self.columns[column];
+            let mut own = parts[column].clone();
+            for (tile, &row) in below.iter().zip(&self.pattern.below[column]) {
+                own.gemm_tr(-1.0, tile, done.of(row), 1.0);
             }
-            self.diagonal[column].tr_solve_lower_triangular_mut(&mut own);
-            parts[column] = own;
-        }
+            diagonal.tr_solve_lower_triangular_mut(&mut own);
+            own
+        });
         let mut solution = DMatrix::zeros(self.size * parts.len(), parts[0].ncols());
         for (unknown, &at) in self.pattern.place.iter().enumerate() {
             let mut rows = solution.rows_mut(unknown * self.size, self.size);
-            rows.copy_from(&parts[at]);
+            rows.copy_from(&solved[at]);
         }
         solution
     }

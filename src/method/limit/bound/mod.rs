@@ -53,6 +53,7 @@ mod lifted;
 mod motion;
 mod newton;
 mod parameters;
+mod pattern;
 mod point;
 mod products;
 mod slice;

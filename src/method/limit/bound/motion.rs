@@ -2,8 +2,8 @@
 
 use nalgebra::DMatrix;
 
-use super::factor::Pattern;
 use super::parameters::{DEPENDENT, ROUNDING};
+use super::pattern::Pattern;
 use crate::certificate::{Conditions, Entry};
 
 /// How rates follow from a motion's unknowns: the velocities, then the forward slip of every joint.

@@ -32,6 +32,7 @@ impl<'a> Newton<'a> {
     ) -> Self {
         let one = &products.one;
         let rates = products.face.motion.rows.iter().enumerate();
+        let rates = rates.filter(|(_, row)| !row.is_empty());
         let mut parts: Vec<_> = rates.map(|(rate, row)| (rate, row, None)).collect();
         each(&mut parts, &|(rate, _, part)| {
             let mut scaled = products.transposed.clone();
@@ -44,20 +45,15 @@ impl<'a> Newton<'a> {
             }
             *part = Some(sum);
         });
-        let mut tiles = Tiles::zero(&products.face.pattern, one.len());
-        let mut coupling = None;
-        for (rate, row, part) in parts {
-            let part = part.expect("each is done");
-            if products.face.motion.couples_all(rate) {
-                coupling = Some(part);
-                continue;
-            }
-            for &(p, x) in row {
-                for &(q, y) in row {
-                    tiles.add(p, q, x * y, &part);
-                }
-            }
-        }
+        let motion = &products.face.motion;
+        let coupling = parts
+            .iter_mut()
+            .find(|(rate, ..)| motion.couples_all(*rate));
+        let coupling = coupling.and_then(|(.., part)| part.take());
+        let parts: Vec<_> = (parts.iter())
+            .filter_map(|(_, row, part)| Some((row.as_slice(), part.as_ref()?)))
+            .collect();
+        let tiles = Tiles::sum(&products.face.pattern, one.len(), &parts);
         let [share, floor] = products.parameters().regular;
         let tiles = tiles.factor(share, floor, held);
         Self {
