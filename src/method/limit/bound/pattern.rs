@@ -106,11 +106,19 @@ impl Pattern {
     }
 
     fn above(&self, column: usize, work: &(impl Fn(usize) + Sync)) {
-        let mut branches = self.branches[column].clone();
+        // A column that alone waits for another is no call of its own, which keeps the stack short.
+        let mut alone = vec![column];
+        while let [branch] = self.branches[alone[alone.len() - 1]][..] {
+            alone.push(branch);
+        }
+        let mut branches = self.branches[alone[alone.len() - 1]].clone();
         each(&mut branches, &|branch| {
             self.above(*branch, work);
             work(*branch);
         });
+        for &column in alone[1..].iter().rev() {
+            work(column);
+        }
     }
 
     /// The same with those to the right that a column hangs on being done.
@@ -125,7 +133,11 @@ impl Pattern {
         done.all()
     }
 
-    fn under(&self, column: usize, work: &(impl Fn(usize) + Sync)) {
+    fn under(&self, mut column: usize, work: &(impl Fn(usize) + Sync)) {
+        while let [branch] = self.branches[column][..] {
+            work(branch);
+            column = branch;
+        }
         let mut branches = self.branches[column].clone();
         each(&mut branches, &|branch| {
             work(*branch);
