@@ -207,7 +207,7 @@ fn hundreds_of_towers_of_every_spread_are_right_where_they_are_answered() {
     let few = [(0.0, 0.0), (2.0, 0.0), (4.0, 0.0), (6.0, 0.0)];
     count_all(&few, scenes, 1);
     count_all(&[(0.0, 2.0), (0.0, 4.0), (0.0, 6.0)], scenes, 1);
-    count_all(&[(4.0, 4.0), (6.0, 6.0)], scenes, 2);
+    count_all(&[(4.0, 4.0), (6.0, 6.0)], scenes, share(2));
     let many = [(8.0, 0.0), (10.0, 0.0), (12.0, 0.0), (12.0, 6.0)];
     count_all(&many, scenes, share(100));
 }
@@ -422,7 +422,7 @@ fn hundreds_of_uneven_walls_are_answered_up_to_a_million_and_never_fail() {
     let scenes = ten();
     for decades in [2.0, 4.0, 6.0] {
         let [answered, all] = answered_of_uneven(&scenes, share(20), decades);
-        assert!(answered + 2 >= all);
+        assert!(answered + share(2) >= all);
     }
     for decades in [8.0, 10.0, 12.0] {
         answered_of_uneven(&scenes, share(20), decades);

@@ -58,8 +58,7 @@ fn agree(one: Option<Crack>, other: Option<Crack>) -> bool {
 }
 
 /// Asserts that on nine in ten of these walls c and e are those of the verified mechanism, and on
-/// nine in ten of the walls that rock, where there is one multiplier and not a range; of fewer than ten on all
-/// but one.
+/// nine in ten of the walls that rock, where there is one multiplier and not a range.
 fn assert_cracks(seeds: std::ops::Range<u64>) {
     let settings = Settings::default();
     let (mut walls, mut same, mut rocking, mut same_rocking) = (0, 0, 0, 0);
@@ -94,9 +93,11 @@ fn assert_cracks(seeds: std::ops::Range<u64>) {
         same_rocking += usize::from(agrees && rocks);
     }
     println!("{same} of {walls} walls agree, {same_rocking} of {rocking} that rock");
-    let enough = |same: usize, of: usize| same + (of / 10).max(1) >= of;
-    assert!(enough(same, walls), "{same} of {walls}");
-    assert!(enough(same_rocking, rocking), "{same_rocking} of {rocking}");
+    assert!(10 * same >= 9 * walls, "{same} of {walls}");
+    assert!(
+        10 * same_rocking >= 9 * rocking,
+        "{same_rocking} of {rocking}"
+    );
     assert!(rocking > 0 && rocking < walls, "{rocking} of {walls} rock");
 }
 
@@ -108,5 +109,6 @@ fn cracks_are_those_of_verified_mechanisms() {
 #[test]
 #[ignore = "minutes"]
 fn cracks_of_many_walls_are_those_of_verified_mechanisms() {
-    assert_cracks(100..100 + share(100) as u64);
+    // With fewer than fifty, fewer than ten rock, of which nine in ten are all.
+    assert_cracks(100..100 + share(100).max(50) as u64);
 }

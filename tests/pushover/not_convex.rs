@@ -314,7 +314,7 @@ fn many_walls_of_stepped_stones_in_contact_are_right() {
         CLASSES[1],
         HeadJoints::Contact,
         0..share(100) as u64,
-        [1, 5],
+        [1, share(5)],
     );
 }
 
@@ -327,6 +327,6 @@ fn many_saddles_are_right() {
         CLASSES[2],
         HeadJoints::Contact,
         0..share(100) as u64,
-        [0, 3],
+        [0, share(3)],
     );
 }

@@ -184,5 +184,5 @@ fn random_walls_are_right_within_what_is_stated() {
 #[test]
 #[ignore = "minutes"]
 fn many_random_walls_are_right_within_what_is_stated() {
-    score(100..100 + share(150) as u64).assert(4);
+    score(100..100 + share(150) as u64).assert(share(4));
 }

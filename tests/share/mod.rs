@@ -1,7 +1,7 @@
 //! How much of a long test runs.
 
-/// So many of this number of scenes as `TRILITH_SHARE` says, from 0 to 1, but one at least: all of them
-/// where it is not set. `.ci/run` sets it.
+/// How many of this number of scenes a long test takes: the share that `TRILITH_SHARE` says, from 0 to 1, and
+/// one at least; all of them where it is not set. `.ci/run` sets it.
 pub fn share(count: usize) -> usize {
     let share: f64 = std::env::var("TRILITH_SHARE").map_or(1.0, |share| {
         share

@@ -90,7 +90,7 @@ impl<'a> Tiles<'a> {
         self
     }
 
-    /// A column of the factor, those to the left being done: less their products, in their order.
+    /// A column of the factor: what was given less the products of those to the left, in their order.
     fn factored(&self, column: usize, mut own: Column, done: &Done<Column>) -> Column {
         let left = self.pattern.left[column].iter();
         let mut across: Vec<_> = left.map(|&left| (left, DMatrix::zeros(0, 0))).collect();

@@ -14,9 +14,9 @@ pub(super) struct Pattern {
     /// Columns to the left of which a column takes products, ascending, each with the position of this column's
     /// row among its tiles.
     pub(super) left: Vec<Vec<(usize, usize)>>,
-    /// The columns that wait for a column alone (the elimination tree: Liu, SIAM J. Matrix Anal. Appl. 11
-    /// (1990) 134-172), and behind them those without one to wait for.
-    branches: Vec<Vec<usize>>,
+    /// The children of each column in the elimination tree (Liu, SIAM J. Matrix Anal. Appl. 11 (1990) 134-172):
+    /// a column depends on those below it in the tree alone. Behind them the roots.
+    children: Vec<Vec<usize>>,
 }
 
 impl Pattern {
@@ -76,72 +76,72 @@ impl Pattern {
         });
         let below: Vec<Vec<usize>> = below.collect();
         let mut left = vec![Vec::new(); columns];
-        let mut branches = vec![Vec::new(); columns + 1];
+        let mut children = vec![Vec::new(); columns + 1];
         for (column, rows) in below.iter().enumerate() {
             for (at, &row) in rows.iter().enumerate() {
                 left[row].push((column, at));
             }
-            branches[rows.first().copied().unwrap_or(columns)].push(column);
+            children[rows.first().copied().unwrap_or(columns)].push(column);
         }
         Self {
             place,
             unknown,
             below,
             left,
-            branches,
+            children,
         }
     }
 
-    /// What `work` makes of each column, what it makes of those to the left that the column hangs on being
-    /// done: columns on different branches at once.
+    /// What `work` makes of each column, those to the left that the column depends on being done: columns on
+    /// different branches of the tree at once.
     pub(super) fn upwards<T: Send + Sync>(
         &self,
         work: &(impl Fn(usize, &Done<T>) -> T + Sync),
     ) -> Vec<T> {
-        let done = Done::none(self.below.len());
-        self.above(self.below.len(), &|column| {
-            done.set(column, work(column, &done));
-        });
-        done.all()
+        Done::of_all(self.below.len(), work, |work| {
+            self.leaves_first(self.below.len(), work)
+        })
     }
 
-    fn above(&self, column: usize, work: &(impl Fn(usize) + Sync)) {
-        // A column that alone waits for another is no call of its own, which keeps the stack short.
-        let mut alone = vec![column];
-        while let [branch] = self.branches[alone[alone.len() - 1]][..] {
-            alone.push(branch);
-        }
-        let mut branches = self.branches[alone[alone.len() - 1]].clone();
-        each(&mut branches, &|branch| {
-            self.above(*branch, work);
-            work(*branch);
-        });
-        for &column in alone[1..].iter().rev() {
-            work(column);
-        }
-    }
-
-    /// The same with those to the right that a column hangs on being done.
+    /// The same, those to the right that the column depends on being done.
     pub(super) fn downwards<T: Send + Sync>(
         &self,
         work: &(impl Fn(usize, &Done<T>) -> T + Sync),
     ) -> Vec<T> {
-        let done = Done::none(self.below.len());
-        self.under(self.below.len(), &|column| {
-            done.set(column, work(column, &done));
-        });
-        done.all()
+        Done::of_all(self.below.len(), work, |work| {
+            self.leaves_last(self.below.len(), work)
+        })
     }
 
-    fn under(&self, mut column: usize, work: &(impl Fn(usize) + Sync)) {
-        while let [branch] = self.branches[column][..] {
-            work(branch);
-            column = branch;
+    /// Calls `work` for all columns below this one in the tree, each after its children.
+    fn leaves_first(&self, column: usize, work: &(dyn Fn(usize) + Sync)) {
+        // A chain of single children takes no calls of its own, which keeps the stack short.
+        let mut chain = Vec::new();
+        let mut last = column;
+        while let [child] = self.children[last][..] {
+            chain.push(child);
+            last = child;
         }
-        let mut branches = self.branches[column].clone();
-        each(&mut branches, &|branch| {
-            work(*branch);
-            self.under(*branch, work);
+        let mut children = self.children[last].clone();
+        each(&mut children, &|child| {
+            self.leaves_first(*child, work);
+            work(*child);
+        });
+        for &column in chain.iter().rev() {
+            work(column);
+        }
+    }
+
+    /// Calls `work` for all columns below this one in the tree, each before its children.
+    fn leaves_last(&self, mut column: usize, work: &(dyn Fn(usize) + Sync)) {
+        while let [child] = self.children[column][..] {
+            work(child);
+            column = child;
+        }
+        let mut children = self.children[column].clone();
+        each(&mut children, &|child| {
+            work(*child);
+            self.leaves_last(*child, work);
         });
     }
 
@@ -156,21 +156,26 @@ impl Pattern {
 pub(super) struct Done<T>(Vec<OnceLock<T>>);
 
 impl<T> Done<T> {
-    fn none(columns: usize) -> Self {
-        Self((0..columns).map(|_| OnceLock::new()).collect())
-    }
-
-    fn set(&self, column: usize, value: T) {
-        let is_first = self.0[column].set(value).is_ok();
-        assert!(is_first, "each column is done once");
-    }
-
-    pub(super) fn of(&self, column: usize) -> &T {
-        self.0[column].get().expect("what it hangs on is done")
-    }
-
-    fn all(self) -> Vec<T> {
-        let columns = self.0.into_iter().map(OnceLock::into_inner);
+    /// What `work` makes of all of so many columns, in the order in which `walk` calls it for each once.
+    fn of_all(
+        columns: usize,
+        work: &(impl Fn(usize, &Self) -> T + Sync),
+        walk: impl FnOnce(&(dyn Fn(usize) + Sync)),
+    ) -> Vec<T>
+    where
+        T: Send + Sync,
+    {
+        let done = Self((0..columns).map(|_| OnceLock::new()).collect());
+        walk(&|column| {
+            let is_first = done.0[column].set(work(column, &done)).is_ok();
+            assert!(is_first, "each column is done once");
+        });
+        let columns = done.0.into_iter().map(OnceLock::into_inner);
         columns.map(|own| own.expect("each is done")).collect()
+    }
+
+    /// That of a column which the present one depends on.
+    pub(super) fn of(&self, column: usize) -> &T {
+        self.0[column].get().expect("what it depends on is done")
     }
 }
