@@ -1,4 +1,4 @@
-//! Which blocks hang together with a support.
+//! Which blocks hang together, and which of them with a support.
 
 use super::joints::{Joint, Side};
 
@@ -25,6 +25,25 @@ pub(crate) fn connected(blocks: usize, joints: &[Joint]) -> Vec<bool> {
     connected
 }
 
+/// For each of so many blocks the first of those that joints connect it with, supports aside.
+pub(crate) fn parts(blocks: usize, joints: &[Joint]) -> Vec<usize> {
+    let mut part: Vec<usize> = (0..blocks).collect();
+    fn root(part: &mut [usize], mut of: usize) -> usize {
+        while part[of] != of {
+            part[of] = part[part[of]];
+            of = part[of];
+        }
+        of
+    }
+    for joint in joints {
+        if let Side::Block(from) = joint.from {
+            let (a, b) = (root(&mut part, from), root(&mut part, joint.to));
+            part[a.max(b)] = a.min(b);
+        }
+    }
+    (0..blocks).map(|block| root(&mut part, block)).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::super::joints::{TOUCHING, find_joints};
@@ -47,5 +66,6 @@ mod tests {
         let joints = find_joints(TOUCHING, &shapes, &[ground]);
         let expected = [true, true, true, false, false];
         assert_eq!(connected(blocks.len(), &joints), expected);
+        assert_eq!(parts(blocks.len(), &joints), [0, 0, 0, 3, 3]);
     }
 }

@@ -13,6 +13,7 @@ mod builders;
 mod checks;
 mod cracks;
 mod falling;
+mod hardly_stands;
 mod moves;
 mod not_convex;
 mod random_walls;

@@ -165,7 +165,8 @@ mod tests {
         let scene = Scene::new(parts).unwrap();
         let settings = PushoverSettings::default();
         let asked = Asked::new(&settings);
-        let model = Model::new(&scene, &Portion::default(), &asked.tuned).unwrap();
+        let whole = Portion::default();
+        let model = Model::new(&scene, &whole, &asked.tuned).unwrap();
         let mut physics = Physics::new(&model, &Parameters::new(&model, &asked));
         physics.multiplier = friction + 0.02;
         let from = physics.states()[0].position[0];

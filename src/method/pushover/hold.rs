@@ -21,7 +21,7 @@ pub enum Held {
 
 /// Holds loads on one model.
 pub struct Hold<'a> {
-    model: &'a Model,
+    model: &'a Model<'a>,
     parameters: &'a Parameters,
     /// Time that the last hold took.
     pub elapsed: f64,
@@ -33,7 +33,7 @@ pub struct Hold<'a> {
 
 impl<'a> Hold<'a> {
     /// For a model and its parameters.
-    pub fn new(model: &'a Model, parameters: &'a Parameters) -> Self {
+    pub fn new(model: &'a Model<'a>, parameters: &'a Parameters) -> Self {
         Self {
             model,
             parameters,

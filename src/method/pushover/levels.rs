@@ -202,7 +202,9 @@ fn agreement(
         .relative_width(sizes.unit)
         .max(moved(before, last, shows) / sizes.extent);
     let error = rounded_up(error);
+    // No further level sees more than a step of the grid.
     let most = target * if ends { tuned.most_error } else { 1.0 };
+    let most = most.max(rounded_up(grid / size));
     (complete && error <= most).then_some(Enclosure { bracket, error })
 }
 
@@ -300,6 +302,10 @@ mod tests {
         let agree = |apart| agreement(&second(apart), SIZES, 2e-3, false, &Tuned::TUNED).is_some();
         assert!(agree(2.0e-4));
         assert!(!agree(3.0e-4));
+        // A bracket as wide as the grid, 1 % of 1e-3: no level sees more.
+        let of_grid = [at(5.3e-4, 5.4e-4, 1e-4); 2];
+        let found = agreement(&of_grid, SIZES, 2e-3, false, &Tuned::TUNED);
+        assert_eq!(found.unwrap().error, 1e-2);
     }
 
     /// Brackets that agree, of a scene that slides along before it collapses.

@@ -49,7 +49,11 @@ pub struct MovingBody {
 }
 
 /// The dimensionless scene.
-pub struct Model {
+pub struct Model<'a> {
+    /// The scene itself.
+    pub scene: &'a Scene,
+    /// What of it is pushed.
+    pub portion: &'a Portion,
     /// Blocks that may move, in the scene's order.
     pub blocks: Vec<MovingBody>,
     /// Faces of supports and of blocks held fixed.
@@ -76,12 +80,16 @@ pub struct Model {
 /// then print exactly with five decimals.
 pub const GRID: f64 = 1e5;
 
-impl Model {
+impl<'a> Model<'a> {
     /// Scales a portion of the scene. Blocks that it holds fixed become supports.
     ///
     /// # Errors
     /// What this method cannot honour in the scene.
-    pub fn new(scene: &Scene, portion: &Portion, tuned: &Tuned) -> Result<Self, PushoverFact> {
+    pub fn new(
+        scene: &'a Scene,
+        portion: &'a Portion,
+        tuned: &Tuned,
+    ) -> Result<Self, PushoverFact> {
         let units = Units::of(scene, portion)?;
         let inert = inert(
             scene,
@@ -111,6 +119,8 @@ impl Model {
             }
         }
         Ok(Self {
+            scene,
+            portion,
             smallness: blocks
                 .iter()
                 .map(|block| block.smallness)

@@ -60,7 +60,7 @@ pub struct Checkpoint(World);
 
 /// Blocks on supports under `dead + λ · live`.
 pub struct Physics<'a> {
-    model: &'a Model,
+    model: &'a Model<'a>,
     parameters: IntegrationParameters,
     pipeline: PhysicsPipeline,
     world: World,
@@ -75,7 +75,7 @@ pub struct Physics<'a> {
 
 impl<'a> Physics<'a> {
     /// Puts the model's bodies where they belong, at rest.
-    pub fn new(model: &'a Model, parameters: &Parameters) -> Self {
+    pub fn new(model: &'a Model<'a>, parameters: &Parameters) -> Self {
         let mut world = World::default();
         for face in &model.fixed {
             world.colliders.insert(collider(face));

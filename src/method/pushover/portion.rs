@@ -8,6 +8,7 @@
 use super::tuned::Tuned;
 use crate::scene::{
     Block, HeadJoints, Joint, JointClass, Point, Push, Scene, Side, bounds_of, multiplier_unit,
+    parts,
 };
 
 /// What a block is in a pushover.
@@ -35,23 +36,8 @@ pub struct Portion {
 impl Portion {
     /// The connected parts of a scene, in the order of their first blocks.
     pub fn parts(scene: &Scene) -> Vec<Self> {
-        let count = scene.blocks().len();
-        let mut part: Vec<usize> = (0..count).collect();
-        fn root(part: &mut [usize], mut of: usize) -> usize {
-            while part[of] != of {
-                part[of] = part[part[of]];
-                of = part[of];
-            }
-            of
-        }
-        for joint in scene.joints() {
-            if let Side::Block(from) = joint.from {
-                let (a, b) = (root(&mut part, from), root(&mut part, joint.to));
-                part[a.max(b)] = a.min(b);
-            }
-        }
-        let of: Vec<usize> = (0..count).map(|block| root(&mut part, block)).collect();
-        let first = (0..count).filter(|&block| of[block] == block);
+        let of = parts(scene.blocks().len(), scene.joints());
+        let first = (0..of.len()).filter(|&block| of[block] == block);
         let portion = first.map(|first| Self {
             absent: of.iter().map(|&other| other != first).collect(),
             ..Self::default()

@@ -1,20 +1,18 @@
 //! One pushover of one scene: search, self-checks, outcome.
 
-use super::checks::{self, check};
+use super::checks::{failed, of_rest, of_settled, sees_joints};
 use super::measure;
-use super::model::{GRID, Model};
+use super::model::Model;
 use super::observing::observing;
 use super::parameters::{Asked, Parameters};
 use super::parts::weakest;
 use super::physics::{BodyState, Physics};
 use super::portion::{Portion, beyond_stagger};
-use super::search::{Observation, SearchEnd, search};
-use crate::answer::{
-    Bracket, Checked, Fact, Observed, Outcome, PushoverFact, Recording, SelfCheck, Status, Work,
-};
+use super::search::{Observation, RestState, SearchEnd, search};
+use crate::answer::{Bracket, Fact, Observed, Outcome, PushoverFact, Recording, Status, Work};
 use crate::mechanics::{Mechanism, Motion, crack_slope_by_gap};
 use crate::method::PushoverSettings;
-use crate::scene::{Scene, Side, Vector};
+use crate::scene::{Scene, Vector};
 use nalgebra::Rotation2;
 
 /// Natural frequency of the contacts times the substep beyond which walls jitter, with a margin
@@ -123,30 +121,40 @@ fn run(
     let mut physics = Physics::new(&model, &parameters);
     let laid = physics.states();
     physics.step();
-    let sees = checks::sees_joints(scene, &model.joints, &physics.contacts());
+    let sees = sees_joints(&model, &physics.contacts());
     if !sees.passed() {
         return (undecided(PushoverFact::Checked(sees)), false);
     }
     let slip = |from: &[BodyState], to: &[BodyState]| {
-        let rates = mechanism(scene, &model, from, to).joint_rates(scene);
+        let rates = mechanism(&model, from, to).joint_rates(scene);
         let slips = rates.iter().map(|rate| rate.slip.abs() / model.length);
         slips.fold(0.0, f64::max)
     };
+    let mut checks = vec![sees];
+    let refused = |settled: &RestState| {
+        checks.extend(of_settled(&model, &parameters, &laid, settled));
+        failed(&parameters, &checks)
+    };
     let mut moved = portion.holds_any();
     let expected = trial.expected.map(|at| model.in_grid(at));
-    let mut outcome = match search(&mut physics, &model, &parameters, expected, slip) {
+    let mut outcome = match search(&mut physics, &model, &parameters, expected, refused, slip) {
         SearchEnd::Bracketed(seen) => {
             let states = [&seen.settled.states[..], &seen.collapsed];
-            moved &= strip_moved(portion, &model, parameters.still, states);
-            let settlement = measure::displacement(&model, &laid, &seen.settled.states);
-            let settles = check(Checked::Settlement, settlement, parameters.settlement);
-            let mut checks = vec![sees, settles];
-            checks.extend(self_checks(scene, &model, &parameters, portion, &seen));
-            judged(scene, &model, &parameters, &seen, checks)
+            moved &= strip_moved(&model, parameters.still, states);
+            checks.extend(of_rest(&model, &parameters, &seen));
+            match failed(&parameters, &checks) {
+                Some(fact) => undecided(fact),
+                None => collapsed(&model, &parameters, &seen),
+            }
         }
-        SearchEnd::Undecided(fact) => undecided(fact),
+        SearchEnd::Undecided(fact) => {
+            // With more blocks free, it would settle further.
+            moved &= !matches!(fact, PushoverFact::SelfCheckFailed(_));
+            undecided(fact)
+        }
         SearchEnd::Falls(fact) => Outcome::without_number(Status::Falls, fact),
     };
+    outcome = observing(outcome, |observed| observed.checks = checks);
     outcome.work = Work {
         block_steps: physics.steps * parameters.substeps * model.blocks.len(),
         ..Work::default()
@@ -155,87 +163,39 @@ fn run(
 }
 
 /// Whether any block beside those held fixed moved between two states.
-fn strip_moved(
-    portion: &Portion,
-    model: &Model,
-    still: f64,
-    [from, to]: [&[BodyState]; 2],
-) -> bool {
+fn strip_moved(model: &Model, still: f64, [from, to]: [&[BodyState]; 2]) -> bool {
     let limit = still * measure::displacement(model, from, to);
     let mut blocks = model.blocks.iter().zip(from.iter().zip(to));
     blocks.any(|(block, (from, to))| {
-        portion.is_in_strip(block.index)
+        model.portion.is_in_strip(block.index)
             && block.smallness * measure::moved(block, from, to) > limit
     })
 }
 
-/// The outcome of a bracket, after the self-checks.
-fn judged(
-    scene: &Scene,
-    model: &Model,
-    parameters: &Parameters,
-    seen: &Observation,
-    checks: Vec<SelfCheck>,
-) -> Outcome {
-    let failed = checks.iter().find(|check| !check.passed());
-    if let Some(failed) = failed.filter(|_| parameters.self_checks) {
-        let fact = PushoverFact::SelfCheckFailed(failed.clone());
-        let undecided = Outcome::without_number(Status::Undecided, fact);
-        return observing(undecided, |observed| observed.checks = checks);
-    }
-    let moved = |frame: &Vec<BodyState>| mechanism(scene, model, &seen.settled.states, frame);
-    let mechanism = mechanism(scene, model, &seen.rest.states, &seen.collapsed);
+/// The outcome of a bracket.
+fn collapsed(model: &Model, parameters: &Parameters, seen: &Observation) -> Outcome {
+    let moved = |frame: &Vec<BodyState>| mechanism(model, &seen.settled.states, frame);
+    let mechanism = mechanism(model, &seen.rest.states, &seen.collapsed);
     let observed = Observed {
         bracket: Some(Bracket {
             lower: model.lambda(seen.lower),
             upper: model.lambda(seen.upper),
         }),
         stated_error: Some(parameters.stated_error),
-        crack: crack_slope_by_gap(scene, &mechanism),
+        crack: crack_slope_by_gap(model.scene, &mechanism),
         mechanism: Some(mechanism),
         recording: seen.fall.as_ref().map(|fall| Recording {
             frames: fall.frames.iter().map(moved).collect(),
             interval: fall.interval * model.length.sqrt(),
         }),
-        checks,
+        ..Observed::default()
     };
     Outcome::with(Status::Bracketed, observed)
 }
 
-fn self_checks(
-    scene: &Scene,
-    model: &Model,
-    parameters: &Parameters,
-    portion: &Portion,
-    seen: &Observation,
-) -> [SelfCheck; 4] {
-    let [x, y] = model.dead;
-    let weight = (x * x + y * y).sqrt();
-    let lambda = seen.lower as f64 / GRID;
-    let pushed = [x + lambda * model.live[0], y + lambda * model.live[1]];
-    let pinned = |side| match side {
-        Side::Block(block) => scene.pin(block).is_some(),
-        Side::Support(_) => false,
-    };
-    let fixed = |side| portion.is_fixed(side) || pinned(side);
-    let settled = checks::reaction(scene, &seen.settled.contacts, fixed);
-    let carried = checks::reaction(scene, &seen.rest.contacts, fixed);
-    let carry = |what, load, reaction| {
-        checks::supports_carry(what, load, reaction, weight, parameters.missing)
-    };
-    let speed = measure::speed(model, &seen.settled.states);
-    let drift = measure::displacement(model, &seen.settled.states, &seen.rest.states);
-    [
-        check(Checked::SettledSpeed, speed, parameters.moving),
-        carry(Checked::SettledBalance, model.dead, settled),
-        carry(Checked::LastBalance, pushed, carried),
-        check(Checked::Drift, drift, parameters.drift),
-    ]
-}
-
 /// Displacements from one state to another, in the scene's length unit.
-fn mechanism(scene: &Scene, model: &Model, from: &[BodyState], to: &[BodyState]) -> Mechanism {
-    let mut motions = vec![Motion::default(); scene.blocks().len()];
+fn mechanism(model: &Model, from: &[BodyState], to: &[BodyState]) -> Mechanism {
+    let mut motions = vec![Motion::default(); model.scene.blocks().len()];
     for ((a, b), block) in from.iter().zip(to).zip(&model.blocks) {
         let mut moved = Vector::new(b.position[0] - a.position[0], b.position[1] - a.position[1]);
         if block.is_pinned {

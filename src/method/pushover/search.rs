@@ -59,13 +59,15 @@ pub enum SearchEnd {
 ///
 /// `expected` is where a pushover with other parameters saw the collapse: the search begins there.
 ///
-/// `slip` gives the largest slip of a joint between two states; a rest with more of it than the
-/// parameters allow is a collapse too.
+/// `refused` says what is wrong with the settled scene: a push would be for nothing. `slip` gives the
+/// largest slip of a joint between two states; a rest with more of it than the parameters allow is a
+/// collapse too.
 pub fn search(
     physics: &mut Physics,
     model: &Model,
     parameters: &Parameters,
     expected: Option<[u64; 2]>,
+    refused: impl FnOnce(&RestState) -> Option<PushoverFact>,
     slip: impl Fn(&[BodyState], &[BodyState]) -> f64,
 ) -> SearchEnd {
     let mut hold = Hold::new(model, parameters);
@@ -79,6 +81,9 @@ pub fn search(
         }
     }
     let settled = RestState::now(physics);
+    if let Some(fact) = refused(&settled) {
+        return SearchEnd::Undecided(fact);
+    }
     let (mut rest, mut seen) = (physics.checkpoint(), RestState::now(physics));
     let mut hint = Hint::new(parameters, expected);
     // How many steps in a row took too long.

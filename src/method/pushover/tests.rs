@@ -103,13 +103,8 @@ fn the_same_run_gives_the_same_bits() {
 #[test]
 fn without_friction_nothing_can_be_pushed() {
     let slippery = wall([4.0, 1.75], 0.0, &["1"]);
-    assert_eq!(
-        bracket(&pushed(&slippery)),
-        Bracket {
-            lower: 0.0,
-            upper: 1e-5
-        }
-    );
+    let (lower, upper) = (0.0, 1e-5);
+    assert_eq!(bracket(&pushed(&slippery)), Bracket { lower, upper });
 }
 
 #[test]
@@ -167,16 +162,12 @@ fn verification_passes_on_a_column_and_fails_on_a_foreign_bracket() {
     let scene = wall([1.0, 0.5], 0.65, &["1"; 5])
         .scene(HeadJoints::Open)
         .unwrap();
+    let all = |outcome: &Outcome, passed: bool| {
+        let checks = verify(&scene, &PushoverSettings::default(), outcome);
+        checks.iter().all(|check| check.passed() == passed)
+    };
     let mut outcome = pushover(&scene);
-    assert!(
-        verify(&scene, &PushoverSettings::default(), &outcome)
-            .iter()
-            .all(|check| check.passed())
-    );
+    assert!(all(&outcome, true));
     outcome = observing(outcome, |seen| seen.bracket = Some(Bracket::point(0.41)));
-    assert!(
-        verify(&scene, &PushoverSettings::default(), &outcome)
-            .iter()
-            .all(|check| !check.passed())
-    );
+    assert!(all(&outcome, false));
 }
