@@ -86,8 +86,7 @@ pub fn search(
     }
     let (mut rest, mut seen) = (physics.checkpoint(), RestState::now(physics));
     let mut hint = Hint::new(parameters, expected);
-    // How many steps in a row took too long.
-    let (mut lower, mut unclear, mut slow): (u64, bool, usize) = (0, false, 0);
+    let (mut lower, mut unclear, mut slow_in_a_row): (u64, bool, usize) = (0, false, 0);
     let left_its_place = |states: &[BodyState]| {
         slip(&settled.states, states) > parameters.slip
             || displacement(model, &settled.states, states) > parameters.slide
@@ -109,21 +108,19 @@ pub fn search(
         match held {
             Held::Rest => {
                 (rest, seen) = (physics.checkpoint(), RestState::now(physics));
-                (lower, unclear, slow) = (target, false, 0);
+                (lower, unclear, slow_in_a_row) = (target, false, 0);
                 hint.rested(lower, finest);
                 continue;
             }
             Held::Collapse { .. } if last => {
-                let collapsed = physics.states();
-                let fall = (parameters.frames > 0)
-                    .then(|| fall(physics, model, target, &settled.states, parameters.frames));
                 return SearchEnd::Bracketed(Box::new(Observation {
                     lower,
                     upper: target,
+                    collapsed: physics.states(),
+                    fall: (parameters.frames > 0)
+                        .then(|| fall(physics, model, target, &settled.states, parameters.frames)),
                     settled,
                     rest: seen,
-                    collapsed,
-                    fall,
                 }));
             }
             Held::Collapse { acceleration } => hint.ran_away(target, acceleration),
@@ -133,8 +130,8 @@ pub fn search(
                 hint.ran_away(target, 0.0);
             }
             Held::Unclear => {
-                slow += 1;
-                if unclear || slow > parameters.slow_steps[usize::from(lower > 0)] {
+                slow_in_a_row += 1;
+                if unclear || slow_in_a_row > parameters.slow_steps[usize::from(lower > 0)] {
                     let lambda = physics.multiplier * model.multiplier;
                     return SearchEnd::Undecided(PushoverFact::Unclear { lambda });
                 }
