@@ -26,7 +26,7 @@ pub(crate) fn connected(blocks: usize, joints: &[Joint]) -> Vec<bool> {
 }
 
 /// For each of so many blocks the first of those that joints connect it with, supports aside.
-pub(crate) fn parts(blocks: usize, joints: &[Joint]) -> Vec<usize> {
+pub(crate) fn connected_parts(blocks: usize, joints: &[Joint]) -> Vec<usize> {
     let mut part: Vec<usize> = (0..blocks).collect();
     fn root(part: &mut [usize], mut of: usize) -> usize {
         while part[of] != of {
@@ -66,6 +66,6 @@ mod tests {
         let joints = find_joints(TOUCHING, &shapes, &[ground]);
         let expected = [true, true, true, false, false];
         assert_eq!(connected(blocks.len(), &joints), expected);
-        assert_eq!(parts(blocks.len(), &joints), [0, 0, 0, 3, 3]);
+        assert_eq!(connected_parts(blocks.len(), &joints), [0, 0, 0, 3, 3]);
     }
 }

@@ -27,7 +27,7 @@ pub use assembly::{Assembly, Force, Forces, NamedBlock, Support};
 pub use block::{Block, Load, Wrench};
 pub(crate) use bond::{BONDS, Bond, LowestCourse};
 pub(crate) use close_pairs::{close_pairs, extent};
-pub(crate) use connected::{connected, parts};
+pub(crate) use connected::{connected, connected_parts};
 pub use friction::Friction;
 pub(crate) use joints::TOUCHING;
 pub use joints::{Joint, JointClass, NamedJoint, Side};

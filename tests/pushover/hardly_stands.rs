@@ -9,9 +9,9 @@ use trilith::method::{Method, Settings};
 /// A block as its width, its height and the middle of its base.
 type Laid = [f64; 3];
 
-/// Blocks of random sizes, laid at random, those from one of them on so far out that they rock about the
-/// edge below at λ; and the lowest multiplier of all edges: the distance of the centroid above from the
-/// edge over its height (closed form).
+/// A random stack, and its multiplier in closed form: the least of all edges, of each the distance across
+/// to the centroid of what lies above it, over the height of that centroid. One part of the stack is laid
+/// so far out that it rocks about the edge below it at λ.
 fn stack(random: &mut Random, lambda: f64) -> (Vec<Laid>, f64) {
     let count = 2 + random.below(7);
     let mut at = 0.0;

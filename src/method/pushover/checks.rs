@@ -29,8 +29,7 @@ pub fn sees_joints(model: &Model, contacts: &[Contact]) -> SelfCheck {
             contact.joint == **joint && along > 0.999
         })
     };
-    let joints = &model.joints;
-    let (of, found) = (joints.len(), joints.iter().filter(seen).count());
+    let (of, found) = (model.joints.len(), model.joints.iter().filter(seen).count());
     check(Checked::UnseenJoints { of }, (of - found) as f64, 0.0)
 }
 

@@ -7,8 +7,8 @@
 
 use super::tuned::Tuned;
 use crate::scene::{
-    Block, HeadJoints, Joint, JointClass, Point, Push, Scene, Side, bounds_of, multiplier_unit,
-    parts,
+    Block, HeadJoints, Joint, JointClass, Point, Push, Scene, Side, bounds_of, connected_parts,
+    multiplier_unit,
 };
 
 /// What a block is in a pushover.
@@ -36,7 +36,7 @@ pub struct Portion {
 impl Portion {
     /// The connected parts of a scene, in the order of their first blocks.
     pub fn parts(scene: &Scene) -> Vec<Self> {
-        let of = parts(scene.blocks().len(), scene.joints());
+        let of = connected_parts(scene.blocks().len(), scene.joints());
         let first = (0..of.len()).filter(|&block| of[block] == block);
         let portion = first.map(|first| Self {
             absent: of.iter().map(|&other| other != first).collect(),

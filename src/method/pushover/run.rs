@@ -9,7 +9,9 @@ use super::parts::weakest;
 use super::physics::{BodyState, Physics};
 use super::portion::{Portion, beyond_stagger};
 use super::search::{Observation, RestState, SearchEnd, search};
-use crate::answer::{Bracket, Fact, Observed, Outcome, PushoverFact, Recording, Status, Work};
+use crate::answer::{
+    Bracket, Checked, Fact, Observed, Outcome, PushoverFact, Recording, SelfCheck, Status, Work,
+};
 use crate::mechanics::{Mechanism, Motion, crack_slope_by_gap};
 use crate::method::PushoverSettings;
 use crate::scene::{Scene, Vector};
@@ -149,7 +151,8 @@ fn run(
         }
         SearchEnd::Undecided(fact) => {
             // With more blocks free, it would settle further.
-            moved &= !matches!(fact, PushoverFact::SelfCheckFailed(_));
+            let settles = |check: &SelfCheck| check.what == Checked::Settlement;
+            moved &= !matches!(&fact, PushoverFact::SelfCheckFailed(check) if settles(check));
             undecided(fact)
         }
         SearchEnd::Falls(fact) => Outcome::without_number(Status::Falls, fact),

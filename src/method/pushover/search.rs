@@ -59,9 +59,8 @@ pub enum SearchEnd {
 ///
 /// `expected` is where a pushover with other parameters saw the collapse: the search begins there.
 ///
-/// `refused` says what is wrong with the settled scene: a push would be for nothing. `slip` gives the
-/// largest slip of a joint between two states; a rest with more of it than the parameters allow is a
-/// collapse too.
+/// A settled scene that is `refused`, with the reason, is not pushed. `slip` gives the largest slip of
+/// a joint between two states; a rest with more of it than the parameters allow is a collapse too.
 pub fn search(
     physics: &mut Physics,
     model: &Model,
