@@ -150,7 +150,7 @@ pub fn finest_increment(lambda: u64, tolerance: f64) -> u64 {
 }
 
 /// The next increment of the series 1, 2, 5, 10, …
-pub fn larger(increment: u64) -> u64 {
+fn larger(increment: u64) -> u64 {
     let leading_digit = increment / 10u64.pow(increment.max(1).ilog10());
     match leading_digit {
         2 => increment / 2 * 5,

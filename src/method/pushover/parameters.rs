@@ -78,9 +78,9 @@ impl Basis {
 /// The error that a bracket states, relative to λ: of either end against the limit.
 fn stated_error(accuracy: Accuracy, courses: f64) -> f64 {
     let [usual, tall] = match accuracy {
-        Accuracy::Coarse => [1e-2, 2e-2],
-        Accuracy::Normal => [2e-3, 4e-3],
-        Accuracy::Fine => [5e-4, 2e-3],
+        Accuracy::Coarse => [1e-2, 1.5e-2],
+        Accuracy::Normal => [2e-3, 3e-3],
+        Accuracy::Fine => [5e-4, 1.5e-3],
     };
     if courses > TALL { tall } else { usual }
 }
@@ -197,7 +197,7 @@ parameters! { of:
     /// Largest λ* that is tried.
     largest: f64 = 100.0, "largest", LAMBDA;
     /// Width of the bracket relative to λ.
-    tolerance: f64 = if of.courses > TALL { 0.5 } else { 0.4 } * of.stated_error,
+    tolerance: f64 = if of.courses > TALL { 2.0 / 3.0 } else { 0.4 } * of.stated_error,
         "tolerance", LAMBDA;
     /// Error that is stated for the bracket, relative to λ.
     stated_error: f64 = of.stated_error, "stated error", LAMBDA;

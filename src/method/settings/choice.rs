@@ -44,11 +44,11 @@ choices! {
     /// How accurate the pushover has to be; everything else about it follows. The error is of either end
     /// of its bracket against the limit, relative to λ.
     Accuracy {
-        /// An error of about 1 % of λ, and of 2 % above 30 courses.
+        /// An error of about 1 % of λ, and of 1.5 % above 30 courses.
         Coarse = "coarse",
-        /// An error of about 0.2 % of λ, and of 0.4 % above 30 courses.
+        /// An error of about 0.2 % of λ, and of 0.3 % above 30 courses.
         Normal = "normal",
-        /// An error of about 0.05 % of λ, and of 0.2 % above 30 courses.
+        /// An error of about 0.05 % of λ, and of 0.15 % above 30 courses.
         Fine = "fine",
     }
 

@@ -136,7 +136,7 @@ mod tests {
                 run(coarse.lower, coarse.upper),
                 run(0.49501 * unit, 0.4955 * unit),
             ];
-            // 0.00501 of 0.501, rounded up in the series 1, 2, 5, 10.
+            // 0.00499 of 0.501, rounded up.
             assert_eq!(moved(coarse, &runs, unit), Some(1e-2));
         }
     }
