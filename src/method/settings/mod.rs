@@ -83,7 +83,7 @@ settings! {
         /// How much arithmetic all these programs may take, beyond that of 150 steps.
         lift_work: f64 = 600.0, Allowed::Number(0.0..=1e9), "1e9 products of numbers";
         /// How many unknowns a lifted program may have; its time and memory grow with their square.
-        lift_unknowns: usize = 8_000, Allowed::Whole(1..=100_000), "";
+        lift_unknowns: usize = 16_000, Allowed::Whole(1..=100_000), "";
         /// Where rounding limits the motions that a lower bound is about: how large the sum of their openings
         /// and slips may be, over the displacement of the push.
         lift_cap: f64 = 1e4, Allowed::Number(1.0..=1e12), "";
