@@ -1,7 +1,7 @@
 //! Starts of the interval's search are followed down: few of them reach the lowest states that an
 //! independent code found with many.
 
-use crate::scenes::{laid, small_walls};
+use crate::scenes::{laid, running_bond, small_walls};
 use trilith::answer::Status;
 use trilith::judge::judge;
 use trilith::method::limit::Interval;
@@ -39,6 +39,24 @@ fn a_gap_that_closes_slowly_is_closed() {
     assert_eq!(outcome.status, Status::Verified, "{}", outcome.reason());
     let lower = outcome.bracket().expect("a state is found").lower;
     assert!((0.3864..0.387_98).contains(&lower), "{lower}");
+}
+
+/// 36 courses of 18 units of 2 x 1: in the part that the crack can reach no start closed its gap, and the search
+/// ended there. 36 courses of 16 and of 20 units have their lowest states at 0.421344 and 0.421345.
+#[test]
+fn a_larger_part_is_searched_where_a_part_closes_no_gap() {
+    let wall = Wall {
+        unit_length: 2.0,
+        ..running_bond(36, 18, 0.65)
+    };
+    let scene = laid(&wall, HeadJoints::Open);
+    let mut settings = Settings::default();
+    settings.interval.starts = 4;
+    let mut outcome = Interval.solve(&scene, &settings);
+    judge(&scene, &mut outcome);
+    assert_eq!(outcome.status, Status::Verified, "{}", outcome.reason());
+    let lower = outcome.bracket().expect("a state is found").lower;
+    assert!((lower - 0.421_344_5).abs() < 1e-5, "{lower}");
 }
 
 #[test]
