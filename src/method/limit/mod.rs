@@ -8,6 +8,7 @@ mod equilibration;
 mod falling;
 mod interval;
 mod moving;
+mod noise;
 mod numbers;
 mod own_weight;
 pub(crate) mod program;

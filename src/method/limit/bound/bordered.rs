@@ -13,66 +13,54 @@ use nalgebra::{DMatrix, DVector};
 
 use super::dense;
 use super::factor::Tiles;
-use crate::method::at_once::each;
-
-/// Columns of the border that one thread solves for at once.
-const COLUMNS: usize = 32;
 
 /// The factor with its border.
 pub(super) struct Bordered<'a> {
+    /// With Vᵀ as the border.
     tiles: Tiles<'a>,
-    /// V, a part for each unknown in the order of elimination; none where there is no border.
-    border: Vec<DMatrix<f64>>,
-    /// The factor of 1 + Vᵀ V.
-    corner: DMatrix<f64>,
+    /// The factor of 1 + Vᵀ V; none where there is no border.
+    corner: Option<DMatrix<f64>>,
 }
 
 impl<'a> Bordered<'a> {
-    /// Of factored tiles, and of the power's row p and part R Rᵀ where that is not in them.
-    pub(super) fn new(tiles: Tiles<'a>, power: &DVector<f64>, part: Option<DMatrix<f64>>) -> Self {
-        let root = part.map_or(DMatrix::zeros(0, 0), dense::root);
-        let size = root.nrows();
-        let mut border = Vec::new();
-        let mut corner = DMatrix::identity(size, size);
-        if size > 0 {
-            let starts = (0..size).step_by(COLUMNS);
-            let mut columns: Vec<_> = starts
-                .map(|start| root.columns(start, COLUMNS.min(size - start)).into_owned())
-                .map(|columns| (columns, Vec::new()))
-                .collect();
-            each(&mut columns, &|(columns, solved)| {
-                *solved = tiles.forward(&power.kronecker(&*columns));
-            });
-            for unknown in 0..power.len() {
-                let parts: Vec<_> = columns.iter().map(|(_, solved)| &solved[unknown]).collect();
-                let columns = parts.iter().flat_map(|part| part.column_iter());
-                let part = DMatrix::from_columns(&columns.collect::<Vec<_>>());
-                corner.gemm(1.0, &part.transpose(), &part, 1.0);
-                border.push(part);
-            }
-            dense::factor(&mut corner);
+    /// Of tiles, and of the power's row p and part R Rᵀ where that is not in them. As [`Tiles::factor`].
+    pub(super) fn new(
+        tiles: Tiles<'a>,
+        power: &DVector<f64>,
+        part: Option<DMatrix<f64>>,
+        regular: [f64; 2],
+        held: f64,
+    ) -> Self {
+        let tiles = match part.map(dense::root) {
+            Some(root) => tiles.with_border(power, &root),
+            None => tiles,
+        };
+        let tiles = tiles.factor(regular, held);
+        let mut corner: Option<DMatrix<f64>> = None;
+        for border in tiles.borders() {
+            let size = border.nrows();
+            let corner = corner.get_or_insert_with(|| DMatrix::identity(size, size));
+            corner.gemm(1.0, border, &border.transpose(), 1.0);
         }
-        Self {
-            tiles,
-            border,
-            corner,
+        if let Some(corner) = &mut corner {
+            dense::factor(corner);
         }
+        Self { tiles, corner }
     }
 
     /// Solves for one right side, a column an unknown.
     pub(super) fn solve(&self, right: &DMatrix<f64>) -> DMatrix<f64> {
         let (size, unknowns) = right.shape();
-        let long = DMatrix::from_column_slice(size * unknowns, 1, right.as_slice());
-        let mut parts = self.tiles.forward(&long);
-        if !self.border.is_empty() {
-            let mut across = DMatrix::zeros(size, 1);
-            for (border, part) in self.border.iter().zip(&parts) {
-                across.gemm_tr(1.0, border, part, 1.0);
+        let mut parts = (self.tiles).forward(&DVector::from_column_slice(right.as_slice()));
+        if let Some(corner) = &self.corner {
+            let mut across = DVector::zeros(size);
+            for (border, part) in self.tiles.borders().zip(&parts) {
+                across.gemv(1.0, border, part, 1.0);
             }
-            self.corner.solve_lower_triangular_mut(&mut across);
-            self.corner.tr_solve_lower_triangular_mut(&mut across);
-            for (border, part) in self.border.iter().zip(&mut parts) {
-                part.gemm(-1.0, border, &across, 1.0);
+            corner.solve_lower_triangular_mut(&mut across);
+            corner.tr_solve_lower_triangular_mut(&mut across);
+            for (border, part) in self.tiles.borders().zip(&mut parts) {
+                part.gemv_tr(-1.0, border, &across, 1.0);
             }
         }
         let solved = self.tiles.backward(&parts);
@@ -123,7 +111,7 @@ mod tests {
             if let Some(part) = &border {
                 whole += (&power * power.transpose()).kronecker(part);
             }
-            let bordered = Bordered::new(tiles.factor(0.0, 0.0, 0.0), &power, border);
+            let bordered = Bordered::new(tiles, &power, border, [0.0; 2], 0.0);
             let right = DMatrix::from_fn(size, unknowns, |i, k| (i as f64 + 5.0 * k as f64).sin());
             let solution = bordered.solve(&right);
             let largest = whole.amax();

@@ -18,6 +18,13 @@ pub(super) fn factor(a: &mut DMatrix<f64>) {
             panel.gemm(-1.0, &left, &across, 1.0);
         }
         for j in start..end {
+            let factors: Vec<f64> = (start..j).map(|p| a[(j, p)]).collect();
+            subtract(
+                &mut a.as_mut_slice()[start * n..],
+                n,
+                [j - start, j],
+                &factors,
+            );
             let pivot = a[(j, j)];
             let root = if pivot > LOST_PIVOT * first[j].abs() {
                 pivot.sqrt()
@@ -27,20 +34,29 @@ pub(super) fn factor(a: &mut DMatrix<f64>) {
             let mut column = a.view_mut((j, j), (n - j, 1));
             column /= root;
             a[(j, j)] = root;
-            for k in j + 1..end {
-                let factor = a[(k, j)];
-                subtract(a.as_mut_slice(), n, [j, k], k, factor);
-            }
         }
     }
 }
 
-/// Subtracts a multiple of an earlier column from a later one, from a row on; columns of `n` numbers.
-fn subtract(values: &mut [f64], n: usize, [from, to]: [usize; 2], row: usize, multiple: f64) {
-    let (before, after) = values.split_at_mut(to * n);
-    let from = &before[from * n + row..(from + 1) * n];
-    for (value, other) in after[row..n].iter_mut().zip(from) {
-        *value -= multiple * other;
+/// Subtracts multiples of the first columns of `n` numbers from another one, from a row on. Four at once, one
+/// after the other, so that it is loaded and stored less often.
+fn subtract(values: &mut [f64], n: usize, [column, row]: [usize; 2], multiples: &[f64]) {
+    let (before, after) = values.split_at_mut(column * n);
+    let own = &mut after[row..n];
+    let other = |k: usize| &before[k * n + row..(k + 1) * n];
+    let fours = multiples.chunks_exact(4);
+    let ones = fours.remainder();
+    for (at, m) in fours.enumerate() {
+        let [a, b, c, d] = [0, 1, 2, 3].map(|k| other(4 * at + k));
+        let others = a.iter().zip(b).zip(c).zip(d);
+        for (own, (((a, b), c), d)) in own.iter_mut().zip(others) {
+            *own = *own - m[0] * a - m[1] * b - m[2] * c - m[3] * d;
+        }
+    }
+    for (k, m) in ones.iter().enumerate() {
+        for (own, other) in own.iter_mut().zip(other(multiples.len() - ones.len() + k)) {
+            *own -= m * other;
+        }
     }
 }
 
@@ -68,9 +84,13 @@ pub(super) fn solve_right(a: &mut DMatrix<f64>, factor: &DMatrix<f64>) {
             block.gemm(-1.0, &done, &across, 1.0);
         }
         for j in start..end {
-            for p in start..j {
-                subtract(a.as_mut_slice(), rows, [p, j], 0, factor[(j, p)]);
-            }
+            let factors: Vec<f64> = (start..j).map(|p| factor[(j, p)]).collect();
+            subtract(
+                &mut a.as_mut_slice()[start * rows..],
+                rows,
+                [j - start, 0],
+                &factors,
+            );
             let mut column = a.view_mut((0, j), (rows, 1));
             column /= factor[(j, j)];
         }

@@ -71,7 +71,7 @@ impl<'a> Face<'a> {
         let (free, conditions) = (self.free(), self.lift.conditions.force_rows());
         let rates = self.motion.rows.iter().filter(|row| !row.is_empty());
         let (free, products) = (free as f64, (rates.count() * conditions) as f64);
-        free * free * (products + free * self.pattern.cost())
+        free * free * (products + free * self.pattern.cost)
     }
 
     /// Unknowns that are all zero: one column an unknown of the motion.

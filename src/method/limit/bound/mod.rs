@@ -52,6 +52,7 @@ mod lift;
 mod lifted;
 mod motion;
 mod newton;
+mod ordering;
 mod parameters;
 mod pattern;
 mod point;

@@ -54,13 +54,12 @@ impl<'a> Newton<'a> {
             .filter_map(|(_, row, part)| Some((row.as_slice(), part.as_ref()?)))
             .collect();
         let tiles = Tiles::sum(&products.face.pattern, one.len(), &parts);
-        let [share, floor] = products.parameters().regular;
-        let tiles = tiles.factor(share, floor, held);
+        let regular = products.parameters().regular;
         Self {
             products,
             weights,
             scale,
-            factor: Bordered::new(tiles, &products.power, coupling),
+            factor: Bordered::new(tiles, &products.power, coupling, regular, held),
             held,
         }
     }

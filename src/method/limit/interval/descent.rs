@@ -1,10 +1,10 @@
 //! From normal forces to a collapse state, and down from there.
 
-use super::noise::Noise;
 use super::parameters::Tuned;
 use super::search::{Prices, Search, State};
 use crate::answer::{SearchFailure, is_same_multiplier};
 use crate::method::limit::ending::{Solution, totals};
+use crate::method::limit::noise::Noise;
 use crate::scene::JointClass;
 
 /// How a search goes on from capacities that leave a gap.

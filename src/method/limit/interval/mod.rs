@@ -9,7 +9,6 @@
 mod descent;
 mod explore;
 mod found;
-mod noise;
 mod outer;
 mod parameters;
 mod place;

@@ -4,7 +4,7 @@
 //! Where nothing is said of a measurement there was none: the number was chosen, and what is known is
 //! what the test below shows, which halves and doubles each.
 
-use super::noise::Noise;
+use crate::method::limit::noise::Noise;
 
 /// A number between two others, at random.
 #[derive(Clone, Copy, Debug)]

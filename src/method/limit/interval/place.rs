@@ -1,13 +1,13 @@
 //! Where a search takes place: in a scene or in a part of it, whose states are completed.
 
 use super::descent::{Approach, Branch, Descent};
-use super::noise::Noise;
 use super::search::{Search, State};
 use crate::answer::{SearchFailure, Work};
 use crate::mechanics::{
     BlockResidual, CollapseResidual, CollapseState, JointForce, StaticResidual, VERIFIED_RESIDUAL,
 };
 use crate::method::limit::ending::totals;
+use crate::method::limit::noise::Noise;
 use crate::method::limit::reduction::ScenePart;
 use crate::method::limit::scale::Scale;
 use crate::scene::Scene;

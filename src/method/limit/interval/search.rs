@@ -9,12 +9,12 @@
 //! is the whole violation of complementarity in units of λ, and (q, λ, u) is a collapse state where
 //! it vanishes. It holds no mode that could be guessed wrong: every opening counts with its size.
 
-use super::noise::Noise;
 use super::parameters::Tuned;
 use crate::answer::{SearchFailure, Work};
 use crate::mechanics::{JointForce, dead_power};
 use crate::method::limit::ending::{Ending, Solution, totals};
 use crate::method::limit::equilibration::{UnitPower, unit_powers};
+use crate::method::limit::noise::Noise;
 use crate::method::limit::program::{FrictionLaw, Program};
 use crate::method::settings::{Engine, LP_TOLERANCE};
 use crate::scene::Scene;

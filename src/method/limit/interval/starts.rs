@@ -6,10 +6,10 @@
 
 use super::descent::{Approach, Branch, Descent};
 use super::found::Found;
-use super::noise::Noise;
 use super::search::{Numerics, Prices, Search, State};
 use crate::answer::SearchFailure;
 use crate::method::limit::ending::totals;
+use crate::method::limit::noise::Noise;
 use crate::scene::{HeadJoints, JointClass};
 
 /// What the normal forces are that a start in turn begins with.
