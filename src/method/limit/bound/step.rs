@@ -70,7 +70,7 @@ impl<'a> Linearised<'a> {
         let weights = &self.weights;
         let newton = Newton::new(&program.products, &weights.values, scale, weights.held);
         let scaled = at.scale[0] * at.scale[1];
-        let predicted = self.step(&newton, &-&self.product, -scaled);
+        let predicted = self.step(&newton, &-&self.product, -scaled, own.predicted_to);
         let lengths = program.lengths(at, &predicted);
         let after = at.sum_behind(&predicted, lengths, &program.is_zero);
         let centre = (after / program.count / mean).powi(3) * mean;
@@ -78,7 +78,7 @@ impl<'a> Linearised<'a> {
         let wanted = self.towards(-&self.product - bent, centre);
         let of_scale = centre - scaled - predicted.scale[0] * predicted.scale[1];
         let corrected = Aimed {
-            step: self.step(&newton, &wanted, of_scale),
+            step: self.step(&newton, &wanted, of_scale, own.solved_to),
             wanted,
             of_scale,
         };
@@ -89,7 +89,7 @@ impl<'a> Linearised<'a> {
         }
         // A correction that leads nowhere: back towards the centre.
         let wanted = self.towards(-&self.product, own.centre * mean);
-        let centred = self.step(&newton, &wanted, own.centre * mean - scaled);
+        let centred = self.step(&newton, &wanted, own.centre * mean - scaled, own.solved_to);
         let other = program.lengths(at, &centred);
         if other[0].min(other[1]) > reach[0].min(reach[1]) {
             (centred, other)
@@ -121,7 +121,7 @@ impl<'a> Linearised<'a> {
             }
             let [first, second] = [0, 1].map(|k| [at.scale[k], aimed.step.scale[k]]);
             let of_scale = aimed.of_scale + missing(first, second);
-            let step = self.step(newton, &wanted, of_scale);
+            let step = self.step(newton, &wanted, of_scale, own.solved_to);
             let longer = program.lengths(at, &step);
             let sum = |lengths: Lengths| lengths[0].min(1.0) + lengths[1].min(1.0);
             if sum(longer) < sum(reach) + own.worth * own.longer {
@@ -145,8 +145,9 @@ impl<'a> Linearised<'a> {
         wanted
     }
 
-    /// The step with these changes of product times multiplier, and of the scale condition's.
-    fn step(&self, newton: &Newton, wanted: &DMatrix<f64>, scale: f64) -> Point {
+    /// The step with these changes of product times multiplier, and of the scale condition's, whose linear
+    /// system leaves this share of its right side.
+    fn step(&self, newton: &Newton, wanted: &DMatrix<f64>, scale: f64, left: f64) -> Point {
         let (program, at, residual) = (self.program, self.at, self.residual);
         let Weights {
             softness,
@@ -167,7 +168,7 @@ impl<'a> Linearised<'a> {
         let mut right = program.products.transposed(&target);
         right -= &residual.identity;
         right -= &program.scale_row * of_scale;
-        let unknowns = newton.solve(&right, program.products.parameters().solved_to);
+        let unknowns = newton.solve(&right, left);
         let moved = program.products.of(&unknowns);
         let multipliers = target - values.component_mul(&moved);
         let mut products = moved + &residual.products + &multipliers * *softness;
