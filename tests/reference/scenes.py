@@ -129,10 +129,12 @@ def area(shape):
 
 def sound(shape, whole):
     """Big enough, and without an edge or a bend that a case file would be refused for."""
+    if len(shape) < 3:
+        return False
     p = np.array(shape)
     edges = np.roll(p, -1, axis=0) - p
     long = np.hypot(*edges.T)
-    if len(shape) < 3 or area(shape) < 0.01 * whole or long.min() < 0.02 * long.max():
+    if area(shape) < 0.01 * whole or long.min() < 0.02 * long.max():
         return False
     turn = edges[:, 0] * np.roll(edges[:, 1], -1) - edges[:, 1] * np.roll(edges[:, 0], -1)
     return (turn > 0.02 * long * np.roll(long, -1)).all()
