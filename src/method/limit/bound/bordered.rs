@@ -23,7 +23,8 @@ pub(super) struct Bordered<'a> {
 }
 
 impl<'a> Bordered<'a> {
-    /// Of tiles, and of the power's row p and part R Rᵀ where that is not in them. As [`Tiles::factor`].
+    /// Of tiles, and of the power's row p and part R Rᵀ where that is not in them. [`Tiles::factor`] says what
+    /// `regular` and `held` are.
     pub(super) fn new(
         tiles: Tiles<'a>,
         power: &DVector<f64>,
@@ -79,7 +80,6 @@ mod tests {
     /// With and without a border, whose part is one that rounding leaves singular.
     #[test]
     fn tiles_and_border_are_solved_as_the_whole_matrix() {
-        let (unknowns, size) = (9, 40);
         let meetings = [
             vec![0, 1, 5],
             vec![2, 3],
@@ -87,6 +87,22 @@ mod tests {
             vec![7, 0],
             vec![1, 3, 6],
         ];
+        assert_solved(9, 40, &meetings);
+        // A grid, the corners of each square of which meet.
+        let at = |row: usize, column: usize| 7 * row + column;
+        let squares = (0..5).flat_map(|row| (0..6).map(move |column| (row, column)));
+        let squares = squares.map(|(row, column)| {
+            let corners = [(0, 0), (0, 1), (1, 0), (1, 1)];
+            corners
+                .map(|(down, right)| at(row + down, column + right))
+                .to_vec()
+        });
+        let groups = assert_solved(42, 5, &squares.collect::<Vec<_>>());
+        assert!(groups < 42, "some group has several columns");
+    }
+
+    /// Asserts that systems of so many unknowns, of which these meet, are solved; the number of their groups.
+    fn assert_solved(unknowns: usize, size: usize, meetings: &[Vec<usize>]) -> usize {
         let pattern = Pattern::new(unknowns, meetings.iter().cloned());
         let root = DMatrix::from_fn(size, size / 2, |i, j| ((3 * i + i * j) as f64).sin());
         let part = &root * root.transpose();
@@ -119,5 +135,6 @@ mod tests {
                 - right.reshape_generic(Dyn(size * unknowns), Dyn(1));
             assert!(left.amax() < largest * 1e-12, "{}", left.amax());
         }
+        pattern.groups.len()
     }
 }
