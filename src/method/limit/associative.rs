@@ -136,7 +136,7 @@ fn by_engine(
         let tolerance = user.programs.lp_tolerance;
         let program = Program::with_units(scene, tolerance, power)
             .with_width(0.5 * VERIFIED_WIDTH)
-            .by(engine);
+            .tested_by(engine);
         solved(scene, program, margins, work)
     };
     let Ok(found) = solved(Some(WIDE_MARGINS)) else {

@@ -30,6 +30,18 @@ pub(super) struct Numbers {
     pub(super) has_slack: bool,
 }
 
+impl Numbers {
+    /// What solves the program where nothing else is asked for: Clarabel where blocks or joints have units
+    /// of their own, as it leaves the least of them, or where inequalities share a slack.
+    pub(super) fn engine(&self) -> Engine {
+        if self.has_own_units || self.has_slack {
+            Engine::Clarabel
+        } else {
+            Engine::Structured
+        }
+    }
+}
+
 pub(super) struct Solved {
     pub(super) ending: SolverEnding,
     /// Values of all variables at an optimum.

@@ -160,7 +160,7 @@ impl Program {
             has_slack: matches!(goal, Goal::Slack(_)),
         };
         Self {
-            solver: Solver::new(Engine::Structured, &numbers),
+            solver: Solver::new(numbers.engine(), &numbers),
             numbers,
             friction_at,
             scale,
@@ -172,6 +172,16 @@ impl Program {
     /// The same program, solved by the engine that is asked for from the beginning.
     pub(super) fn by(mut self, engine: Engine) -> Self {
         if engine != Engine::Structured {
+            self.solver = Solver::new(engine, &self.numbers);
+        }
+        self
+    }
+
+    /// The same for a caller that tests what the answers prove: the structured engine solves programs in
+    /// units of blocks and joints too, eight times as fast as Clarabel, but leaves more of the velocities
+    /// of light blocks.
+    pub(super) fn tested_by(mut self, engine: Engine) -> Self {
+        if engine != self.engine() {
             self.solver = Solver::new(engine, &self.numbers);
         }
         self

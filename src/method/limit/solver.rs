@@ -23,9 +23,8 @@ pub(super) enum Solver {
 impl Solver {
     /// The solver that is asked for, or Clarabel for programs that the structured one does not know.
     pub(super) fn new(engine: Engine, numbers: &Numbers) -> Self {
-        let knows = !numbers.has_own_units && !numbers.has_slack;
         match engine {
-            Engine::Structured if knows => {
+            Engine::Structured if !numbers.has_slack => {
                 Solver::Structured(Box::new(InteriorPoint::new(numbers)))
             }
             Engine::Structured | Engine::Clarabel => {
@@ -68,7 +67,8 @@ impl Solver {
             Solver::Structured(solver) => solver,
         };
         solver.solve(numbers).unwrap_or_else(|iterations| {
-            let mut clarabel = clarabel(numbers, settings(numbers.tolerance, false));
+            let settings = settings(numbers.tolerance, numbers.has_own_units);
+            let mut clarabel = clarabel(numbers, settings);
             let solved = solved(&mut clarabel, numbers);
             Solved {
                 iterations: iterations + solved.iterations,

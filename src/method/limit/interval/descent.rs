@@ -209,7 +209,10 @@ impl Descent<'_, '_> {
     ) -> Result<Vec<f64>, SearchFailure> {
         let coulomb = match self.search.coulomb_normal.clone() {
             Some(coulomb) => coulomb,
-            None => (self.search.associative()).map_err(|_| SearchFailure::Unsolved)?,
+            None => {
+                let associative = self.search.associative();
+                totals(&associative.map_err(|_| SearchFailure::Unsolved)?.forces)
+            }
         };
         Ok(if infeasible == self.search.tuned.infeasible {
             coulomb

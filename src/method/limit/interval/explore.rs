@@ -8,7 +8,10 @@ use super::starts::Starts;
 use crate::answer::{SearchFacts, SearchFailure, Work};
 use crate::mechanics::{BlockResidual, CollapseState, JointForce};
 use crate::method::Settings;
-use crate::method::limit::ending::Ending;
+use crate::method::limit::ending::{Ending, Solution, totals};
+use crate::method::limit::equilibration::needs_own_units;
+use crate::method::settings::Engine;
+use crate::scene::Scene;
 
 /// What a search is asked for.
 pub(super) struct Request<'a> {
@@ -50,10 +53,40 @@ pub(super) fn explore(
     at_rest: &[JointForce],
     work: &mut Work,
 ) -> Result<Explored, Ending> {
-    let mut search = Search::new(place.searched(), numerics, request.tuned);
-    let associative = search.associative()?;
+    let (mut search, associative) = begin(place.searched(), numerics, request.tuned)?;
     let starts = Starts::of(&mut search, associative, place.normal(at_rest));
     Ok(follow(place, request, search, starts, work))
+}
+
+/// A search and N of the associative state. Where the structured engine gives up the first program of
+/// unequal blocks, or leaves more of it than a proof takes, Clarabel solves all of them.
+fn begin(
+    scene: &Scene,
+    numerics: Numerics,
+    tuned: Tuned,
+) -> Result<(Search<'_>, Vec<f64>), Ending> {
+    let mut search = Search::new(scene, numerics, tuned);
+    let mut associative = search.associative()?;
+    let is_structured = numerics.engine == Engine::Structured;
+    if is_structured && needs_own_units(scene) && !is_exact(&search, &associative) {
+        let engine = Engine::Clarabel;
+        let work = search.work;
+        search = Search::new(scene, Numerics { engine, ..numerics }, tuned);
+        search.work = work;
+        associative = search.associative()?;
+    }
+    Ok((search, totals(&associative.forces)))
+}
+
+/// Whether the structured engine has solved the program of λ_A, block by block as far as a proof asks.
+fn is_exact(search: &Search, associative: &Solution) -> bool {
+    let scale = search.program().scale();
+    let forces = scale.forces(&associative.forces);
+    let lambda = associative.lambda * scale.multiplier;
+    let mechanism = scale.mechanism(&associative.velocity);
+    let of_forces = BlockResidual::of_forces(search.scene, &forces, lambda);
+    let left = of_forces.worse(BlockResidual::of_flow(search.scene, &mechanism));
+    associative.engine == Engine::Structured && left.is_small()
 }
 
 /// Follows one start after the other down to its lowest state.

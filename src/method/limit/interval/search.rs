@@ -101,23 +101,19 @@ impl Numerics {
         }
     }
 
-    /// Those that are tried on a scene one after the other, until one of them finds a state: where
-    /// blocks are unequal, each way to even them out, else Clarabel with full refinement, which
-    /// programs of unequal blocks have at once.
+    /// Those that are tried on a scene one after the other, until one of them finds a state: after the
+    /// first ones Clarabel with full refinement, by each way to even out unequal blocks.
     pub(super) fn of(scene: &Scene, engine: Engine) -> Vec<Numerics> {
-        let first = Self::first(engine);
-        let by_power = unit_powers(scene)
-            .iter()
-            .map(|&power| Numerics { power, ..first });
-        let mut all: Vec<_> = by_power.collect();
-        if all.len() == 1 {
-            all.push(Numerics {
-                engine: Engine::Clarabel,
-                refinement: Refinement::Full,
-                ..first
-            });
-        }
-        all
+        let powers = unit_powers(scene);
+        let refined = powers.iter().map(|&power| Numerics {
+            power,
+            engine: Engine::Clarabel,
+            refinement: Refinement::Full,
+        });
+        // Programs of unequal blocks are refined in full by Clarabel anyway.
+        let first =
+            (engine == Engine::Structured || powers.len() == 1).then(|| Self::first(engine));
+        first.into_iter().chain(refined).collect()
     }
 }
 
@@ -149,7 +145,7 @@ impl<'a> Search<'a> {
             intercept: 0.0,
         });
         let program = Program::with_units(scene, LP_TOLERANCE, numerics.power);
-        let mut program = program.by(numerics.engine);
+        let mut program = program.tested_by(numerics.engine);
         if numerics.refinement == Refinement::Rough {
             program.refine_less();
         }
@@ -180,16 +176,15 @@ impl<'a> Search<'a> {
         own.map_or(mean_weight, |own| own.min(mean_weight))
     }
 
-    /// Normal forces of the associative state; the ending where there is none.
-    pub(super) fn associative(&mut self) -> Result<Vec<f64>, Ending> {
+    /// The associative state; the ending where there is none.
+    pub(super) fn associative(&mut self) -> Result<Solution, Ending> {
         self.program.set_friction(&self.coulomb);
         self.program.set_cost(1.0, &self.no_prices);
         match self.program.solve_counted(&mut self.work) {
             Ending::Solved(solution) => {
-                let normal = totals(&solution.forces);
                 self.associative = Some(solution.lambda);
-                self.coulomb_normal = Some(normal.clone());
-                Ok(normal)
+                self.coulomb_normal = Some(totals(&solution.forces));
+                Ok(solution)
             }
             ending => Err(ending),
         }
@@ -319,7 +314,7 @@ impl<'a> Search<'a> {
         let engine = self.numerics.engine;
         let program = self
             .statics
-            .get_or_insert_with(|| Program::at_multiplier(scene, lambda, scale).by(engine));
+            .get_or_insert_with(|| Program::at_multiplier(scene, lambda, scale).tested_by(engine));
         program.set_multiplier(scene, lambda);
         let cost = scene.joints().iter();
         let cost: Vec<[f64; 3]> = cost

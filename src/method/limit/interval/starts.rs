@@ -273,13 +273,14 @@ fn open_state(search: &mut Search) -> Option<Vec<f64>> {
     }
     let open = scene.clone().with_head_joints(HeadJoints::Open);
     let mut inner = Search::new(&open, Numerics::first(search.numerics.engine), search.tuned);
-    let state = inner.associative().ok().and_then(|normal| {
+    let state = inner.associative().ok().and_then(|associative| {
         let mut descent = Descent {
             search: &mut inner,
             approach: Approach::Quick,
             noise: Noise::new(0),
             known: &[],
         };
+        let normal = totals(&associative.forces);
         Some(descent.follow(normal).ok()?.lowest)
     });
     search.work = search.work + inner.work;
