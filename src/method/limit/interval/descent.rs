@@ -41,9 +41,9 @@ pub(super) fn is_same(lambda: f64, other: f64) -> bool {
     is_same_multiplier(lambda, other, 1.0)
 }
 
-/// Whether a state lies below another one.
+/// Whether a state lies below another one, whose λ is infinite where there is none.
 pub(super) fn is_below(lambda: f64, other: f64) -> bool {
-    lambda < other && !is_same(lambda, other)
+    lambda < other && !(other.is_finite() && is_same(lambda, other))
 }
 
 /// One start on its way.
@@ -165,7 +165,7 @@ impl Descent<'_, '_> {
             cost_changes,
             ..
         } = self.search.tuned;
-        let mut changes = &cost_changes[..];
+        let mut changes = &cost_changes[self.search.too_large..];
         // The quick way goes to N of the nearest Coulomb state itself.
         if self.approach != Approach::Quick {
             let change = changes[0];
@@ -193,7 +193,7 @@ impl Descent<'_, '_> {
             let normal = totals(&below.forces);
             return Ok(Tested::None { gap, normal });
         }
-        let lowest = (self.search).extreme(&above.velocity, prices, -1.0, changes);
+        let lowest = (self.search).lowest_of(&above.velocity, prices, changes);
         Ok(Tested::Lowest(lowest.unwrap_or_else(|| state(below))))
     }
 

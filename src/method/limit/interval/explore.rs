@@ -1,5 +1,6 @@
 //! One search: starts followed down to their lowest states until the budget ends.
 
+use super::descent::Branch;
 use super::found::{Budget, Found};
 use super::parameters::Tuned;
 use super::place::Place;
@@ -108,60 +109,113 @@ pub(super) fn follow(
     let after = if asked > 0 { asked } else { usize::MAX };
     starts.add_neighbours(after, neighbours);
     let scale = search.program().scale();
-    let mut found = Found::default();
+    let mut reached = Reached::default();
     let mut endings = Vec::new();
-    let mut unresolved = None;
-    while budget.goes_on(endings.len(), &search.work, &found, &request.tuned) {
-        let lowest = found.lowest().map_or(f64::INFINITY, |state| state.lambda);
+    while budget.goes_on(endings.len(), &search.work, &reached.found, &request.tuned) {
+        let lowest = reached.found.lowest();
+        let lowest = lowest.map_or(f64::INFINITY, |state| state.lambda);
         let before = search.work.programs;
-        let branch = starts.follow_next(&mut search, &found);
+        let branch = starts.follow_next(&mut search, &reached.found);
         if endings.is_empty() {
             budget.learn(search.work.programs - before);
             starts.dear = budget.is_dear();
         }
-        let branch = branch.and_then(|mut branch| {
-            let proof = place.prove(scale, &mut branch, lowest, work);
-            match proof {
-                Err(SearchFailure::Unproved) => {
-                    let blocks = place.unresolved(scale, &branch.lowest);
-                    unresolved = unresolved.or(blocks);
-                }
-                Err(SearchFailure::PartOnly) => found.take_of_part(&branch.lowest),
-                _ => (),
-            }
-            proof.map(|()| branch)
-        });
-        let reached = branch.map(|branch| {
-            let lambda = branch.lowest.lambda;
-            found.take(branch, request.tuned.firsts);
-            lambda
-        });
-        endings.push(reached.map(|lambda| lambda * scale.multiplier));
-        let lambda = reached.unwrap_or(f64::INFINITY);
-        starts.go_on(lambda < lowest);
-        if lambda * scale.multiplier <= request.stop_below {
+        let lambda = branch.and_then(|branch| reached.take(place, &mut search, branch, work));
+        endings.push(lambda.map(|lambda| lambda * scale.multiplier));
+        starts.go_on(lambda.is_ok_and(|lambda| lambda < lowest));
+        let of_whole = reached
+            .found
+            .lowest()
+            .map(|state| state.lambda * scale.multiplier);
+        let of_beyond = reached
+            .beyond
+            .iter()
+            .flatten()
+            .map(|states| states[0].lambda);
+        let is_low = |lambda| lambda <= request.stop_below;
+        if of_whole.into_iter().chain(of_beyond).any(is_low) {
+            break;
+        }
+        if reached.is_none() && reached.found.is_of_part(request.tuned.of_part) {
             break;
         }
     }
-    let beyond = found.lower_of_part();
-    let beyond = beyond.map(|state| place.beyond_part(&search, state, work));
-    let mut states = whole_states(place, &mut search, &found, work);
-    if let Some(beyond) = beyond {
-        let lambda = |state: &CollapseState| state.lambda;
-        endings.push(beyond.as_ref().map(lambda).map_err(|&why| why));
-        states.extend(beyond);
+    let mut states = Vec::new();
+    if !reached.is_none() {
+        states = whole_states(place, &mut search, &reached.found, work);
+    }
+    for beyond in reached.beyond {
+        endings.push(
+            beyond
+                .as_ref()
+                .map(|states| states[0].lambda)
+                .map_err(|&why| why),
+        );
+        states.extend(beyond.unwrap_or_default());
     }
     states.sort_by(|a, b| a.lambda.total_cmp(&b.lambda));
     *work = *work + search.work;
     work.modelled = searched.blocks().len();
-    let facts = SearchFacts {
-        starts: endings,
-        multiplier_unit: scale.multiplier,
-    };
     Explored {
         states,
-        facts,
-        unresolved,
+        facts: SearchFacts {
+            starts: endings,
+            multiplier_unit: scale.multiplier,
+        },
+        unresolved: reached.unresolved,
+    }
+}
+
+/// What the starts of a search have led to.
+#[derive(Default)]
+struct Reached {
+    found: Found,
+    /// States of the whole scene to which states of the part alone have led, the lowest of each first.
+    beyond: Vec<Result<Vec<CollapseState>, SearchFailure>>,
+    unresolved: Option<BlockResidual>,
+}
+
+impl Reached {
+    /// Whether no start has led to a state of the whole scene.
+    fn is_none(&self) -> bool {
+        self.found.lowest().is_none() && self.beyond.iter().all(Result::is_err)
+    }
+
+    /// Takes what one start led to, if that is proved: λ of its lowest state. From one of the part alone,
+    /// where it is the lowest of those, a descent goes on in the whole scene.
+    fn take(
+        &mut self,
+        place: Place,
+        search: &mut Search,
+        mut branch: Branch,
+        work: &mut Work,
+    ) -> Result<f64, SearchFailure> {
+        let firsts = search.tuned.firsts;
+        let scale = search.program().scale();
+        let lowest = self
+            .found
+            .lowest()
+            .map_or(f64::INFINITY, |state| state.lambda);
+        match place.prove(scale, &mut branch, lowest, work) {
+            Ok(()) => {
+                let lambda = branch.lowest.lambda;
+                self.found.take(branch, firsts);
+                Ok(lambda)
+            }
+            Err(failure) => {
+                if failure == SearchFailure::Unproved {
+                    let blocks = place.unresolved(scale, &branch.lowest);
+                    self.unresolved = self.unresolved.take().or(blocks);
+                } else if self.found.take_of_part(&branch, firsts) {
+                    // The budget counts these programs too.
+                    let mut own = Work::default();
+                    self.beyond
+                        .push(place.beyond_part(search, &branch.lowest, &mut own));
+                    search.work = search.work + own;
+                }
+                Err(failure)
+            }
+        }
     }
 }
 
@@ -178,18 +232,21 @@ fn whole_states(
     let mut lowest = found
         .states()
         .filter_map(|state| Some((state, whole(state)?)));
-    let Some((of_part, first)) = lowest.next() else {
-        return Vec::new();
-    };
-    let mut states = vec![first];
+    let mut states = Vec::new();
+    let mut higher: Vec<State> = Vec::new();
+    if let Some((of_part, first)) = lowest.next() {
+        states.push(first);
+        higher.push(search.highest_of(of_part));
+    }
     if !place.is_part() {
         states.extend(lowest.map(|(_, state)| state));
     }
-    let mut higher: Vec<State> = vec![search.highest_of(of_part)];
     higher.extend(found.highest().next().map(|state| search.highest_of(state)));
     higher.extend(found.highest().cloned());
     higher.sort_by(|a, b| b.lambda.total_cmp(&a.lambda));
-    let known = states[states.len() - 1].lambda;
+    let known = states
+        .last()
+        .map_or(f64::NEG_INFINITY, |state| state.lambda);
     // The gap that a state may leave could lift it above λ_A where that is small.
     let bound = search.associative.unwrap_or(f64::INFINITY);
     let bound = bound + search.tuned.above_bound * bound.abs();

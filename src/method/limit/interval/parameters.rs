@@ -82,14 +82,20 @@ tuned! {
     /// among the states of one mechanism, from large to small. Up to a size that depends on the scene
     /// this leaves the gap closed (an exact penalty), which the gap itself shows.
     cost_changes: [f64; 4] = [1e-2, 1e-3, 1e-4, 1e-5];
+    /// How many of them are passed over at most once they were too large on a scene: by the last one alone λ
+    /// would be known to 2e-4. On paper-3 in contact a start takes 45 programs so, and 60 without.
+    too_large: usize = 2;
+    /// Starts on a part of a wall that lead to states of the part alone, and to none of the whole wall from
+    /// there, until a larger part is searched.
+    of_part: usize = 3;
     /// Largest difference of the prices of one mechanism.
     same_prices: f64 = 1e-6;
     /// How far above λ_A a state may lie, relative to that: what the program for λ_A leaves.
     above_bound: f64 = 1e-8;
     /// First states kept: on a part of a wall the highest ones need not be states of the whole wall.
     firsts: usize = 4;
-    /// Programs of a search times blocks^`growth`: about a second for 15 to 40 blocks (measured).
-    programs: f64 = 20_000.0;
+    /// Programs of a search times blocks^`growth`: about half a second for 15 to 60 blocks (measured).
+    programs: f64 = 16_000.0;
     /// A program's time grows with the blocks by a power of about 1.5, a search's by 0.9 (measured).
     growth: f64 = 0.6;
     /// Programs of a search for each joint at most: a scene of few joints has few states.
@@ -100,7 +106,7 @@ tuned! {
     /// Starts are dear where the first one takes more programs than this over blocks^`growth`, whatever
     /// the budget: on walls of 150 blocks and more small steps from the lowest state found more than
     /// further starts did (measured).
-    dear: f64 = 2_000.0;
+    dear: f64 = 1_400.0;
     /// Part of the budget after which dear starts end where two of them ended alike.
     dear_part: f64 = 0.5;
     /// Times the budget that a search gets whose lowest state was met once: others may be missed.

@@ -1,6 +1,6 @@
 //! Where a search takes place: in a scene or in a part of it, whose states are completed.
 
-use super::descent::{Approach, Branch, Descent};
+use super::descent::{Approach, Branch, Descent, is_below};
 use super::search::{Search, State};
 use crate::answer::{SearchFailure, Work};
 use crate::mechanics::{
@@ -73,32 +73,37 @@ impl<'a> Place<'a> {
         is_proved(self.whole, &state).then_some(state)
     }
 
-    /// A state of the whole scene, by a descent from a state of the part alone: the rest cannot bear the
-    /// forces of that one.
+    /// States of the whole scene, by a descent from a state of the part alone, whose forces the rest cannot
+    /// bear: the lowest one first, then one that is higher where there is one.
     pub(super) fn beyond_part(
         &self,
         search: &Search,
         state: &State,
         work: &mut Work,
-    ) -> Result<CollapseState, SearchFailure> {
+    ) -> Result<Vec<CollapseState>, SearchFailure> {
         let part = self.part.ok_or(SearchFailure::PartOnly)?;
         let mut whole = Search::new(self.whole, search.numerics, search.tuned);
         let [of_part, of_whole] = [search, &whole].map(|search| search.program().scale());
         let mechanism = part.extend(self.whole, &of_part.mechanism(&state.velocity));
         let prices = whole.prices(&of_whole.velocity(self.whole, &mechanism));
         let nearest = whole.nearest(&prices, 1.0);
-        let lowest = nearest.and_then(|nearest| {
+        let ends = nearest.and_then(|nearest| {
             let mut descent = Descent {
                 search: &mut whole,
                 approach: Approach::Quick,
                 noise: Noise::new(0),
                 known: &[],
             };
-            Ok(descent.follow(totals(&nearest.forces))?.lowest)
+            let Branch { first, lowest } = descent.follow(totals(&nearest.forces))?;
+            Ok([lowest, whole.highest_of(&first)])
         });
         *work = *work + whole.work;
-        let state = Place::whole(self.whole).state(of_whole, &lowest?, work);
-        state.ok_or(SearchFailure::Unproved)
+        let [lowest, highest] = ends?.map(|state| {
+            let place = Place::whole(self.whole);
+            place.state(of_whole, &state, work)
+        });
+        let lowest = lowest.ok_or(SearchFailure::Unproved)?;
+        Ok([lowest].into_iter().chain(highest).collect())
     }
 
     /// The block that keeps a state of the scene that is searched from being proved.
@@ -127,7 +132,7 @@ impl<'a> Place<'a> {
         if !is_proved(&searched, &branch.lowest, work) {
             return Err(SearchFailure::Unproved);
         }
-        let is_lower = self.is_part() && branch.lowest.lambda < lowest;
+        let is_lower = self.is_part() && is_below(branch.lowest.lambda, lowest);
         if is_lower && !is_proved(self, &branch.lowest, work) {
             return Err(SearchFailure::PartOnly);
         }

@@ -135,6 +135,8 @@ pub(super) struct Search<'a> {
     pub(super) associative: Option<f64>,
     /// N of the last Coulomb state: capacities frozen there hold at least that state.
     pub(super) coulomb_normal: Option<Vec<f64>>,
+    /// How many of the largest changes of λ's cost have left gaps open that a smaller one closed.
+    pub(super) too_large: usize,
     pub(super) work: Work,
 }
 
@@ -160,6 +162,7 @@ impl<'a> Search<'a> {
             no_prices: vec![0.0; scene.joints().len()],
             associative: None,
             coulomb_normal: None,
+            too_large: 0,
             work: Work::default(),
         }
     }
@@ -259,6 +262,29 @@ impl<'a> Search<'a> {
             let closed = prices.gap(&found).abs() <= self.tuned.closed;
             closed.then(|| State::new(found, velocity.to_vec(), prices.clone()))
         })
+    }
+
+    /// The lowest state of a mechanism by one of these changes of the cost; `None` where none closes the
+    /// gap. Where the first one that is tried on this scene is too large, the next one comes first from now
+    /// on.
+    pub(super) fn lowest_of(
+        &mut self,
+        velocity: &[f64],
+        prices: &Prices,
+        changes: &[f64],
+    ) -> Option<State> {
+        let largest = self.tuned.cost_changes[self.too_large];
+        for &change in changes {
+            let Some(state) = self.extreme(velocity, prices, -1.0, &[change]) else {
+                continue;
+            };
+            if change < largest {
+                let most = self.tuned.too_large.min(self.tuned.cost_changes.len() - 1);
+                self.too_large = (self.too_large + 1).min(most);
+            }
+            return Some(state);
+        }
+        None
     }
 
     /// The highest state of a state's own mechanism.

@@ -168,7 +168,8 @@ impl Starts {
             let kind = kinds[self.turn % kinds.len()];
             self.sequence += 1;
             let mut noise = Noise::new(self.sequence);
-            let Some(normal) = self.normal(kind, search, found.lowest(), &mut noise) else {
+            let Some(normal) = self.normal(kind, search, found.lowest_anywhere(), &mut noise)
+            else {
                 self.turn += 1;
                 continue;
             };
