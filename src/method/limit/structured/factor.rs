@@ -141,9 +141,8 @@ fn eliminate(columns: &mut [f64], height: usize, pivots: &mut [f64], least: &[f6
         let (before, own) = columns.split_at_mut(j * height);
         let (first, rest) = own.split_at_mut(height);
         let (second, third) = rest.split_at_mut(height);
-        let mut own = [&mut first[j..], &mut second[j..], &mut third[j..height]];
-        subtract(&mut own, before, height, j, &pivots[..j]);
-        let [first, second, third] = own;
+        let (first, second, third) = (&mut first[j..], &mut second[j..], &mut third[j..height]);
+        subtract(first, second, third, before, height, &pivots[..j]);
         pivots[j] = divide(first, least[j]);
         subtract_column(second, first, 1, pivots[j]);
         pivots[j + 1] = divide(&mut second[1..], least[j + 1]);
@@ -178,30 +177,37 @@ fn reduce(columns: &[f64], height: usize, pivots: &[f64], update: &mut [f64], be
     for (j, triple) in update.chunks_exact_mut(3 * below.max(1)).enumerate() {
         let (first, rest) = triple.split_at_mut(below);
         let (second, third) = rest.split_at_mut(below);
-        let mut own = [
+        let (first, second, third) = (
             &mut first[3 * j..],
             &mut second[3 * j..],
             &mut third[3 * j..],
-        ];
-        subtract(&mut own, columns, height, pivots.len() + 3 * j, pivots);
+        );
+        subtract(first, second, third, columns, height, pivots);
     }
 }
 
-/// Takes from three columns, which begin at a row of the front, what columns before them give. Three
-/// by three, so that what is loaded is used three times.
-fn subtract(own: &mut [&mut [f64]; 3], before: &[f64], height: usize, row: usize, pivots: &[f64]) {
-    let length = height - row;
-    let [first, second, third] = own;
-    let (first, second, third) = (
-        &mut first[..length],
-        &mut second[..length],
-        &mut third[..length],
-    );
+/// Takes from the last rows of three columns what columns before them give. Three by three, so that what is
+/// loaded is used three times; arguments of their own, so that the compiler knows them apart.
+fn subtract(
+    first: &mut [f64],
+    second: &mut [f64],
+    third: &mut [f64],
+    before: &[f64],
+    height: usize,
+    pivots: &[f64],
+) {
+    let length = first.len();
+    let row = height - length;
+    let (second, third) = (&mut second[..length], &mut third[..length]);
     let triples = before.chunks_exact(3 * height).zip(pivots.chunks_exact(3));
     for (triple, pivots) in triples {
         let Triple { a, b, c } = Triple::new(triple, height, row);
-        let share = |k: usize| [a[k] * pivots[0], b[k] * pivots[1], c[k] * pivots[2]];
-        let shares = [share(0), share(1), share(2)];
+        let [p, q, r] = [pivots[0], pivots[1], pivots[2]];
+        let shares = [
+            [a[0] * p, b[0] * q, c[0] * r],
+            [a[1] * p, b[1] * q, c[1] * r],
+            [a[2] * p, b[2] * q, c[2] * r],
+        ];
         let (a, b, c) = (&a[..length], &b[..length], &c[..length]);
         for i in 0..length {
             let (x, y, z) = (a[i], b[i], c[i]);
