@@ -3,7 +3,7 @@
 //! which shares no code with the pushover, verifies on the same joints.
 
 use crate::random::Random;
-use crate::random_walls::{distance, truth};
+use crate::random_walls::{distance, truth, truth_from};
 use crate::scenes::{ground, homogeneous, polygon, scene};
 use crate::share::share;
 use trilith::method::pushover::Pushover;
@@ -198,7 +198,9 @@ impl Count {
             self.refused.push(format!("{name}: {truth:?}, {why}"));
             return;
         };
-        match distance(seen, truth) <= error {
+        let is_right = |truth| distance(seen, truth) <= error;
+        // Below the lowest state that twelve starts find, the whole search may find a lower one.
+        match is_right(truth) || truth_from(scene, 0).is_some_and(is_right) {
             true => self.right += 1,
             false => {
                 let text = format!("{name}: {seen:?}, error {error}, for {truth:?}");
@@ -298,6 +300,18 @@ fn a_few_scenes_of_stones_that_are_not_convex_are_right() {
 #[ignore = "a minute"]
 fn many_rubble_walls_are_right() {
     assert_right(CLASSES[0], HeadJoints::Open, 0..share(100) as u64, [1, 0]);
+}
+
+/// Soft contacts move some too far, and keep one from coming to rest. Of 300 twelve are refused; one lies
+/// 0.13 % below the lowest state and states 0.05 %; two, seeds 106 and 134, meet the lowest state of open
+/// head joints, 25 and 22 % below. On 106 a stone rocks about its toe, and its other foot closes the head
+/// joint by 1/390 of what it rises by. To first order that locks; here the joint stays open by the 5e-5
+/// that it settled by, and the wall falls.
+#[test]
+#[ignore = "minutes"]
+fn many_rubble_walls_in_contact_are_right() {
+    let seeds = 0..share(100) as u64;
+    assert_right(CLASSES[0], HeadJoints::Contact, seeds, [0, share(5)]);
 }
 
 #[test]

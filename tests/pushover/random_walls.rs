@@ -88,8 +88,13 @@ fn load(blocks: &mut [Block], factor: f64, live: bool) {
 
 /// Lowest verified multiplier and λ_A; `None` where the limit analysis has none.
 pub fn truth(scene: &Scene) -> Option<Bracket> {
+    truth_from(scene, 12)
+}
+
+/// The same from so many starts, or with 0 from those of the default search.
+pub fn truth_from(scene: &Scene, starts: usize) -> Option<Bracket> {
     let mut settings = Settings::default();
-    settings.interval.starts = 12;
+    settings.interval.starts = starts;
     let judged = |method: &dyn Method| {
         let mut outcome = method.solve(scene, &settings);
         judge(scene, &mut outcome);
