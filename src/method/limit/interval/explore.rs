@@ -2,9 +2,10 @@
 
 use super::descent::Branch;
 use super::found::{Budget, Found};
+use super::numerics::Numerics;
 use super::parameters::Tuned;
 use super::place::Place;
-use super::search::{Numerics, Search, State};
+use super::search::{Search, State};
 use super::starts::Starts;
 use crate::answer::{SearchFacts, SearchFailure, Work};
 use crate::mechanics::{BlockResidual, CollapseState, JointForce};

@@ -9,6 +9,7 @@
 mod descent;
 mod explore;
 mod found;
+mod numerics;
 mod outer;
 mod parameters;
 mod place;
@@ -23,8 +24,9 @@ use crate::mechanics::JointForce;
 use crate::method::{Method, Settings};
 use crate::scene::Scene;
 use explore::{Explored, Request, explore, follow};
+use numerics::{Numerics, Refinement};
 use place::Place;
-use search::{Numerics, Refinement, Search};
+use search::Search;
 use starts::Starts;
 
 /// `lower` and `upper` are the lowest and the highest verified λ found.

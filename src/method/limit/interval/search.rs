@@ -9,14 +9,14 @@
 //! is the whole violation of complementarity in units of λ, and (q, λ, u) is a collapse state where
 //! it vanishes. It holds no mode that could be guessed wrong: every opening counts with its size.
 
+use super::numerics::{Numerics, Refinement};
 use super::parameters::Tuned;
 use crate::answer::{SearchFailure, Work};
 use crate::mechanics::{JointForce, dead_power};
 use crate::method::limit::ending::{Ending, Solution, totals};
-use crate::method::limit::equilibration::{UnitPower, unit_powers};
 use crate::method::limit::noise::Noise;
 use crate::method::limit::program::{FrictionLaw, Program};
-use crate::method::settings::{Engine, LP_TOLERANCE};
+use crate::method::settings::LP_TOLERANCE;
 use crate::scene::Scene;
 
 /// A collapse state in dimensionless form.
@@ -68,52 +68,6 @@ impl Prices {
         let alike = |(a, b): (&f64, &f64)| (a - b).abs() <= within;
         alike((&self.dead_power, &other.dead_power))
             && self.friction.iter().zip(&other.friction).all(alike)
-    }
-}
-
-/// How far the solver refines its linear systems.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Refinement {
-    /// A quarter less time, and enough for most scenes.
-    Rough,
-    /// As far as it can.
-    Full,
-}
-
-/// How the programs of a search are written and solved.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Numerics {
-    /// Units of unequal blocks.
-    pub(super) power: UnitPower,
-    /// What solves them.
-    pub(super) engine: Engine,
-    /// How far Clarabel refines.
-    pub(super) refinement: Refinement,
-}
-
-impl Numerics {
-    /// Those that are tried first, enough for most scenes.
-    pub(super) fn first(engine: Engine) -> Numerics {
-        Numerics {
-            power: UnitPower::CubeRoot,
-            engine,
-            refinement: Refinement::Rough,
-        }
-    }
-
-    /// Those that are tried on a scene one after the other, until one of them finds a state: after the
-    /// first ones Clarabel with full refinement, by each way to even out unequal blocks.
-    pub(super) fn of(scene: &Scene, engine: Engine) -> Vec<Numerics> {
-        let powers = unit_powers(scene);
-        let refined = powers.iter().map(|&power| Numerics {
-            power,
-            engine: Engine::Clarabel,
-            refinement: Refinement::Full,
-        });
-        // Programs of unequal blocks are refined in full by Clarabel anyway.
-        let first =
-            (engine == Engine::Structured || powers.len() == 1).then(|| Self::first(engine));
-        first.into_iter().chain(refined).collect()
     }
 }
 

@@ -6,7 +6,8 @@
 
 use super::descent::{Approach, Branch, Descent};
 use super::found::Found;
-use super::search::{Numerics, Prices, Search, State};
+use super::numerics::Numerics;
+use super::search::{Prices, Search, State};
 use crate::answer::SearchFailure;
 use crate::method::limit::ending::totals;
 use crate::method::limit::noise::Noise;
