@@ -124,34 +124,19 @@ pub(super) fn follow(
         let lambda = branch.and_then(|branch| reached.take(place, &mut search, branch, work));
         endings.push(lambda.map(|lambda| lambda * scale.multiplier));
         starts.go_on(lambda.is_ok_and(|lambda| lambda < lowest));
-        let of_whole = reached
-            .found
-            .lowest()
-            .map(|state| state.lambda * scale.multiplier);
-        let of_beyond = reached
-            .beyond
-            .iter()
-            .flatten()
-            .map(|states| states[0].lambda);
-        let is_low = |lambda| lambda <= request.stop_below;
-        if of_whole.into_iter().chain(of_beyond).any(is_low) {
-            break;
-        }
-        if reached.is_none() && reached.found.is_of_part(request.tuned.of_part) {
+        let of_whole = reached.lowest(scale.multiplier);
+        let is_too_small = || reached.found.is_of_part(request.tuned.of_part);
+        if of_whole.map_or_else(is_too_small, |lambda| lambda <= request.stop_below) {
             break;
         }
     }
     let mut states = Vec::new();
-    if !reached.is_none() {
+    if reached.lowest(scale.multiplier).is_some() {
         states = whole_states(place, &mut search, &reached.found, work);
     }
     for beyond in reached.beyond {
-        endings.push(
-            beyond
-                .as_ref()
-                .map(|states| states[0].lambda)
-                .map_err(|&why| why),
-        );
+        let ending = beyond.as_ref().map(|states| states[0].lambda);
+        endings.push(ending.map_err(|&why| why));
         states.extend(beyond.unwrap_or_default());
     }
     states.sort_by(|a, b| a.lambda.total_cmp(&b.lambda));
@@ -177,9 +162,11 @@ struct Reached {
 }
 
 impl Reached {
-    /// Whether no start has led to a state of the whole scene.
-    fn is_none(&self) -> bool {
-        self.found.lowest().is_none() && self.beyond.iter().all(Result::is_err)
+    /// λ of the lowest state of the whole scene, from λ in this unit; `None` where no start has led to one.
+    fn lowest(&self, unit: f64) -> Option<f64> {
+        let found = self.found.lowest().map(|state| state.lambda * unit);
+        let beyond = self.beyond.iter().flatten().map(|states| states[0].lambda);
+        found.into_iter().chain(beyond).min_by(f64::total_cmp)
     }
 
     /// Takes what one start led to, if that is proved: λ of its lowest state. From one of the part alone,

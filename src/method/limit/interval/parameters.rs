@@ -82,8 +82,8 @@ tuned! {
     /// among the states of one mechanism, from large to small. Up to a size that depends on the scene
     /// this leaves the gap closed (an exact penalty), which the gap itself shows.
     cost_changes: [f64; 4] = [1e-2, 1e-3, 1e-4, 1e-5];
-    /// How many of them are passed over at most once they were too large on a scene: by the last one alone λ
-    /// would be known to 2e-4. On paper-3 in contact a start takes 45 programs so, and 60 without.
+    /// How many of these may be passed over, after they were too large on a scene: by the last one alone λ
+    /// would be known to 2e-4. On paper-3 in contact a blending start takes 50 programs so, and 70 without.
     too_large: usize = 2;
     /// Starts on a part of a wall that lead to states of the part alone, and to none of the whole wall from
     /// there, until a larger part is searched.

@@ -117,7 +117,7 @@ impl<'a> Place<'a> {
 
     /// Whether the branch's states are proved in the scene that is searched: what a program calls
     /// solved need not be. A state of a part that is lower than all others must be one of the whole
-    /// scene too, as the search goes on from it.
+    /// scene too: else a descent in the whole scene is to begin from it.
     pub(super) fn prove(
         &self,
         scale: Scale,

@@ -201,50 +201,44 @@ impl<'a> Search<'a> {
         }
     }
 
-    /// (c) The state with the lowest (`sign` −1) or highest (+1) λ among those of one mechanism,
-    /// by the largest of these changes of the cost that leaves the gap closed; `None` where none
-    /// does.
-    pub(super) fn extreme(
+    /// (c) The state with the lowest (`sign` −1) or highest (+1) λ among those of one mechanism, by this
+    /// change of the cost; `None` where that does not leave the gap closed.
+    fn extreme(
         &mut self,
         velocity: &[f64],
         prices: &Prices,
         sign: f64,
-        changes: &[f64],
+        change: f64,
     ) -> Option<State> {
-        changes.iter().find_map(|change| {
-            let found = self.nearest(prices, 1.0 + sign * change).ok()?;
-            let closed = prices.gap(&found).abs() <= self.tuned.closed;
-            closed.then(|| State::new(found, velocity.to_vec(), prices.clone()))
-        })
+        let found = self.nearest(prices, 1.0 + sign * change).ok()?;
+        let closed = prices.gap(&found).abs() <= self.tuned.closed;
+        closed.then(|| State::new(found, velocity.to_vec(), prices.clone()))
     }
 
-    /// The lowest state of a mechanism by one of these changes of the cost; `None` where none closes the
-    /// gap. Where the first one that is tried on this scene is too large, the next one comes first from now
-    /// on.
+    /// The lowest state of a mechanism by the largest of these changes of the cost that leaves the gap
+    /// closed; `None` where none does. Where that is not the first one tried on this scene, the next one
+    /// after that comes first from now on.
     pub(super) fn lowest_of(
         &mut self,
         velocity: &[f64],
         prices: &Prices,
         changes: &[f64],
     ) -> Option<State> {
-        let largest = self.tuned.cost_changes[self.too_large];
-        for &change in changes {
-            let Some(state) = self.extreme(velocity, prices, -1.0, &[change]) else {
-                continue;
-            };
-            if change < largest {
-                let most = self.tuned.too_large.min(self.tuned.cost_changes.len() - 1);
-                self.too_large = (self.too_large + 1).min(most);
-            }
-            return Some(state);
+        let mut lowest = |&change| Some((change, self.extreme(velocity, prices, -1.0, change)?));
+        let (change, state) = changes.iter().find_map(&mut lowest)?;
+        let all = &self.tuned.cost_changes;
+        if change < all[self.too_large] {
+            self.too_large = (self.too_large + 1).min(self.tuned.too_large.min(all.len() - 1));
         }
-        None
+        Some(state)
     }
 
-    /// The highest state of a state's own mechanism.
+    /// The highest state of a state's own mechanism, by the largest change of the cost that leaves the gap
+    /// closed.
     pub(super) fn highest_of(&mut self, state: &State) -> State {
         let changes = self.tuned.cost_changes;
-        let found = self.extreme(&state.velocity, &state.prices, 1.0, &changes);
+        let mut highest = |&change| self.extreme(&state.velocity, &state.prices, 1.0, change);
+        let found = changes.iter().find_map(&mut highest);
         let higher = found.filter(|other| other.lambda > state.lambda);
         higher.unwrap_or_else(|| state.clone())
     }
