@@ -18,4 +18,5 @@ mod moves;
 mod not_convex;
 mod random_walls;
 mod refusals;
+mod small;
 mod unequal;

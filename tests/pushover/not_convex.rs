@@ -295,6 +295,21 @@ fn a_few_scenes_of_stones_that_are_not_convex_are_right() {
     }
 }
 
+/// Stepped stones whose head joints part while their courses settle, by a hundred thousandth of a course:
+/// left open, they let the wall fall 0.18 % below its only state.
+#[test]
+fn head_joints_that_part_as_courses_settle_are_closed() {
+    assert_right(CLASSES[1], HeadJoints::Contact, 37..38, [0, 0]);
+}
+
+/// Rubble in contact that slides by more than 0.1 % of its extent before it collapses says so.
+#[test]
+fn rubble_that_slides_first_states_a_larger_error() {
+    for seed in [31, 174] {
+        assert_right(CLASSES[0], HeadJoints::Contact, seed..seed + 1, [0, 0]);
+    }
+}
+
 /// One lies 0.13 % below the lowest state known and states 0.1 %.
 #[test]
 #[ignore = "a minute"]
@@ -302,11 +317,10 @@ fn many_rubble_walls_are_right() {
     assert_right(CLASSES[0], HeadJoints::Open, 0..share(100) as u64, [1, 0]);
 }
 
-/// Soft contacts move some too far, and keep one from coming to rest. Of 300 twelve are refused; one lies
-/// 0.13 % below the lowest state and states 0.05 %; two, seeds 106 and 134, meet the lowest state of open
-/// head joints, 25 and 22 % below. On 106 a stone rocks about its toe, and its other foot closes the head
-/// joint by 1/390 of what it rises by. To first order that locks; here the joint stays open by the 5e-5
-/// that it settled by, and the wall falls.
+/// Soft contacts move some too far, and keep one from coming to rest. Of 300 nine are refused; two, seeds 106
+/// and 134, meet the lowest state of open head joints, 24 and 22 % below. On 106 a stone rocks about its toe,
+/// and its other foot, w away, closes the head joint by 1/390 of what it rises by. To first order that locks;
+/// but with a rise r it closes by r/390 - r²/2w, at most 3e-6 w, and contacts give by more.
 #[test]
 #[ignore = "minutes"]
 fn many_rubble_walls_in_contact_are_right() {
@@ -320,7 +334,7 @@ fn many_walls_of_stepped_stones_are_right() {
     assert_right(CLASSES[1], HeadJoints::Open, 0..share(100) as u64, [0, 1]);
 }
 
-/// In contact soft contacts keep some from coming to rest; one lies 0.18 % below and states 0.1 %.
+/// In contact soft contacts keep some from coming to rest.
 #[test]
 #[ignore = "minutes"]
 fn many_walls_of_stepped_stones_in_contact_are_right() {
@@ -328,7 +342,7 @@ fn many_walls_of_stepped_stones_in_contact_are_right() {
         CLASSES[1],
         HeadJoints::Contact,
         0..share(100) as u64,
-        [1, share(5)],
+        [0, share(5)],
     );
 }
 

@@ -4,10 +4,9 @@
 
 use super::parameters::Parameters;
 use super::run::solve_with;
-use super::tests::wall;
 use super::tuned::Tuned;
 use super::*;
-use crate::scene::HeadJoints;
+use crate::scene::{HeadJoints, Wall};
 
 /// A number, how it is scaled, and by what.
 type Number = (&'static str, fn(&mut Parameters, f64), &'static [f64]);
@@ -38,7 +37,9 @@ fn all_numbers() -> Vec<Number> {
 }
 
 fn open(unit: [f64; 2], courses: &[&str]) -> Scene {
-    wall(unit, 0.65, courses).scene(HeadJoints::Open).unwrap()
+    Wall::laid(unit, 0.65, courses)
+        .scene(HeadJoints::Open)
+        .unwrap()
 }
 
 /// Scenes with their multipliers: a column that rocks (elementary statics, width over height) and the
@@ -113,7 +114,7 @@ fn levels_and_ranges_do_not_hang_on_tuned_numbers() {
     let settings = PushoverSettings::default();
     let mut wrong = Vec::new();
     let scenes = [scenes(), vec![light_on_top(), tall()]].concat();
-    let contact = wall([4.0, 1.75], 0.65, &["h1h", "11", "h1h"]);
+    let contact = Wall::laid([4.0, 1.75], 0.65, &["h1h", "11", "h1h"]);
     let contact = contact.scene(HeadJoints::Contact).unwrap();
     let range = |asked| answer(&contact, &Portion::default(), asked).bracket();
     let usual = range(Asked::new(&settings)).expect("it has one");

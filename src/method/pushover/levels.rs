@@ -153,8 +153,8 @@ fn shortens(before: &mut f64, outcome: &Outcome, shrinking: f64) -> bool {
     shorter
 }
 
-/// The figure of the check on drift.
-fn drift(outcome: &Outcome) -> f64 {
+/// How far the scene moved up to the last load at rest, in course heights: the figure of the check on drift.
+pub fn drift(outcome: &Outcome) -> f64 {
     let mut checks = outcome.evidence.checks().iter();
     let of = checks.find(|check| check.what == Checked::Drift);
     of.map_or(f64::INFINITY, |check| check.value)

@@ -28,8 +28,6 @@ mod portion;
 mod range;
 pub(crate) mod run;
 mod search;
-#[cfg(test)]
-mod tests;
 mod tuned;
 mod verify;
 

@@ -83,6 +83,7 @@ pub fn search(
     if let Some(fact) = refused(&settled) {
         return SearchEnd::Undecided(fact);
     }
+    physics.close_joints();
     let (mut rest, mut seen) = (physics.checkpoint(), RestState::now(physics));
     let mut hint = Hint::new(parameters, expected);
     let (mut lower, mut unclear, mut slow_in_a_row): (u64, bool, usize) = (0, false, 0);

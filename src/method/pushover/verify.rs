@@ -53,3 +53,28 @@ pub fn verify(scene: &Scene, settings: &PushoverSettings, outcome: &Outcome) -> 
     use Repetition::{HalfSubstep, Mirrored, Undamped};
     [HalfSubstep, Mirrored, Undamped].map(repeated).to_vec()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::Pushover;
+    use super::*;
+    use crate::answer::Bracket;
+    use crate::method::{Method, Settings};
+    use crate::scene::{HeadJoints, Wall};
+
+    /// A column of five, λ = 0.4 in closed form.
+    #[test]
+    fn verification_passes_on_a_column_and_fails_on_a_foreign_bracket() {
+        let scene = Wall::laid([1.0, 0.5], 0.65, &["1"; 5])
+            .scene(HeadJoints::Open)
+            .unwrap();
+        let all = |outcome: &Outcome, passed: bool| {
+            let checks = verify(&scene, &PushoverSettings::default(), outcome);
+            checks.iter().all(|check| check.passed() == passed)
+        };
+        let mut outcome = Pushover.solve(&scene, &Settings::default());
+        assert!(all(&outcome, true));
+        outcome = observing(outcome, |seen| seen.bracket = Some(Bracket::point(0.41)));
+        assert!(all(&outcome, false));
+    }
+}

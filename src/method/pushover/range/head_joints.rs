@@ -1,6 +1,6 @@
 //! The range over what perpends in contact carry.
 
-use super::super::levels::softness;
+use super::super::levels::{drift, rounded_up, softness};
 use super::super::model::Model;
 use super::super::parameters::Asked;
 use super::joined::{Runs, covered, joined, moved, seen, steps};
@@ -17,7 +17,8 @@ impl Varied<'_> {
     pub fn over_head_joints(&self) -> Outcome {
         let Asked { settings, tuned } = self.asked;
         let blocks = self.portion.present(self.scene).count();
-        let costs = PUSHOVERS as f64 * blocks as f64 * tuned.substeps_of_course * self.courses();
+        let [courses, extent] = self.courses();
+        let costs = PUSHOVERS as f64 * blocks as f64 * tuned.substeps_of_course * courses;
         if costs > tuned.range_budget as f64 && !settings.long_ranges {
             let pushovers = PUSHOVERS;
             let fact = PushoverFact::RangeNotRun { pushovers, blocks };
@@ -88,15 +89,19 @@ impl Varied<'_> {
             self.run(finer, halvings)
         };
         let (one, other) = both(|| finer(false), || finer(true));
+        // A scene that slides before it collapses has other lever arms than as it was laid, by so much.
+        let slid = drift(&one.1).max(drift(&other.1)) / extent;
         runs.extend([one, other]);
         let error = moved(coarse, &runs, self.unit());
+        let error = error.map(|error| error.max(rounded_up(slid)));
         let fact = PushoverFact::Range { softest: SOFTEST };
         joined(runs, spent, error, vec![fact.into()])
     }
 
-    /// Courses that fit into the height of the portion.
-    fn courses(&self) -> f64 {
-        Model::new(self.scene, self.portion, &self.asked.tuned).map_or(1.0, |model| model.courses)
+    /// Courses that fit into the height of the portion, and the smaller of its width and height in them.
+    fn courses(&self) -> [f64; 2] {
+        let model = Model::new(self.scene, self.portion, &self.asked.tuned);
+        model.map_or([1.0; 2], |model| [model.courses, model.extent])
     }
 }
 

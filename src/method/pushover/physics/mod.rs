@@ -1,6 +1,8 @@
-//! The physics: rapier behind one file. Nothing else in the crate names it.
+//! The physics: rapier behind one folder. Nothing else in the crate names it.
 //!
 //! Lengths here are in course heights, g = 1, forces in mean block weights.
+
+mod closed;
 
 use rapier2d::math::{Pose, Rotation, Vector as Vec2};
 use rapier2d::parry::mass_properties::MassProperties;
