@@ -6,7 +6,7 @@ use super::hold::{Held, Hold};
 use super::measure::displacement;
 use super::model::{GRID, Model};
 use super::parameters::Parameters;
-use super::physics::{BodyState, Checkpoint, Contact, Physics};
+use super::physics::{BodyState, Contact, Physics};
 use crate::answer::PushoverFact;
 
 /// A bracket as it was observed, and what the self-checks need to know about it.
@@ -70,14 +70,8 @@ pub fn search(
     slip: impl Fn(&[BodyState], &[BodyState]) -> f64,
 ) -> SearchEnd {
     let mut hold = Hold::new(model, parameters);
-    let laid = physics.checkpoint();
-    match hold.settle(physics, 0.0) {
-        Held::Rest => {}
-        Held::Collapse { .. } => return fallen(physics, hold, model, parameters, &laid),
-        Held::Unclear => {
-            let time = parameters.patience;
-            return SearchEnd::Undecided(PushoverFact::NotSettled { time });
-        }
+    if let Some(end) = settle(physics, &mut hold, model, parameters) {
+        return end;
     }
     let settled = RestState::now(physics);
     if let Some(fact) = refused(&settled) {
@@ -156,22 +150,30 @@ fn out_of_reach(
     (target as f64 > parameters.largest * GRID).then_some(PushoverFact::StillStands { lambda })
 }
 
-/// The end of a scene that did not settle: it falls, unless it stands with a push against its live
-/// loads that is as small as the error asked for.
-fn fallen(
+/// Lets a scene come to rest under its weight; how the search ends where it does not. It falls, unless it stands
+/// with a push against its live loads that is as small as the error asked for.
+fn settle(
     physics: &mut Physics,
-    mut hold: Hold,
+    hold: &mut Hold,
     model: &Model,
     parameters: &Parameters,
-    laid: &Checkpoint,
-) -> SearchEnd {
+) -> Option<SearchEnd> {
+    let laid = physics.checkpoint();
+    match hold.settle(physics, 0.0) {
+        Held::Rest => return None,
+        Held::Collapse { .. } => {}
+        Held::Unclear => {
+            let time = parameters.patience;
+            return Some(SearchEnd::Undecided(PushoverFact::NotSettled { time }));
+        }
+    }
     let (distance, time) = (parameters.fall, hold.elapsed);
     let resolution = parameters.stated_error;
-    physics.restore(laid);
-    match hold.settle(physics, resolution) {
+    physics.restore(&laid);
+    Some(match hold.settle(physics, resolution) {
         Held::Rest => SearchEnd::Undecided(PushoverFact::NearZero {
             resolution: resolution * model.multiplier,
         }),
         _ => SearchEnd::Falls(PushoverFact::Fell { distance, time }),
-    }
+    })
 }

@@ -25,13 +25,6 @@ impl Varied<'_> {
             return Outcome::without_number(Status::Undecided, fact);
         }
         let (mut spent, mut halvings) = (0, 0);
-        let conditions = |stiffness, mirrored, halvings| Conditions {
-            stiffness,
-            mirrored,
-            halvings,
-            end: End::Collapse,
-            expected: None,
-        };
         // The softest contacts say how short the substep has to be.
         let softest = loop {
             let run = self.run(conditions(SOFTEST, false, halvings), halvings);
@@ -75,6 +68,18 @@ impl Varied<'_> {
             }
             runs.extend(second);
         }
+        self.with_shorter_substeps(runs, spent, halvings, extent)
+    }
+
+    /// One outcome of pushovers at a level that is halved so many times, and of two more with half its substep,
+    /// which tell the error. A scene that slides before it collapses has other lever arms than as it was laid.
+    fn with_shorter_substeps(
+        &self,
+        mut runs: Runs,
+        spent: usize,
+        halvings: u32,
+        extent: f64,
+    ) -> Outcome {
         let Some(coarse) = covered(&runs) else {
             return joined(runs, spent, None, Vec::new());
         };
@@ -89,7 +94,6 @@ impl Varied<'_> {
             self.run(finer, halvings)
         };
         let (one, other) = both(|| finer(false), || finer(true));
-        // A scene that slides before it collapses has other lever arms than as it was laid, by so much.
         let slid = drift(&one.1).max(drift(&other.1)) / extent;
         runs.extend([one, other]);
         let error = moved(coarse, &runs, self.unit());
@@ -102,6 +106,16 @@ impl Varied<'_> {
     fn courses(&self) -> [f64; 2] {
         let model = Model::new(self.scene, self.portion, &self.asked.tuned);
         model.map_or([1.0; 2], |model| [model.courses, model.extent])
+    }
+}
+
+fn conditions(stiffness: f64, mirrored: bool, halvings: u32) -> Conditions {
+    Conditions {
+        stiffness,
+        mirrored,
+        halvings,
+        end: End::Collapse,
+        expected: None,
     }
 }
 
