@@ -136,14 +136,12 @@ fn about(pair: &[Place; 2]) -> (Point, Point) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::hold::{Held, Hold};
-    use super::super::measure;
     use super::super::model::Model;
     use super::super::parameters::{Asked, Parameters};
     use super::super::physics::{BodyState, Physics};
     use super::*;
     use crate::method::PushoverSettings;
-    use crate::scene::{Block, HeadJoints, Load, SceneParts, Wall};
+    use crate::scene::{Block, Load, SceneParts};
 
     fn rectangle(x: [f64; 2], y: [f64; 2]) -> Polygon {
         Polygon::rectangle(x[0], x[1], y[0], y[1]).unwrap()
@@ -197,29 +195,5 @@ mod tests {
         assert!(before.rotation.abs() < 1e-3, "{before:?}");
         let after = slid([-1.0, 1.0], 0.1, 0.6);
         assert!(after.rotation < -0.02, "{after:?}");
-    }
-
-    /// Courses that settle open the head joints between their units; once closed, they stay closed.
-    #[test]
-    fn head_joints_that_opened_are_closed_once() {
-        let wall = Wall::laid([4.0, 1.75], 0.65, &["h11h", "111", "h11h"]);
-        let scene = wall.scene(HeadJoints::Contact).unwrap();
-        let settings = PushoverSettings::default();
-        let asked = Asked::new(&settings);
-        let whole = Portion::default();
-        let model = Model::new(&scene, &whole, &asked.tuned).unwrap();
-        let parameters = Parameters::new(&model, &asked);
-        let mut physics = Physics::new(&model, &parameters);
-        let settle = |physics: &mut Physics| {
-            let held = Hold::new(&model, &parameters).settle(physics, 0.0);
-            assert_eq!(held, Held::Rest);
-            physics.states()
-        };
-        let before = settle(&mut physics);
-        // Three of the five head joints of two courses, and both of the third: none carries.
-        assert!(physics.close_joints() > 0);
-        let after = settle(&mut physics);
-        assert_eq!(physics.close_joints(), 0);
-        assert!(measure::displacement(&model, &before, &after) < 1e-6);
     }
 }

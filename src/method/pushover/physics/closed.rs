@@ -61,3 +61,38 @@ fn closed(faces: [&Collider; 2]) -> Option<(usize, Pose)> {
     let body = *faces[which].position() * faces[which].position_wrt_parent()?.inverse();
     Some((which, body.inv_mul(&place)))
 }
+
+#[cfg(test)]
+mod tests {
+    use crate::method::PushoverSettings;
+    use crate::method::pushover::hold::{Held, Hold};
+    use crate::method::pushover::measure;
+    use crate::method::pushover::model::Model;
+    use crate::method::pushover::parameters::{Asked, Parameters};
+    use crate::method::pushover::physics::Physics;
+    use crate::method::pushover::portion::Portion;
+    use crate::scene::{HeadJoints, Wall};
+
+    /// Courses that settle open the head joints between their units; once closed, they stay closed.
+    #[test]
+    fn head_joints_that_opened_are_closed_once() {
+        let wall = Wall::laid([4.0, 1.75], 0.65, &["h11h", "111", "h11h"]);
+        let scene = wall.scene(HeadJoints::Contact).unwrap();
+        let settings = PushoverSettings::default();
+        let asked = Asked::new(&settings);
+        let whole = Portion::default();
+        let model = Model::new(&scene, &whole, &asked.tuned).unwrap();
+        let parameters = Parameters::new(&model, &asked);
+        let mut physics = Physics::new(&model, &parameters);
+        let settle = |physics: &mut Physics| {
+            let held = Hold::new(&model, &parameters).settle(physics, 0.0);
+            assert_eq!(held, Held::Rest);
+            physics.states()
+        };
+        let before = settle(&mut physics);
+        assert!(physics.close_joints() > 0);
+        let after = settle(&mut physics);
+        assert_eq!(physics.close_joints(), 0);
+        assert!(measure::displacement(&model, &before, &after) < 1e-6);
+    }
+}
