@@ -43,9 +43,22 @@ impl Bracket {
         }
     }
 
+    /// What both cover.
+    pub fn hull(self, other: Self) -> Self {
+        Self {
+            lower: self.lower.min(other.lower),
+            upper: self.upper.max(other.upper),
+        }
+    }
+
+    /// Distance of both ends.
+    pub fn width(&self) -> f64 {
+        self.upper - self.lower
+    }
+
     /// Width relative to the [`magnitude`] of λ, in a scene with this unit of λ.
     pub fn relative_width(&self, unit: f64) -> f64 {
-        (self.upper - self.lower) / magnitude(self.upper, unit)
+        self.width() / magnitude(self.upper, unit)
     }
 
     /// Whether both ends are one number, for an answer with both ends proved: NaN is none, nor are

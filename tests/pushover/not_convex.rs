@@ -302,10 +302,12 @@ fn head_joints_that_part_as_courses_settle_are_closed() {
     assert_right(CLASSES[1], HeadJoints::Contact, 37..38, [0, 0]);
 }
 
-/// Rubble in contact that slides by more than 0.1 % of its extent before it collapses says so.
+/// Stones that wedge each other in their course. Solved by one sweep, their friction lets them creep past each other:
+/// 83 then falls 1 % below its lowest state, and 106, where a stone that rocks closes a head joint by 1/390 of what it
+/// rises by, 24 % below.
 #[test]
-fn rubble_that_slides_first_states_a_larger_error() {
-    for seed in [31, 174] {
+fn rubble_that_wedges_does_not_creep() {
+    for seed in [83, 106] {
         assert_right(CLASSES[0], HeadJoints::Contact, seed..seed + 1, [0, 0]);
     }
 }
@@ -317,15 +319,13 @@ fn many_rubble_walls_are_right() {
     assert_right(CLASSES[0], HeadJoints::Open, 0..share(100) as u64, [1, 0]);
 }
 
-/// Soft contacts move some too far, and keep one from coming to rest. Of 300 nine are refused; two, seeds 106
-/// and 134, meet the lowest state of open head joints, 24 and 22 % below. On 106 a stone that rocks closes a
-/// head joint by 1/390 of what it rises by. Soft contacts let it pass; with an eighth of the substep it locks,
-/// and the wall falls at its lowest state (134 within 0.4 % of it with a thirty-second).
+/// Some move too far before they collapse, or have levels that differ more and more. One, seed 31, lies below the
+/// lowest state that the search finds, 0.4766, and above one of 0.4602 that other code knows.
 #[test]
 #[ignore = "minutes"]
 fn many_rubble_walls_in_contact_are_right() {
     let seeds = 0..share(100) as u64;
-    assert_right(CLASSES[0], HeadJoints::Contact, seeds, [0, share(5)]);
+    assert_right(CLASSES[0], HeadJoints::Contact, seeds, [1, share(5)]);
 }
 
 #[test]

@@ -97,31 +97,26 @@ pub enum PushoverFact {
     )]
     Unclear { lambda: f64 },
     #[error(
-        "it was not run: with head joints in contact the answer is a range over {pushovers} \
-         pushovers, which take long on {blocks} blocks; the setting `long-ranges` runs them"
+        "it was not run: with head joints in contact pushovers take long on {blocks} blocks; the setting \
+         `long-ranges` runs them"
     )]
-    RangeNotRun { pushovers: usize, blocks: usize },
+    RangeNotRun { blocks: usize },
     #[error(
-        "it was not finished: {run} of the {pushovers} pushovers of a range were run{}",
-        so_far_printed(.so_far)
+        "it was not finished, because shorter substeps take long; so far they gave {}; the setting \
+         `long-ranges` runs all",
+        all_printed(.so_far)
     )]
     RangeUnfinished {
-        run: usize,
-        pushovers: usize,
-        /// The range of those that were run, where any had an answer.
-        so_far: Option<Bracket>,
+        /// The brackets of those that were run, from the longest substep to the shortest.
+        so_far: Vec<Bracket>,
     },
     #[error("the scene cannot be mirrored, which a range needs")]
     NoMirror,
     #[error(
-        "this is a range over both directions and over contact stiffnesses from 1 to 1/{:.0}, \
-         because with head joints in contact the collapse load is not unique",
-        1.0 / .softest
+        "this is a range over the scene and its mirror image, because with head joints in contact the \
+         collapse load is not unique"
     )]
-    Range {
-        /// The softest contacts, as a multiple of what the substep allows.
-        softest: f64,
-    },
+    Range,
     #[error(
         "collapse states are verified from {} to {}, and this is what was seen of them, not their \
          range",
@@ -163,12 +158,4 @@ fn printed(Bracket { lower, upper }: &Bracket) -> String {
 fn all_printed(brackets: &[Bracket]) -> String {
     let brackets: Vec<String> = brackets.iter().map(printed).collect();
     brackets.join(", ")
-}
-
-/// What a range came to before it was given up.
-fn so_far_printed(so_far: &Option<Bracket>) -> String {
-    let printed = so_far.as_ref().map(printed);
-    printed.map_or(String::new(), |bracket| {
-        format!(", which so far give {bracket}")
-    })
 }

@@ -106,8 +106,10 @@ impl PushoverFact {
             PushoverFact::OneLevel { bracket } | PushoverFact::OfSeveral { states: bracket } => {
                 ends(bracket)
             }
-            PushoverFact::LevelsDisagree { brackets } => brackets.iter_mut().for_each(ends),
-            PushoverFact::RangeUnfinished { so_far, .. } => so_far.iter_mut().for_each(ends),
+            PushoverFact::LevelsDisagree { brackets }
+            | PushoverFact::RangeUnfinished { so_far: brackets } => {
+                brackets.iter_mut().for_each(ends);
+            }
             PushoverFact::Checked(check)
             | PushoverFact::SelfCheckFailed(check)
             | PushoverFact::VerificationFailed(check) => {
@@ -135,7 +137,7 @@ impl PushoverFact {
             | PushoverFact::NotSettled { .. }
             | PushoverFact::RangeNotRun { .. }
             | PushoverFact::NoMirror
-            | PushoverFact::Range { .. }
+            | PushoverFact::Range
             | PushoverFact::SlidesFirst
             | PushoverFact::Without(_) => {}
         }

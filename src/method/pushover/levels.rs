@@ -4,12 +4,13 @@
 //! shrinks from level to level. One level can only assume that error; two measure it. Agreement is
 //! necessary, not proof: a state that all levels miss is missed.
 
-use super::model::{GRID, Model};
+use super::agreement::{Enclosure, Level, Sizes, agreement, of_last_two};
+use super::model::Model;
+use super::observing::observing;
 use super::parameters::Asked;
 use super::portion::Portion;
 use super::run::{Trial, is_unclear};
-use super::tuned::Tuned;
-use crate::answer::{Bracket, Checked, Fact, Outcome, PushoverFact, SelfCheck, Status, magnitude};
+use crate::answer::{Bracket, Checked, Fact, Outcome, PushoverFact, SelfCheck, Status};
 use crate::scene::Scene;
 
 /// How the pushovers of one portion ended, from the longest substep to the shortest.
@@ -22,42 +23,60 @@ pub struct Levels {
     pub halvings: u32,
     /// What the levels agree on.
     pub agreed: Option<Enclosure>,
+    /// Where they do not, what the last two cover.
+    pub wandering: Option<Enclosure>,
+    /// Whether a further level would have cost too much.
+    pub ran_out: bool,
 }
 
 impl Levels {
+    /// The last outcome, with what levels say instead of what it saw by itself.
+    pub fn with(self, found: Enclosure) -> Outcome {
+        observing(self.last, |observed| {
+            observed.bracket = Some(found.bracket);
+            observed.stated_error = Some(found.error);
+        })
+    }
+
+    /// What the levels agree on, or else what the last two cover; without either no number.
+    pub fn measured(self) -> Outcome {
+        if let Some(found) = self.agreed.or(self.wandering) {
+            return self.with(found);
+        }
+        let fact = match (&*self.seen, self.ran_out) {
+            ([], _) => return self.last,
+            (_, true) => PushoverFact::RangeUnfinished {
+                so_far: self.brackets(),
+            },
+            _ => self.why_not(),
+        };
+        Outcome {
+            facts: [vec![fact.into()], self.last.facts].concat(),
+            work: self.last.work,
+            ..Outcome::of(Status::Undecided)
+        }
+    }
+
+    /// What was seen at every level.
+    pub fn brackets(&self) -> Vec<Bracket> {
+        self.seen.iter().map(|level| level.bracket).collect()
+    }
+
+    /// Why there is no number: what each of the levels saw.
+    pub fn why_not(&self) -> PushoverFact {
+        match *self.brackets() {
+            [] => PushoverFact::SlidesFirst,
+            [bracket] => PushoverFact::OneLevel { bracket },
+            _ => PushoverFact::LevelsDisagree {
+                brackets: self.brackets(),
+            },
+        }
+    }
+
     /// Whether the last level had no answer because the scene drifts, however short the substep.
     pub fn drifts(&self) -> bool {
         failed_check(&self.last).is_some_and(|check| check.what == Checked::Drift)
     }
-}
-
-/// What one level saw.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Level {
-    /// Last load at rest, and first that collapsed.
-    pub bracket: Bracket,
-    /// Displacement up to the last load at rest, in course heights.
-    pub drift: f64,
-}
-
-/// What differences between levels of one portion are measured by.
-#[derive(Clone, Copy, Debug)]
-struct Sizes {
-    /// λ for a λ* of 1.
-    unit: f64,
-    /// The smaller of width and height, in course heights.
-    extent: f64,
-    /// Whether differences between levels may shrink so slowly that brackets overlap before they are gone.
-    sways: bool,
-}
-
-/// Where levels say that the multiplier lies.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Enclosure {
-    /// The brackets of the last two levels, and what their trend leaves.
-    pub bracket: Bracket,
-    /// Error that is stated, relative to λ.
-    pub error: f64,
 }
 
 /// Pushes a portion with shorter and shorter substeps until the brackets agree.
@@ -77,6 +96,8 @@ pub fn by_levels(scene: &Scene, portion: &Portion, asked: Asked) -> Levels {
         last: Outcome::of(Status::Undecided),
         halvings: 0,
         agreed: None,
+        wandering: None,
+        ran_out: false,
     };
     let (mut spent, mut halvings) = (0, 0);
     let (mut softest, mut fallen, mut doubts) = (f64::INFINITY, false, 0);
@@ -94,9 +115,11 @@ pub fn by_levels(scene: &Scene, portion: &Portion, asked: Asked) -> Levels {
                 levels.seen.push(Level { bracket, drift });
                 levels.last = outcome;
                 levels.halvings = halvings;
-                let ends = levels.seen.len() >= tuned.levels || spent + cost > tuned.budget;
+                levels.ran_out = spent.saturating_add(cost) > tuned.budget;
+                let ends = levels.seen.len() >= tuned.levels || levels.ran_out;
                 let agreed = agreement(&levels.seen, sizes, target, ends, tuned);
                 levels.agreed = agreed.filter(|_| levels.seen.len() >= least);
+                levels.wandering = of_last_two(&levels.seen, sizes, tuned.most_error * target);
                 if ends || levels.agreed.is_some() {
                     break;
                 }
@@ -129,7 +152,7 @@ pub fn by_levels(scene: &Scene, portion: &Portion, asked: Asked) -> Levels {
 
 /// Times that the substep has to be halved for contacts that are stiff enough, where a self-check
 /// says that they are not: deflections fall with the square of the substep.
-pub fn softness(outcome: &Outcome, most: u32) -> Option<u32> {
+fn softness(outcome: &Outcome, most: u32) -> Option<u32> {
     let failed = failed_check(outcome)?;
     let soft = matches!(failed.what, Checked::Settlement | Checked::Drift);
     let times = (failed.value / failed.limit).sqrt().log2().ceil();
@@ -158,191 +181,4 @@ pub fn drift(outcome: &Outcome) -> f64 {
     let mut checks = outcome.evidence.checks().iter();
     let of = checks.find(|check| check.what == Checked::Drift);
     of.map_or(f64::INFINITY, |check| check.value)
-}
-
-/// What the levels agree on. Two suffice where they differ by less than a part of the error that is
-/// the `target`; of more the differences have to shrink. Where no further level may follow, an error
-/// up to a few times the target is stated.
-fn agreement(
-    levels: &[Level],
-    sizes: Sizes,
-    target: f64,
-    ends: bool,
-    tuned: &Tuned,
-) -> Option<Enclosure> {
-    let [.., before, last] = *levels else {
-        return None;
-    };
-    let middle = |of: Level| of.bracket.lower.midpoint(of.bracket.upper);
-    let apart = |one: Level, other: Level| middle(other) - middle(one);
-    let size = magnitude(last.bracket.upper, sizes.unit);
-    let step = apart(before, last);
-    // Where none may follow, the difference itself has to be within the target, and is stated.
-    let part = if ends { 1.0 } else { tuned.close };
-    let close = step.abs() <= part * target * size;
-    let ratio = match *levels {
-        [.., first, before, _] => step.abs() / apart(first, before).abs(),
-        _ => f64::INFINITY,
-    };
-    if !(close || ratio <= tuned.shrinking) {
-        return None;
-    }
-    let ratio = ratio.min(tuned.shrinking);
-    let grid = sizes.unit / GRID;
-    let shows = !overlap(before.bracket, last.bracket, grid);
-    let left = match shows {
-        true => step * ratio / (1.0 - ratio),
-        false if sizes.sways => unresolved(levels, grid),
-        false => 0.0,
-    };
-    // A further level may show what these two do not.
-    let complete = ends || shows || left == 0.0;
-    let bracket = covering(before.bracket, last.bracket, left, grid);
-    let error = bracket
-        .relative_width(sizes.unit)
-        .max(moved(before, last, shows) / sizes.extent);
-    let error = rounded_up(error);
-    // No further level sees more than a step of the grid.
-    let most = target * if ends { tuned.most_error } else { 1.0 };
-    let most = most.max(rounded_up(grid / size));
-    (complete && error <= most).then_some(Enclosure { bracket, error })
-}
-
-/// What may be left of a trend that earlier levels show and the last two, whose brackets overlap or meet, do not.
-/// Their middles differ by no more than the wider one's width; as differences halve, what follows is no more either.
-fn unresolved(levels: &[Level], grid: f64) -> f64 {
-    let apart = |pair: &&[Level]| !overlap(pair[0].bracket, pair[1].bracket, grid);
-    let [before, last] = [2, 1].map(|back| levels[levels.len() - back].bracket);
-    let width = (before.upper - before.lower).max(last.upper - last.lower);
-    let trend = |pair: &[Level]| pair[1].bracket.lower - pair[0].bracket.lower;
-    let shown = levels.windows(2).rfind(apart);
-    shown.map_or(0.0, |pair| width.copysign(trend(pair)))
-}
-
-/// How far the scene moved before it collapsed, in course heights: it collapses elsewhere than where it
-/// was laid, with lever arms that differ by as much. Contacts deflect with the square of the substep; a
-/// trend that `shows` makes up for that, and what is left for a substep of 0 is how far the scene slid.
-fn moved(before: Level, last: Level, shows: bool) -> f64 {
-    let slid = (4.0 * last.drift - before.drift) / 3.0;
-    if shows {
-        slid.clamp(0.0, last.drift)
-    } else {
-        last.drift
-    }
-}
-
-/// Whether brackets overlap or meet: they show no trend.
-fn overlap(before: Bracket, last: Bracket, grid: f64) -> bool {
-    let tiny = grid / 2.0;
-    before.lower < last.upper + tiny && last.lower < before.upper + tiny
-}
-
-/// Both brackets, and the last one moved on by what the trend leaves; the ends on the grid.
-fn covering(before: Bracket, last: Bracket, left: f64, grid: f64) -> Bracket {
-    let lower = before.lower.min(last.lower + left.min(0.0));
-    let upper = before.upper.max(last.upper + left.max(0.0));
-    let on_grid = |steps: f64| steps / GRID * (grid * GRID);
-    // Ends that are on the grid stay where they are in spite of rounding.
-    let rounding = |at: f64| 1e-6 * (at / grid).max(1.0);
-    Bracket {
-        lower: on_grid((lower / grid + rounding(lower)).floor()).max(0.0),
-        upper: on_grid((upper / grid - rounding(upper)).ceil()),
-    }
-}
-
-/// The smallest number of the series 1, 2, 3, 5, 10, … times 1e-4 that is no less.
-pub fn rounded_up(error: f64) -> f64 {
-    // 1e-9 is rounding.
-    let units = (error * 1e4 * (1.0 - 1e-9)).ceil().clamp(1.0, 1e4) as u64;
-    let digit = 10u64.pow(units.ilog10());
-    let series = [1, 2, 3, 5, 10].map(|first| first * digit);
-    let rounded = series.into_iter().find(|&number| number >= units);
-    rounded.unwrap_or(units) as f64 / 1e4
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    const SIZES: Sizes = Sizes {
-        unit: 1.0,
-        extent: 9.0,
-        sways: false,
-    };
-
-    fn at(lower: f64, upper: f64, drift: f64) -> Level {
-        let bracket = Bracket { lower, upper };
-        Level { bracket, drift }
-    }
-
-    /// Figures that were seen on paper-1 and on a wall with a load on top.
-    #[test]
-    fn levels_agree_where_their_differences_shrink() {
-        let agree = |levels: &[Level]| agreement(levels, SIZES, 2e-3, false, &Tuned::TUNED);
-        assert_eq!(agree(&[at(0.5, 0.5002, 1e-3)]), None);
-        let paper_1 = [at(0.63975, 0.64025, 3.8e-3), at(0.63975, 0.64, 1e-3)];
-        let found = agree(&paper_1).unwrap();
-        assert_eq!(found.bracket, paper_1[0].bracket);
-        assert_eq!(found.error, 1e-3);
-        let top_heavy = [
-            at(0.5043, 0.5045, 7.7e-3),
-            at(0.513, 0.5132, 2.7e-3),
-            at(0.5131, 0.5133, 7e-4),
-        ];
-        assert_eq!(agree(&top_heavy[..2]), None);
-        let lower = 0.513;
-        let upper = 0.5133;
-        assert_eq!(agree(&top_heavy).unwrap().bracket, Bracket { lower, upper });
-    }
-
-    /// Two levels agree at once within a quarter of the error asked for: 0.2 % of 0.5 is 1e-3.
-    #[test]
-    fn two_levels_agree_within_a_quarter_of_the_target() {
-        let second = |apart: f64| [at(0.5, 0.5001, 1e-3), at(0.5 + apart, 0.5001 + apart, 1e-3)];
-        let agree = |apart| agreement(&second(apart), SIZES, 2e-3, false, &Tuned::TUNED).is_some();
-        assert!(agree(2.0e-4));
-        assert!(!agree(3.0e-4));
-        // A bracket as wide as the grid, 1 % of 1e-3: no level sees more.
-        let of_grid = [at(5.3e-4, 5.4e-4, 1e-4); 2];
-        let found = agreement(&of_grid, SIZES, 2e-3, false, &Tuned::TUNED);
-        assert_eq!(found.unwrap().error, 1e-2);
-        assert_eq!([0.0, 3e-4, 2.3e-3].map(rounded_up), [1e-4, 3e-4, 3e-3]);
-    }
-
-    /// Brackets that agree, of a scene that slides along before it collapses.
-    #[test]
-    fn a_drift_that_stays_is_no_agreement() {
-        let levels = [at(0.2414, 0.2415, 0.079), at(0.2414, 0.2415, 0.111)];
-        assert_eq!(agreement(&levels, SIZES, 2e-3, true, &Tuned::TUNED), None);
-    }
-
-    /// 60 courses of 4 x 1.75, whose limit is 0.43500: the last two brackets are the same, and 0.2 % too low.
-    #[test]
-    fn a_trend_that_brackets_no_longer_show_is_stated() {
-        let mut sways = SIZES;
-        (sways.sways, sways.extent) = (true, 60.0);
-        let (two, one) = (at(0.4335, 0.434, 0.1), at(0.4335, 0.434, 0.03));
-        let levels = [at(0.431, 0.4315, 0.4), at(0.433, 0.4335, 0.3), two, one];
-        let found = agreement(&levels, sways, 3e-3, true, &Tuned::TUNED).unwrap();
-        let (lower, upper) = (0.4335, 0.4345);
-        assert_eq!(found.bracket, Bracket { lower, upper });
-        assert_eq!(found.error, 3e-3);
-        assert_eq!(agreement(&levels, sways, 3e-3, false, &Tuned::TUNED), None);
-        let without = agreement(&levels[2..], sways, 3e-3, true, &Tuned::TUNED).unwrap();
-        assert_eq!(without.bracket, two.bracket);
-    }
-
-    #[test]
-    fn a_trend_is_followed_to_its_end() {
-        let levels = [
-            at(0.49, 0.4902, 4e-3),
-            at(0.496, 0.4962, 1e-3),
-            at(0.499, 0.4992, 2e-4),
-        ];
-        assert_eq!(agreement(&levels, SIZES, 2e-3, false, &Tuned::TUNED), None);
-        let found = agreement(&levels, SIZES, 4e-3, true, &Tuned::TUNED).unwrap();
-        let (lower, upper) = (0.496, 0.5022);
-        assert_eq!(found.bracket, Bracket { lower, upper });
-        assert_eq!(found.error, 2e-2);
-    }
 }

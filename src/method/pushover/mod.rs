@@ -7,6 +7,7 @@
 //! λ is the last load at rest and the first that collapsed from there. What the search or its
 //! self-checks cannot vouch for is `undecided` with a reason, never a number.
 
+mod agreement;
 mod apart;
 mod checks;
 #[cfg(test)]
@@ -73,7 +74,7 @@ impl Pushover {
         };
         let outcome = match settings.collapse {
             Collapse::FirstSlip if outcome.bracket().is_some() => first_slip(outcome),
-            _ if is_coarser(settings) => without_calibration(outcome),
+            _ if Asked::new(settings).is_coarser() => without_calibration(outcome),
             _ => outcome,
         };
         observing(outcome, |_| ())
@@ -92,25 +93,17 @@ fn answer(scene: &Scene, part: &Portion, asked: Asked) -> Outcome {
     if part.has_range(scene) {
         return over(&|varied| varied.over_head_joints());
     }
-    if asked.settings.collapse == Collapse::FirstSlip || is_coarser(asked.settings) {
+    if asked.has_one_level() {
         return Trial::new(scene, part, asked).run(&|own| own);
     }
     let levels = by_levels(scene, part, asked);
     if let Some(agreed) = levels.agreed {
-        return observing(levels.last, |observed| {
-            observed.bracket = Some(agreed.bracket);
-            observed.stated_error = Some(agreed.error);
-        });
+        return levels.with(agreed);
     }
     if levels.seen.is_empty() && !levels.drifts() {
         return levels.last;
     }
     over(&|varied| varied.over_states(&levels))
-}
-
-/// Whether substeps are longer or contacts softer than the stated error was measured with.
-fn is_coarser(settings: &PushoverSettings) -> bool {
-    settings.substep > 1.0 || settings.stiffness < 1.0
 }
 
 /// Says that nothing is known about the error, so that nobody takes a bracket for one, nor the fall

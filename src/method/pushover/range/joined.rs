@@ -1,6 +1,6 @@
 //! One outcome of all pushovers of a range.
 
-use super::super::levels::rounded_up;
+use super::super::agreement::rounded_up;
 use super::super::observing::observing;
 use crate::answer::{
     Bracket, Fact, Observed, Outcome, PushoverFact, SelfCheck, Status, Variation, magnitude,
@@ -15,25 +15,10 @@ pub fn steps(runs: &Runs) -> usize {
     runs.iter().map(|(_, run)| run.work.block_steps).sum()
 }
 
-/// What both cover.
-pub fn hull(one: Bracket, other: Bracket) -> Bracket {
-    Bracket {
-        lower: one.lower.min(other.lower),
-        upper: one.upper.max(other.upper),
-    }
-}
-
-/// What all brackets that there are cover; `None` where there are none.
-pub fn seen(runs: &Runs) -> Option<Bracket> {
-    runs.iter()
-        .filter_map(|(_, run)| run.bracket())
-        .reduce(hull)
-}
-
 /// What all brackets cover; `None` where a run has none.
 pub fn covered(runs: &Runs) -> Option<Bracket> {
-    let all = runs.iter().all(|(_, run)| run.bracket().is_some());
-    seen(runs).filter(|_| all)
+    let brackets: Option<Vec<Bracket>> = runs.iter().map(|(_, run)| run.bracket()).collect();
+    brackets?.into_iter().reduce(Bracket::hull)
 }
 
 /// How far a shorter substep moved the ends of a range that was `coarse` without it, or the width of
@@ -41,7 +26,7 @@ pub fn covered(runs: &Runs) -> Option<Bracket> {
 pub fn moved(coarse: Bracket, runs: &Runs, unit: f64) -> Option<f64> {
     let all = covered(runs)?;
     let widths = runs.iter().filter_map(|(_, run)| run.bracket());
-    let width = widths.map(|b| b.upper - b.lower).fold(0.0, f64::max);
+    let width = widths.map(|b| b.width()).fold(0.0, f64::max);
     let ends = (coarse.lower - all.lower).max(all.upper - coarse.upper);
     Some(rounded_up(ends.max(width) / magnitude(all.upper, unit)))
 }
