@@ -319,7 +319,7 @@ fn many_rubble_walls_are_right() {
     assert_right(CLASSES[0], HeadJoints::Open, 0..share(100) as u64, [1, 0]);
 }
 
-/// Some move too far before they collapse, or have levels that differ more and more. One, seed 31, lies below the
+/// Some move too far before they collapse, or have levels that differ more and more. One, seed 31, may lie below the
 /// lowest state that the search finds, 0.4766, and above one of 0.4602 that other code knows.
 #[test]
 #[ignore = "minutes"]

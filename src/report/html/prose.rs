@@ -58,8 +58,8 @@ pub fn limitations() -> Markup {
         ul {
             li { "The verified interval is what a search found: a lower collapse state without dilatancy may "
                 "exist, unless the method bound proves that none does." }
-            li { "With head joints in contact the pushover's answer is not unique. It is a range over stated "
-                "variations, or undecided." }
+            li { "With head joints in contact the pushover's answer is not unique. It is what the scene and its "
+                "mirror image do, or undecided." }
             li { "The closed form's range is an assumption about the mechanism, not a bound." }
             li { "Blocks are rigid and infinitely strong, friction is Coulomb's, walls are loaded in their plane." }
             li { "A published value can be met for a wrong reason; the crack's slope beside it is quantised by "
