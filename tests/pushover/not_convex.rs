@@ -334,16 +334,14 @@ fn many_walls_of_stepped_stones_are_right() {
     assert_right(CLASSES[1], HeadJoints::Open, 0..share(100) as u64, [0, 1]);
 }
 
-/// In contact soft contacts keep some from coming to rest.
+/// In contact one does not come to rest, and levels of some jump between states. Three of the four of a hundred are
+/// among the first forty.
 #[test]
 #[ignore = "minutes"]
 fn many_walls_of_stepped_stones_in_contact_are_right() {
-    assert_right(
-        CLASSES[1],
-        HeadJoints::Contact,
-        0..share(100) as u64,
-        [0, share(5)],
-    );
+    let refused = share(5).max(3);
+    let seeds = 0..share(100) as u64;
+    assert_right(CLASSES[1], HeadJoints::Contact, seeds, [0, refused]);
 }
 
 /// Two of the three that are refused in contact may fall without a push.
