@@ -3,7 +3,9 @@
 use serde::{Deserialize, Serialize};
 
 use super::ends::{Side, ends, is_unanswered};
-use crate::answer::{BoundFact, Evidence, Fact, Outcome, SideFact, Status, magnitude};
+use crate::answer::{
+    BoundFact, Evidence, Fact, Outcome, PushoverFact, SideFact, Status, magnitude,
+};
 use crate::judge::Recomputed;
 use crate::mechanics::Crack;
 use crate::scene::Push;
@@ -145,6 +147,8 @@ pub(super) fn compared(own: Side, other: Side, unit: f64) -> Vec<SideFact> {
     let by = (next - least) / magnitude(next, unit);
     let first = match is_alike(least, next) {
         true => SideFact::SameLowest,
+        // The other side may have states as low that were not met.
+        false if one.upper < two.lower && is_range(outcome) => SideFact::LowerEnd(push),
         false if one.upper < two.lower => SideFact::Weaker { push, by },
         false => SideFact::Lowest { push, by },
     };
@@ -154,6 +158,11 @@ pub(super) fn compared(own: Side, other: Side, unit: f64) -> Vec<SideFact> {
         .into_iter()
         .chain(elsewhere.map(SideFact::LowerEnd))
         .collect()
+}
+
+/// Whether an answer is what was met of several collapse states.
+fn is_range(outcome: &Outcome) -> bool {
+    outcome.facts.contains(&PushoverFact::Range.into())
 }
 
 #[cfg(test)]
@@ -218,6 +227,23 @@ mod tests {
         assert_eq!(push, Push::Left);
         let expected = "the wall is weaker when pushed to the left, by 20.0 %; told";
         assert_eq!(reason, expected);
+    }
+
+    #[test]
+    fn of_ranges_neither_side_is_called_weaker() {
+        let range = |lambda| {
+            let facts = vec![PushoverFact::Range.into()];
+            Outcome {
+                facts,
+                ..number(lambda, lambda)
+            }
+        };
+        let (push, reason, ..) = of([range(0.45), range(0.48)]);
+        assert_eq!(push, Push::Right);
+        assert!(
+            reason.starts_with("the lower end is that of the push to the right; "),
+            "{reason}"
+        );
     }
 
     #[test]
