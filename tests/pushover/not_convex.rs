@@ -6,6 +6,7 @@ use crate::random::Random;
 use crate::random_walls::{distance, truth, truth_from};
 use crate::scenes::{ground, homogeneous, polygon, scene};
 use crate::share::share;
+use trilith::answer::Bracket;
 use trilith::method::pushover::Pushover;
 use trilith::method::{Method, Settings};
 use trilith::scene::{Block, HeadJoints, JointClass, Polygon, Scene};
@@ -178,6 +179,10 @@ fn saddles(random: &mut Random) -> (Vec<Block>, Polygon) {
     (laid(&beds, &courses), support)
 }
 
+/// States below the lowest that the whole search finds, by scene: `tests/reference/limit.py` confirms each to
+/// 1e-8 (rubble 31 from 13 of 300 starts).
+const KNOWN: [(&str, f64); 1] = [("rubble 31, Contact", 0.46018)];
+
 /// What the answers on many scenes are.
 #[derive(Debug, Default)]
 struct Count {
@@ -197,6 +202,11 @@ impl Count {
             let why = outcome.reason();
             self.refused.push(format!("{name}: {truth:?}, {why}"));
             return;
+        };
+        let known = KNOWN.iter().find(|(of, _)| *of == name);
+        let truth = Bracket {
+            lower: known.map_or(truth.lower, |&(_, lower)| lower),
+            ..truth
         };
         let is_right = |truth| distance(seen, truth) <= error;
         // Below the lowest state that twelve starts find, the whole search may find a lower one.
@@ -231,7 +241,7 @@ fn assert_right(
         let (blocks, support) = laid(&mut random);
         let friction = random.between(0.4, 0.9);
         let scene = scene(blocks, vec![support], friction).with_head_joints(head_joints);
-        count.add(&format!("{class} {seed}"), &scene);
+        count.add(&format!("{class} {seed}, {head_joints:?}"), &scene);
     }
     let of = count.right + count.refused.len() + count.wrong.len();
     println!(
@@ -302,12 +312,20 @@ fn head_joints_that_part_as_courses_settle_are_closed() {
     assert_right(CLASSES[1], HeadJoints::Contact, 37..38, [0, 0]);
 }
 
-/// Stones that wedge each other in their course. Solved by one sweep, their friction lets them creep past each other:
-/// 83 then falls 1 % below its lowest state, and 106, where a stone that rocks closes a head joint by 1/390 of what it
-/// rises by, 24 % below.
+/// Stones that wedge each other in their course. With one sweep a substep their friction lets them creep past each
+/// other: 83 falls 1 % below its lowest state at every substep. On 106 a stone that rocks closes a head joint by 1/390
+/// of what it rises by; with the longest substep and one sweep it passes, and the wall falls 24 % below its lowest state.
 #[test]
 fn rubble_that_wedges_does_not_creep() {
     for seed in [83, 106] {
+        assert_right(CLASSES[0], HeadJoints::Contact, seed..seed + 1, [0, 0]);
+    }
+}
+
+/// Rubble in contact that slides by hundredths of a course at the longest substep before it collapses.
+#[test]
+fn rubble_that_slides_first_is_right() {
+    for seed in [31, 174] {
         assert_right(CLASSES[0], HeadJoints::Contact, seed..seed + 1, [0, 0]);
     }
 }
@@ -319,13 +337,12 @@ fn many_rubble_walls_are_right() {
     assert_right(CLASSES[0], HeadJoints::Open, 0..share(100) as u64, [1, 0]);
 }
 
-/// Some move too far before they collapse, or have levels that differ more and more. One, seed 31, may lie below the
-/// lowest state that the search finds, 0.4766, and above one of 0.4602 that other code knows.
+/// Some move too far before they collapse, or have levels that differ more and more.
 #[test]
 #[ignore = "minutes"]
 fn many_rubble_walls_in_contact_are_right() {
     let seeds = 0..share(100) as u64;
-    assert_right(CLASSES[0], HeadJoints::Contact, seeds, [1, share(5)]);
+    assert_right(CLASSES[0], HeadJoints::Contact, seeds, [0, share(5)]);
 }
 
 #[test]

@@ -131,7 +131,7 @@ parameters! { of:
     /// friction of a tall wall to the end, its courses creep along every bed, and what creeps is taken for
     /// collapse; masses that grow with the depth below the top see to that. Stones whose head joints are in
     /// contact wedge each other, and with a single sweep creep past each other at any substep: rubble then
-    /// falls up to 2.6 % below its lowest state. With four they rattle.
+    /// falls up to 2.5 % below its lowest state. With four some stepped stones rattle.
     stabilization: usize = if of.wedges { 2 } else { 1 }, "relaxation sweeps", "a substep";
     /// Sweeps a substep that also push bodies apart.
     solver_sweeps: usize = 1, "solver sweeps", "a substep";
