@@ -74,7 +74,10 @@ def sentences_of_sides(check, row):
         alike = both and all(abs(a - b) <= 2 * ALIKE * magnitude(b, unit) for a, b in ends)
         demand("alike", alike, reason)
     if match := re.search(r"the lower end is that of the push to the (\w+)", reason):
-        demand("lower end", both and match[1] == other["push"] and other["lower"] < own["lower"], reason)
+        first, next_side = (own, other) if match[1] == own["push"] else (other, own)
+        # Of the side that governs it is said of what a pushover saw alone, which proves no side weaker.
+        seen = first is other or method == "pushover" and own["upper"] < other["lower"]
+        demand("lower end", both and seen and first["lower"] < next_side["lower"], reason)
     if match := re.search(r"pushed to the (\w+), λ is at most " + NUMBER, reason):
         upper = sides[match[1]]["upper"]
         demand("at most", upper is not None and float(match[2]) >= upper - 1e-12, reason)
