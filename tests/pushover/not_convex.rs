@@ -228,27 +228,32 @@ const CLASSES: [Class; 3] = [
     ("saddles", saddles),
 ];
 
-/// Counts a class: no more are wrong, and no more refused, than the issue that is left says.
+/// The wall of a seed.
+fn of((_, laid): Class, head_joints: HeadJoints, seed: u64) -> Scene {
+    let mut random = Random(seed.wrapping_mul(0x2545_F491_4F6C_DD1D));
+    let (blocks, support) = laid(&mut random);
+    let friction = random.between(0.4, 0.9);
+    scene(blocks, vec![support], friction).with_head_joints(head_joints)
+}
+
+/// Counts a class: none is wrong, and no more are refused than is said.
 fn assert_right(
-    (class, laid): Class,
+    class: Class,
     head_joints: HeadJoints,
     seeds: std::ops::Range<u64>,
-    [wrong, refused]: [usize; 2],
+    refused: usize,
 ) {
     let mut count = Count::default();
     for seed in seeds {
-        let mut random = Random(seed.wrapping_mul(0x2545_F491_4F6C_DD1D));
-        let (blocks, support) = laid(&mut random);
-        let friction = random.between(0.4, 0.9);
-        let scene = scene(blocks, vec![support], friction).with_head_joints(head_joints);
-        count.add(&format!("{class} {seed}, {head_joints:?}"), &scene);
+        let name = format!("{} {seed}, {head_joints:?}", class.0);
+        count.add(&name, &of(class, head_joints, seed));
     }
-    let of = count.right + count.refused.len() + count.wrong.len();
+    let all = count.right + count.refused.len() + count.wrong.len();
     println!(
-        "{class}, {head_joints:?}: {} of {of} right, {count:#?}",
-        count.right
+        "{}, {head_joints:?}: {} of {all} right, {count:#?}",
+        class.0, count.right
     );
-    assert!(of > 0 && count.wrong.len() <= wrong, "{:#?}", count.wrong);
+    assert!(all > 0 && count.wrong.is_empty(), "{:#?}", count.wrong);
     assert!(count.refused.len() <= refused, "{:#?}", count.refused);
 }
 
@@ -298,10 +303,10 @@ fn short_joints_carry() {
 #[test]
 fn a_few_scenes_of_stones_that_are_not_convex_are_right() {
     for class in CLASSES {
-        assert_right(class, HeadJoints::Open, 0..4, [0, 0]);
+        assert_right(class, HeadJoints::Open, 0..4, 0);
     }
     for class in [CLASSES[0], CLASSES[2]] {
-        assert_right(class, HeadJoints::Contact, 0..4, [0, 0]);
+        assert_right(class, HeadJoints::Contact, 0..4, 0);
     }
 }
 
@@ -309,7 +314,7 @@ fn a_few_scenes_of_stones_that_are_not_convex_are_right() {
 /// left open, they let the wall fall 0.18 % below its only state.
 #[test]
 fn head_joints_that_part_as_courses_settle_are_closed() {
-    assert_right(CLASSES[1], HeadJoints::Contact, 37..38, [0, 0]);
+    assert_right(CLASSES[1], HeadJoints::Contact, 37..38, 0);
 }
 
 /// Stones that wedge each other in their course. With one sweep a substep their friction lets them creep past each
@@ -318,7 +323,7 @@ fn head_joints_that_part_as_courses_settle_are_closed() {
 #[test]
 fn rubble_that_wedges_does_not_creep() {
     for seed in [83, 106] {
-        assert_right(CLASSES[0], HeadJoints::Contact, seed..seed + 1, [0, 0]);
+        assert_right(CLASSES[0], HeadJoints::Contact, seed..seed + 1, 0);
     }
 }
 
@@ -326,15 +331,40 @@ fn rubble_that_wedges_does_not_creep() {
 #[test]
 fn rubble_that_slides_first_is_right() {
     for seed in [31, 174] {
-        assert_right(CLASSES[0], HeadJoints::Contact, seed..seed + 1, [0, 0]);
+        assert_right(CLASSES[0], HeadJoints::Contact, seed..seed + 1, 0);
     }
 }
 
-/// One lies 0.13 % below the lowest state known and states 0.1 %.
+/// Rubble that falls 0.13 % below its lowest collapse state at every substep: where one of its joints begins to open,
+/// it jumps, although it could still stand.
+#[test]
+fn rubble_that_falls_in_a_jump_says_so() {
+    let wall = of(CLASSES[0], HeadJoints::Open, 87);
+    let seen = Pushover.solve(&wall, &Settings::default());
+    assert!(
+        seen.reason().contains("falls in a jump"),
+        "{}",
+        seen.reason()
+    );
+    assert_right(CLASSES[0], HeadJoints::Open, 87..88, 0);
+}
+
+/// Of rubble whose stones slide away before it collapses, the load at which the first of them does so counts. Each
+/// has one collapse state alone.
+#[test]
+fn rubble_that_slides_out_of_its_place_is_right() {
+    for seed in [24, 281] {
+        let wall = of(CLASSES[0], HeadJoints::Open, seed);
+        let seen = Pushover.solve(&wall, &Settings::default());
+        assert!(seen.reason().contains("slide away"), "{}", seen.reason());
+        assert_right(CLASSES[0], HeadJoints::Open, seed..seed + 1, 0);
+    }
+}
+
 #[test]
 #[ignore = "a minute"]
 fn many_rubble_walls_are_right() {
-    assert_right(CLASSES[0], HeadJoints::Open, 0..share(100) as u64, [1, 0]);
+    assert_right(CLASSES[0], HeadJoints::Open, 0..share(100) as u64, 0);
 }
 
 /// Some move too far before they collapse, or have levels that differ more and more.
@@ -342,13 +372,13 @@ fn many_rubble_walls_are_right() {
 #[ignore = "minutes"]
 fn many_rubble_walls_in_contact_are_right() {
     let seeds = 0..share(100) as u64;
-    assert_right(CLASSES[0], HeadJoints::Contact, seeds, [0, share(5)]);
+    assert_right(CLASSES[0], HeadJoints::Contact, seeds, share(5));
 }
 
 #[test]
 #[ignore = "a minute"]
 fn many_walls_of_stepped_stones_are_right() {
-    assert_right(CLASSES[1], HeadJoints::Open, 0..share(100) as u64, [0, 1]);
+    assert_right(CLASSES[1], HeadJoints::Open, 0..share(100) as u64, 0);
 }
 
 /// In contact one does not come to rest, and levels of some jump between states. Three of the four of a hundred are
@@ -358,18 +388,18 @@ fn many_walls_of_stepped_stones_are_right() {
 fn many_walls_of_stepped_stones_in_contact_are_right() {
     let refused = share(5).max(3);
     let seeds = 0..share(100) as u64;
-    assert_right(CLASSES[1], HeadJoints::Contact, seeds, [0, refused]);
+    assert_right(CLASSES[1], HeadJoints::Contact, seeds, refused);
 }
 
 /// Two of the three that are refused in contact may fall without a push.
 #[test]
 #[ignore = "a minute"]
 fn many_saddles_are_right() {
-    assert_right(CLASSES[2], HeadJoints::Open, 0..share(100) as u64, [0, 0]);
+    assert_right(CLASSES[2], HeadJoints::Open, 0..share(100) as u64, 0);
     assert_right(
         CLASSES[2],
         HeadJoints::Contact,
         0..share(100) as u64,
-        [0, share(3)],
+        share(3),
     );
 }

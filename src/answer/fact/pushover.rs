@@ -127,8 +127,20 @@ pub enum PushoverFact {
         /// From the lowest to the highest.
         states: Bracket,
     },
-    /// Blocks slide away before the scene collapses, at every substep: several collapse states.
-    #[error("there are several collapse states: blocks slide away before the scene collapses")]
+    /// No collapse state is reached: the scene falls from where it no longer stays, as contacts with friction may.
+    #[error(
+        "it falls in a jump: at its onset {} % of the work of the push has gone into motion, and at a collapse \
+         state none does, so that it may fall below the lowest of these",
+        short(100.0 * .part, 1)
+    )]
+    Jumps {
+        /// Part of the work of the push.
+        part: f64,
+    },
+    /// Blocks slide away before the scene collapses, and levels do not agree on where it does.
+    #[error(
+        "blocks slide away before the scene collapses: this is the load at which the first of them leaves its place"
+    )]
     SlidesFirst,
     #[error(
         "one length of the substep alone gave an answer, {}, and a second one is needed to measure \

@@ -138,6 +138,7 @@ impl PushoverFact {
             | PushoverFact::RangeNotRun { .. }
             | PushoverFact::NoMirror
             | PushoverFact::Range
+            | PushoverFact::Jumps { .. }
             | PushoverFact::SlidesFirst
             | PushoverFact::Without(_) => {}
         }

@@ -53,7 +53,7 @@ pub fn of_settled(
 /// Checks of the last load at rest.
 pub fn of_rest(model: &Model, own: &Parameters, seen: &Observation) -> [SelfCheck; 2] {
     let drift = measure::displacement(model, &seen.settled.states, &seen.rest.states);
-    let missing = not_carried(model, seen.lower as f64 / GRID, &seen.rest);
+    let missing = not_carried(model, seen.loads[0] as f64 / GRID, &seen.rest);
     [
         check(Checked::LastBalance, missing, own.missing),
         check(Checked::Drift, drift, own.drift),

@@ -20,10 +20,10 @@ macro_rules! numbers {
 
 /// Damping below is at most 1, where every dip counts, and points are foreseen no nearer than they are kept.
 fn all_numbers() -> Vec<Number> {
-    let both: [Number; 20] = numbers!(
+    let both: [Number; 21] = numbers!(
         &[0.5, 2.0];
         damping_ratio, ramp, ramp_of_rest, window, patience, rests_allowed, least_patience,
-        extrapolation, slow_motion, settled_speed, runaway, collapse, first_increment, resting,
+        extrapolation, slow_motion, settled_speed, runaway, collapse, onset, first_increment, resting,
         seen, doubt, near, still, moving, missing
     );
     let slow_steps: Number = (
@@ -125,8 +125,8 @@ fn levels_and_ranges_do_not_hang_on_tuned_numbers() {
             // At 1 a trend has no end.
             tuned.shrinking = tuned.shrinking.min(0.9);
             let asked = Asked {
-                settings: &settings,
                 tuned,
+                ..Asked::new(&settings)
             };
             for (of, scene, lambda) in &scenes {
                 let outcome = answer(scene, &Portion::default(), asked);

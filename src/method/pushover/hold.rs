@@ -85,6 +85,27 @@ impl<'a> Hold<'a> {
         held
     }
 
+    /// The last step again, up to the onset of collapse and without drift that is extrapolated: with what
+    /// acceleration the scene falls by itself, or none where that takes long; or that it rests.
+    pub fn by_itself(&self, physics: &mut Physics, loads: [u64; 2], finest: u64) -> Held {
+        if self.parameters.onset == 0.0 {
+            return Held::Collapse { acceleration: 0.0 };
+        }
+        let parameters = Parameters {
+            collapse: self.parameters.onset * self.parameters.collapse,
+            extrapolation: 0.0,
+            ..*self.parameters
+        };
+        let mut hold = Hold {
+            parameters: &parameters,
+            ..*self
+        };
+        match hold.step(physics, loads, finest, true) {
+            Held::Unclear => Held::Collapse { acceleration: 0.0 },
+            held => held,
+        }
+    }
+
     /// Holds λ until the blocks rest at no more than `resting_speed`, or move further than `limit`
     /// without slowing down. Kinetic damping: whenever the kinetic energy falls, all blocks are
     /// stopped, so that a step is followed quasi-statically; the last window must stay at rest

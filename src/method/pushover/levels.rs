@@ -7,7 +7,7 @@
 use super::agreement::{Enclosure, Level, Sizes, agreement, of_last_two};
 use super::model::Model;
 use super::observing::observing;
-use super::parameters::Asked;
+use super::parameters::{Asked, SLIDE};
 use super::portion::Portion;
 use super::run::{Trial, is_unclear};
 use crate::answer::{Bracket, Checked, Fact, Outcome, PushoverFact, SelfCheck, Status};
@@ -27,6 +27,8 @@ pub struct Levels {
     pub wandering: Option<Enclosure>,
     /// Whether a further level would have cost too much.
     pub ran_out: bool,
+    /// Whether the portion is so tall that it leans further than blocks may slide before it rests.
+    pub sways: bool,
 }
 
 impl Levels {
@@ -65,7 +67,6 @@ impl Levels {
     /// Why there is no number: what each of the levels saw.
     pub fn why_not(&self) -> PushoverFact {
         match *self.brackets() {
-            [] => PushoverFact::SlidesFirst,
             [bracket] => PushoverFact::OneLevel { bracket },
             _ => PushoverFact::LevelsDisagree {
                 brackets: self.brackets(),
@@ -73,8 +74,17 @@ impl Levels {
         }
     }
 
+    /// Whether blocks had left the place where they were laid, at the last loads at rest or at all of them.
+    pub fn slides(&self) -> bool {
+        match &*self.seen {
+            [] => self.drifts(),
+            [.., before, last] => before.drift.max(last.drift) > SLIDE,
+            [only] => only.drift > SLIDE,
+        }
+    }
+
     /// Whether the last level had no answer because the scene drifts, however short the substep.
-    pub fn drifts(&self) -> bool {
+    fn drifts(&self) -> bool {
         failed_check(&self.last).is_some_and(|check| check.what == Checked::Drift)
     }
 }
@@ -82,6 +92,10 @@ impl Levels {
 /// Pushes a portion with shorter and shorter substeps until the brackets agree.
 pub fn by_levels(scene: &Scene, portion: &Portion, asked: Asked) -> Levels {
     let tuned = &asked.tuned;
+    let budget = match asked.settings.long_ranges {
+        true => usize::MAX,
+        false => tuned.budget,
+    };
     let model = Model::new(scene, portion, tuned);
     let sways = (model.as_ref()).is_ok_and(|model| model.courses >= tuned.swaying);
     let sizes = Sizes {
@@ -98,6 +112,7 @@ pub fn by_levels(scene: &Scene, portion: &Portion, asked: Asked) -> Levels {
         agreed: None,
         wandering: None,
         ran_out: false,
+        sways,
     };
     let (mut spent, mut halvings) = (0, 0);
     let (mut softest, mut fallen, mut doubts) = (f64::INFINITY, false, 0);
@@ -111,15 +126,19 @@ pub fn by_levels(scene: &Scene, portion: &Portion, asked: Asked) -> Levels {
         spent += cost;
         match (outcome.bracket(), outcome.evidence.stated_error()) {
             (Some(bracket), Some(target)) => {
-                let drift = drift(&outcome);
-                levels.seen.push(Level { bracket, drift });
+                levels.seen.push(Level {
+                    bracket,
+                    drift: drift(&outcome),
+                    jumps: jumps(&outcome),
+                });
                 levels.last = outcome;
                 levels.halvings = halvings;
-                levels.ran_out = spent.saturating_add(cost) > tuned.budget;
-                let ends = levels.seen.len() >= tuned.levels || levels.ran_out;
+                let all = levels.seen.len() >= tuned.levels;
+                levels.ran_out = !all && spent.saturating_add(cost) > budget;
+                let ends = all || levels.ran_out;
                 let agreed = agreement(&levels.seen, sizes, target, ends, tuned);
                 levels.agreed = agreed.filter(|_| levels.seen.len() >= least);
-                levels.wandering = of_last_two(&levels.seen, sizes, tuned.most_error * target);
+                levels.wandering = of_last_two(&levels.seen, sizes, target, tuned);
                 if ends || levels.agreed.is_some() {
                     break;
                 }
@@ -176,8 +195,14 @@ fn shortens(before: &mut f64, outcome: &Outcome, shrinking: f64) -> bool {
     shorter
 }
 
+/// Whether the scene falls in a jump.
+fn jumps(outcome: &Outcome) -> bool {
+    let jumps = |fact: &Fact| matches!(fact, Fact::Pushover(PushoverFact::Jumps { .. }));
+    outcome.facts.iter().any(jumps)
+}
+
 /// How far the scene moved up to the last load at rest, in course heights: the figure of the check on drift.
-pub fn drift(outcome: &Outcome) -> f64 {
+fn drift(outcome: &Outcome) -> f64 {
     let mut checks = outcome.evidence.checks().iter();
     let of = checks.find(|check| check.what == Checked::Drift);
     of.map_or(f64::INFINITY, |check| check.value)

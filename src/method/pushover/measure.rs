@@ -29,9 +29,36 @@ pub fn moved(block: &MovingBody, from: &BodyState, to: &BodyState) -> f64 {
 /// Twice the kinetic energy, blocks of less mass than `seen` counting as if they had that.
 pub fn twice_kinetic_energy(model: &Model, states: &[BodyState], seen: f64) -> f64 {
     let of = |(state, block): (&BodyState, &MovingBody)| {
-        let [x, y] = state.velocity;
-        let energy = block.mass * (x * x + y * y) + block.inertia * state.spin * state.spin;
-        energy * block.slowness * block.slowness * (seen / block.mass).max(1.0)
+        twice_energy(block, state)
+            * (block.slowness * block.slowness * (seen / block.mass).max(1.0))
     };
     states.iter().zip(&model.blocks).map(of).sum()
+}
+
+/// Kinetic energy.
+pub fn kinetic_energy(model: &Model, states: &[BodyState]) -> f64 {
+    let blocks = states.iter().zip(&model.blocks);
+    let twice = blocks.map(|(state, block)| twice_energy(block, state));
+    twice.sum::<f64>() / 2.0
+}
+
+fn twice_energy(block: &MovingBody, state: &BodyState) -> f64 {
+    let [x, y] = state.velocity;
+    block.mass * (x * x + y * y) + block.inertia * state.spin * state.spin
+}
+
+/// Work of the live loads at a λ* of 1 from one state to another, to first order.
+pub fn live_work(model: &Model, from: &[BodyState], to: &[BodyState]) -> f64 {
+    let of = |((a, b), block): ((&BodyState, &BodyState), &MovingBody)| -> f64 {
+        let turn = b.rotation - a.rotation;
+        let [x, y] = [0, 1].map(|axis| b.position[axis] - a.position[axis]);
+        let loads = block.loads.iter();
+        loads
+            .map(|load| {
+                let [arm_x, arm_y] = load.arm;
+                load.live[0] * (x - turn * arm_y) + load.live[1] * (y + turn * arm_x)
+            })
+            .sum()
+    };
+    from.iter().zip(to).zip(&model.blocks).map(of).sum()
 }

@@ -44,7 +44,7 @@ use observing::observing;
 use parameters::{Asked, FIRST_SLIP};
 use parts::weakest;
 use portion::{Portion, beyond_stagger};
-use range::Varied;
+use range::{over_head_joints, over_states};
 use run::Trial;
 
 /// The pushover method.
@@ -84,26 +84,17 @@ impl Pushover {
 /// The answer of one connected part: levels whose differences tell the error, or a range where there
 /// is more than one collapse state.
 fn answer(scene: &Scene, part: &Portion, asked: Asked) -> Outcome {
-    let over = |range: &dyn Fn(Varied) -> Outcome| {
-        Varied::new(scene, part, asked).map_or_else(
-            |fact| Outcome::without_number(Status::Undecided, fact),
-            range,
-        )
-    };
     if part.has_range(scene) {
-        return over(&|varied| varied.over_head_joints());
+        return over_head_joints(scene, part, asked);
     }
     if asked.has_one_level() {
         return Trial::new(scene, part, asked).run(&|own| own);
     }
     let levels = by_levels(scene, part, asked);
-    if let Some(agreed) = levels.agreed {
-        return levels.with(agreed);
+    match levels.agreed {
+        Some(agreed) => levels.with(agreed),
+        None => over_states(scene, part, asked, levels),
     }
-    if levels.seen.is_empty() && !levels.drifts() {
-        return levels.last;
-    }
-    over(&|varied| varied.over_states(&levels))
 }
 
 /// Says that nothing is known about the error, so that nobody takes a bracket for one, nor the fall

@@ -4,7 +4,7 @@
 //! within their stated error.
 //!
 //! What stands elsewhere is no tuned number: the grid of λ (`model`), the size of faces (`faces`),
-//! stiffnesses that a range is over (`range`), how long a recorded fall is (`fall`).
+//! how long a recorded fall is (`fall`).
 
 use super::model::Model;
 use super::tuned::Tuned;
@@ -181,6 +181,9 @@ parameters! { of:
     /// Displacement beyond which the last, small step has collapsed.
     collapse: f64 = of.sway * if of.sways { 7.5e-3 } else { 6e-3 } * of.courses.max(6.0),
         "collapse", LENGTH;
+    /// Part of that displacement at which the fall has begun: later, what falls has other lever arms. A wall that
+    /// sways takes as long until then as it took to find the limit, and is not asked.
+    onset: f64 = if of.sways { 0.0 } else { 1.0 / 6.0 }, "onset of collapse", "of that displacement";
     /// Factor of time step and window where the substep is halved: a wall that sways does so twice as fast then.
     level_factor: f64 = if of.sways { 0.5 } else { 1.0 };
     /// Slip of a joint since the scene settled beyond which it counts as collapse.
@@ -233,13 +236,18 @@ pub struct Asked<'a> {
     pub settings: &'a PushoverSettings,
     /// What nobody needs to.
     pub tuned: Tuned,
+    /// Whether a block that has left the place where it was laid counts as collapse.
+    pub in_place: bool,
 }
 
 impl<'a> Asked<'a> {
     /// With the numbers as they are tuned.
     pub fn new(settings: &'a PushoverSettings) -> Self {
-        let tuned = Tuned::TUNED;
-        Self { settings, tuned }
+        Self {
+            settings,
+            tuned: Tuned::TUNED,
+            in_place: false,
+        }
     }
 
     /// Whether substeps are longer or contacts softer than the stated error was measured with.
@@ -268,6 +276,7 @@ impl Parameters {
                 Collapse::Runaway => f64::INFINITY,
                 Collapse::FirstSlip => FIRST_SLIP,
             },
+            slide: if asked.in_place { SLIDE } else { f64::INFINITY },
             frames: if settings.recording { 100 } else { 0 },
             ..own
         }

@@ -3,26 +3,25 @@
 use super::fall::{Fall, fall};
 use super::hint::{Hint, finest_increment};
 use super::hold::{Held, Hold};
-use super::measure::displacement;
+use super::measure::{displacement, kinetic_energy, live_work};
 use super::model::{GRID, Model};
 use super::parameters::Parameters;
 use super::physics::{BodyState, Contact, Physics};
-use crate::answer::PushoverFact;
+use crate::answer::{PushoverFact, magnitude};
 
 /// A bracket as it was observed, and what the self-checks need to know about it.
 pub struct Observation {
-    /// Last λ* at rest, in grid units.
-    pub lower: u64,
-    /// First λ* that collapsed, from rest at `lower`, in grid units.
-    pub upper: u64,
+    /// Last λ* at rest, and the first that collapsed from there, in grid units.
+    pub loads: [u64; 2],
     /// Blocks settled under their weight.
     pub settled: RestState,
-    /// Blocks at rest at `lower`.
+    /// Blocks at the last load at rest.
     pub rest: RestState,
-    /// Blocks when the collapse at `upper` was called.
-    pub collapsed: Vec<BodyState>,
-    /// What happened then, where frames are asked for.
-    pub fall: Option<Fall>,
+    /// The collapse.
+    pub collapsed: Collapsed,
+    /// Part of the work of the push that went into motion at the onset of the fall, beyond what comes of the step
+    /// and of lever arms that have changed by then. None does where the scene has but reached a collapse state.
+    pub jump: f64,
 }
 
 /// Blocks and contacts at rest.
@@ -38,6 +37,30 @@ impl RestState {
         Self {
             states: physics.states(),
             contacts: physics.contacts(),
+        }
+    }
+}
+
+/// A collapse.
+pub struct Collapsed {
+    /// Blocks when it was called.
+    pub states: Vec<BodyState>,
+    /// What happened then, where frames are asked for.
+    pub fall: Option<Fall>,
+}
+
+impl Collapsed {
+    fn now(
+        physics: &mut Physics,
+        model: &Model,
+        parameters: &Parameters,
+        load: u64,
+        settled: &RestState,
+    ) -> Self {
+        let frames = parameters.frames;
+        Self {
+            states: physics.states(),
+            fall: (frames > 0).then(|| fall(physics, model, load, &settled.states, frames)),
         }
     }
 }
@@ -70,20 +93,20 @@ pub fn search(
     slip: impl Fn(&[BodyState], &[BodyState]) -> f64,
 ) -> SearchEnd {
     let mut hold = Hold::new(model, parameters);
-    if let Some(end) = settle(physics, &mut hold, model, parameters) {
-        return end;
-    }
-    let settled = RestState::now(physics);
-    if let Some(fact) = refused(&settled) {
-        return SearchEnd::Undecided(fact);
-    }
-    physics.close_joints();
+    let settled = match settle(physics, &mut hold, model, parameters, refused) {
+        Ok(settled) => settled,
+        Err(end) => return end,
+    };
     let (mut rest, mut seen) = (physics.checkpoint(), RestState::now(physics));
     let mut hint = Hint::new(parameters, expected);
     let (mut lower, mut unclear, mut slow_in_a_row): (u64, bool, usize) = (0, false, 0);
     let left_its_place = |states: &[BodyState]| {
         slip(&settled.states, states) > parameters.slip
             || displacement(model, &settled.states, states) > parameters.slide
+    };
+    let in_place = |held: Held, physics: &Physics| match held {
+        Held::Rest if left_its_place(&physics.states()) => Held::Collapse { acceleration: 0.0 },
+        held => held,
     };
     loop {
         let finest = finest_increment(hint.near(lower), parameters.tolerance);
@@ -95,35 +118,40 @@ pub fn search(
         if let Some(fact) = out_of_reach(physics, model, parameters, [lower, target]) {
             return SearchEnd::Undecided(fact);
         }
-        let held = match hold.step(physics, [lower, target], finest, last) {
-            Held::Rest if left_its_place(&physics.states()) => Held::Collapse { acceleration: 0.0 },
-            held => held,
-        };
-        match held {
-            Held::Rest => {
+        let mut held = in_place(hold.step(physics, [lower, target], finest, last), physics);
+        let mut collapsed = None;
+        if let (Held::Collapse { acceleration }, true) = (held, last) {
+            collapsed = Some(Collapsed::now(physics, model, parameters, target, &settled));
+            // A scene that has slipped, or left its place, came to rest there.
+            if acceleration > 0.0 {
+                physics.restore(&rest);
+                held = in_place(hold.by_itself(physics, [lower, target], finest), physics);
+            }
+        }
+        match (held, collapsed) {
+            (Held::Collapse { acceleration }, Some(collapsed)) => {
+                let jump = jump(model, &seen, physics, [lower, target], acceleration);
+                return SearchEnd::Bracketed(Box::new(Observation {
+                    loads: [lower, target],
+                    collapsed,
+                    jump,
+                    settled,
+                    rest: seen,
+                }));
+            }
+            (Held::Rest, _) => {
                 (rest, seen) = (physics.checkpoint(), RestState::now(physics));
                 (lower, unclear, slow_in_a_row) = (target, false, 0);
                 hint.rested(lower, finest);
                 continue;
             }
-            Held::Collapse { .. } if last => {
-                return SearchEnd::Bracketed(Box::new(Observation {
-                    lower,
-                    upper: target,
-                    collapsed: physics.states(),
-                    fall: (parameters.frames > 0)
-                        .then(|| fall(physics, model, target, &settled.states, parameters.frames)),
-                    settled,
-                    rest: seen,
-                }));
-            }
-            Held::Collapse { acceleration } => hint.ran_away(target, acceleration),
-            Held::Unclear if last && !unclear => {
+            (Held::Collapse { acceleration }, None) => hint.ran_away(target, acceleration),
+            (Held::Unclear, _) if last && !unclear => {
                 // Perhaps too close to the limit to tell; a step twice as long may still tell.
                 unclear = true;
                 hint.ran_away(target, 0.0);
             }
-            Held::Unclear => {
+            (Held::Unclear, _) => {
                 slow_in_a_row += 1;
                 if unclear || slow_in_a_row > parameters.slow_steps[usize::from(lower > 0)] {
                     let lambda = physics.multiplier * model.multiplier;
@@ -134,6 +162,28 @@ pub fn search(
         }
         physics.restore(&rest);
     }
+}
+
+/// Part of the work of the push that went into motion from rest, beyond what the step and changed lever arms give;
+/// nothing where no acceleration was seen, or where the push does no work.
+fn jump(
+    model: &Model,
+    rest: &RestState,
+    physics: &Physics,
+    loads: [u64; 2],
+    acceleration: f64,
+) -> f64 {
+    let (rest, fallen) = (&rest.states, &physics.states());
+    let [lower, upper] = loads.map(|load| load as f64 / GRID);
+    let push = magnitude(upper, 1.0);
+    let work = push * live_work(model, rest, fallen);
+    if acceleration == 0.0 || work <= 0.0 {
+        return 0.0;
+    }
+    let step = (upper - lower) / push;
+    // A lever arm that changes by a part of the extent changes λ* by as much: of a small λ* that is a large part.
+    let arms = displacement(model, rest, fallen) / (model.extent * push.min(1.0));
+    kinetic_energy(model, fallen) / work - step - arms
 }
 
 /// Why a search that has come to rest at the first of two loads does not try the other.
@@ -150,27 +200,35 @@ fn out_of_reach(
     (target as f64 > parameters.largest * GRID).then_some(PushoverFact::StillStands { lambda })
 }
 
-/// Lets a scene come to rest under its weight; how the search ends where it does not. It falls, unless it stands
-/// with a push against its live loads that is as small as the error asked for.
+/// The scene at rest under its weight, with its joints closed; how the search ends where it does not rest or is
+/// refused. It falls, unless it stands with a push against its live loads that is as small as the error asked for.
 fn settle(
     physics: &mut Physics,
     hold: &mut Hold,
     model: &Model,
     parameters: &Parameters,
-) -> Option<SearchEnd> {
+    refused: impl FnOnce(&RestState) -> Option<PushoverFact>,
+) -> Result<RestState, SearchEnd> {
     let laid = physics.checkpoint();
     match hold.settle(physics, 0.0) {
-        Held::Rest => return None,
+        Held::Rest => {
+            let settled = RestState::now(physics);
+            physics.close_joints();
+            return match refused(&settled) {
+                Some(fact) => Err(SearchEnd::Undecided(fact)),
+                None => Ok(settled),
+            };
+        }
         Held::Collapse { .. } => {}
         Held::Unclear => {
             let time = parameters.patience;
-            return Some(SearchEnd::Undecided(PushoverFact::NotSettled { time }));
+            return Err(SearchEnd::Undecided(PushoverFact::NotSettled { time }));
         }
     }
     let (distance, time) = (parameters.fall, hold.elapsed);
     let resolution = parameters.stated_error;
     physics.restore(&laid);
-    Some(match hold.settle(physics, resolution) {
+    Err(match hold.settle(physics, resolution) {
         Held::Rest => SearchEnd::Undecided(PushoverFact::NearZero {
             resolution: resolution * model.multiplier,
         }),

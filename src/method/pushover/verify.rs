@@ -24,11 +24,9 @@ pub fn confirmed(scene: &Scene, settings: &PushoverSettings, outcome: Outcome) -
         };
         return observing(refused, |observed| observed.checks = checks);
     }
-    let facts = repeated.into_iter().map(PushoverFact::Checked);
-    let confirmed = Outcome {
-        facts: facts.map(Fact::from).collect(),
-        ..outcome
-    };
+    let agreed = repeated.into_iter().map(PushoverFact::Checked);
+    let mut confirmed = outcome;
+    confirmed.facts.extend(agreed.map(Fact::from));
     observing(confirmed, |observed| observed.checks = checks)
 }
 
