@@ -11,8 +11,6 @@ pub struct Level {
     pub bracket: Bracket,
     /// Displacement up to the last load at rest, in course heights.
     pub drift: f64,
-    /// Whether the scene falls in a jump: not at a collapse state, so that levels do not tell how far off.
-    pub jumps: bool,
 }
 
 /// What differences between levels of one portion are measured by.
@@ -24,6 +22,15 @@ pub struct Sizes {
     pub extent: f64,
     /// Whether differences between levels may shrink so slowly that brackets overlap before they are gone.
     pub sways: bool,
+    /// Whether the scene falls in a jump: not at a collapse state, so that levels do not tell how far off.
+    pub jumps: bool,
+}
+
+impl Sizes {
+    /// The least error that is stated: of a scene that falls in a jump the one that is asked for.
+    fn least(&self, target: f64) -> f64 {
+        if self.jumps { target } else { 0.0 }
+    }
 }
 
 /// Where levels say that the multiplier lies.
@@ -74,7 +81,7 @@ pub fn agreement(
     let error = bracket
         .relative_width(sizes.unit)
         .max(moved(before, last, shows) / sizes.extent)
-        .max(jumped(before, last, target));
+        .max(sizes.least(target));
     let error = rounded_up(error);
     // No further level sees more than a step of the grid.
     let most = target * if ends { tuned.most_error } else { 1.0 };
@@ -106,7 +113,7 @@ pub fn of_last_two(
     let width = before.bracket.width().max(last.bracket.width());
     let error = (ends.max(width) / size)
         .max(last.drift / sizes.extent)
-        .max(jumped(before, last, target));
+        .max(sizes.least(target));
     let error = rounded_up(error);
     let grows = apart(before, last).abs() > apart(first, before).abs();
     (error <= tuned.most_error * target || !grows).then_some(Enclosure { bracket, error })
@@ -132,15 +139,6 @@ fn moved(before: Level, last: Level, shows: bool) -> f64 {
         slid.clamp(0.0, last.drift)
     } else {
         last.drift
-    }
-}
-
-/// The least error of a scene that falls in a jump: the one that was asked for.
-fn jumped(before: Level, last: Level, target: f64) -> f64 {
-    if before.jumps || last.jumps {
-        target
-    } else {
-        0.0
     }
 }
 
@@ -181,14 +179,12 @@ mod tests {
         unit: 1.0,
         extent: 9.0,
         sways: false,
+        jumps: false,
     };
 
     fn at(lower: f64, upper: f64, drift: f64) -> Level {
-        Level {
-            bracket: Bracket { lower, upper },
-            drift,
-            jumps: false,
-        }
+        let bracket = Bracket { lower, upper };
+        Level { bracket, drift }
     }
 
     /// Figures that were seen on paper-1 and on a wall with a load on top.
@@ -251,19 +247,16 @@ mod tests {
     /// Rubble with open head joints, which falls 0.13 % below its lowest collapse state at every substep.
     #[test]
     fn of_a_scene_that_falls_in_a_jump_levels_state_no_less_than_was_asked() {
-        let level = at(0.4026, 0.4028, 2.3e-3);
-        let jumps = Level {
-            jumps: true,
-            ..level
-        };
-        let error = |levels: &[Level]| {
-            let found = agreement(levels, SIZES, 2e-3, false, &Tuned::TUNED).unwrap();
-            found.error
-        };
-        assert_eq!(error(&[level; 2]), 5e-4);
-        assert_eq!(error(&[level, jumps]), 2e-3);
-        let wandering = of_last_two(&[level, level, jumps], SIZES, 2e-3, &Tuned::TUNED);
-        assert_eq!(wandering.unwrap().error, 2e-3);
+        let levels = [at(0.4026, 0.4028, 2.3e-3); 3];
+        for (jumps, error) in [(false, 5e-4), (true, 2e-3)] {
+            let sizes = Sizes { jumps, ..SIZES };
+            let agreed = agreement(&levels[..2], sizes, 2e-3, false, &Tuned::TUNED);
+            let covered = of_last_two(&levels, sizes, 2e-3, &Tuned::TUNED);
+            assert_eq!(
+                [agreed, covered].map(|found| found.unwrap().error),
+                [error; 2]
+            );
+        }
     }
 
     #[test]

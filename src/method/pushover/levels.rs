@@ -10,6 +10,7 @@ use super::observing::observing;
 use super::parameters::{Asked, SLIDE};
 use super::portion::Portion;
 use super::run::{Trial, is_unclear};
+use super::tuned::Tuned;
 use crate::answer::{Bracket, Checked, Fact, Outcome, PushoverFact, SelfCheck, Status};
 use crate::scene::Scene;
 
@@ -76,10 +77,10 @@ impl Levels {
 
     /// Whether blocks had left the place where they were laid, at the last loads at rest or at all of them.
     pub fn slides(&self) -> bool {
-        match &*self.seen {
-            [] => self.drifts(),
-            [.., before, last] => before.drift.max(last.drift) > SLIDE,
-            [only] => only.drift > SLIDE,
+        let mut last_two = self.seen.iter().rev().take(2);
+        match self.seen.is_empty() {
+            true => self.drifts(),
+            false => last_two.any(|level| level.drift > SLIDE),
         }
     }
 
@@ -96,15 +97,8 @@ pub fn by_levels(scene: &Scene, portion: &Portion, asked: Asked) -> Levels {
         true => usize::MAX,
         false => tuned.budget,
     };
-    let model = Model::new(scene, portion, tuned);
-    let sways = (model.as_ref()).is_ok_and(|model| model.courses >= tuned.swaying);
-    let sizes = Sizes {
-        unit: portion.multiplier_unit(scene),
-        extent: model.map_or(1.0, |model| model.extent),
-        sways,
-    };
-    let swaying = tuned.levels_of_swaying.min(tuned.levels);
-    let least = if sways { swaying } else { 2 };
+    let mut sizes = sizes(scene, portion, tuned);
+    let sways = sizes.sways;
     let mut levels = Levels {
         seen: Vec::new(),
         last: Outcome::of(Status::Undecided),
@@ -114,23 +108,27 @@ pub fn by_levels(scene: &Scene, portion: &Portion, asked: Asked) -> Levels {
         ran_out: false,
         sways,
     };
+    let swaying = tuned.levels_of_swaying.min(tuned.levels);
+    let least = if sways { swaying } else { 2 };
     let (mut spent, mut halvings) = (0, 0);
     let (mut softest, mut fallen, mut doubts) = (f64::INFINITY, false, 0);
+    let mut jump = None;
     loop {
         let trial = Trial {
             expected: levels.seen.last().map(|level| level.bracket),
             ..Trial::new(scene, portion, asked)
         };
-        let outcome = trial.run(&|own| own.halved(halvings));
+        // How the scene falls is asked at one level alone: at the first, which costs least.
+        let first = levels.seen.is_empty();
+        let outcome = trial.run(&|own| own.halved(halvings).asked_how_it_falls(first));
         let cost = outcome.work.block_steps;
         spent += cost;
         match (outcome.bracket(), outcome.evidence.stated_error()) {
             (Some(bracket), Some(target)) => {
-                levels.seen.push(Level {
-                    bracket,
-                    drift: drift(&outcome),
-                    jumps: jumps(&outcome),
-                });
+                let drift = drift(&outcome);
+                levels.seen.push(Level { bracket, drift });
+                jump = jump.or_else(|| jump_of(&outcome));
+                sizes.jumps = jump.is_some();
                 levels.last = outcome;
                 levels.halvings = halvings;
                 let all = levels.seen.len() >= tuned.levels;
@@ -165,8 +163,21 @@ pub fn by_levels(scene: &Scene, portion: &Portion, asked: Asked) -> Levels {
             }
         }
     }
+    levels.last.facts.retain(|fact| jump.as_ref() != Some(fact));
+    levels.last.facts.extend(jump);
     levels.last.work.block_steps = spent;
     levels
+}
+
+/// What differences between levels of a portion are measured by.
+fn sizes(scene: &Scene, portion: &Portion, tuned: &Tuned) -> Sizes {
+    let model = Model::new(scene, portion, tuned);
+    Sizes {
+        unit: portion.multiplier_unit(scene),
+        sways: (model.as_ref()).is_ok_and(|model| model.courses >= tuned.swaying),
+        extent: model.map_or(1.0, |model| model.extent),
+        jumps: false,
+    }
 }
 
 /// Times that the substep has to be halved for contacts that are stiff enough, where a self-check
@@ -195,10 +206,10 @@ fn shortens(before: &mut f64, outcome: &Outcome, shrinking: f64) -> bool {
     shorter
 }
 
-/// Whether the scene falls in a jump.
-fn jumps(outcome: &Outcome) -> bool {
-    let jumps = |fact: &Fact| matches!(fact, Fact::Pushover(PushoverFact::Jumps { .. }));
-    outcome.facts.iter().any(jumps)
+/// That the scene falls in a jump, where it does.
+pub fn jump_of(outcome: &Outcome) -> Option<Fact> {
+    let jumps = |fact: &&Fact| matches!(fact, Fact::Pushover(PushoverFact::Jumps { .. }));
+    outcome.facts.iter().find(jumps).cloned()
 }
 
 /// How far the scene moved up to the last load at rest, in course heights: the figure of the check on drift.

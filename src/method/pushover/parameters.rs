@@ -301,6 +301,12 @@ impl Parameters {
         }
     }
 
+    /// The same, and whether it is asked how the scene falls.
+    pub fn asked_how_it_falls(self, asked: bool) -> Self {
+        let onset = if asked { self.onset } else { 0.0 };
+        Self { onset, ..self }
+    }
+
     /// The same without kinetic damping and without extrapolation.
     pub fn undamped(self) -> Self {
         Self {

@@ -1,13 +1,13 @@
 //! The range over what perpends in contact carry: what the levels of the scene and of its mirror image see.
 
-use super::super::levels::by_levels;
+use super::super::levels::{by_levels, jump_of};
 use super::super::model::Model;
 use super::super::parameters::Asked;
 use super::super::portion::Portion;
 use super::super::run::Trial;
 use super::super::tuned::Tuned;
 use super::joined::joined;
-use crate::answer::{Fact, Outcome, PushoverFact, Status, Variation};
+use crate::answer::{Outcome, PushoverFact, Status, Variation};
 use crate::method::at_once::both;
 use crate::scene::Scene;
 
@@ -44,9 +44,8 @@ pub fn over_head_joints(scene: &Scene, part: &Portion, asked: Asked) -> Outcome 
     let Some(error) = errors.reduce(|one, other| Some(one?.max(other?))).flatten() else {
         return joined(runs, None, Vec::new());
     };
-    let jumps = |fact: &&Fact| matches!(fact, Fact::Pushover(PushoverFact::Jumps { .. }));
-    let jump = runs.iter().flat_map(|(_, run)| &run.facts).find(jumps);
-    let facts = [Some(PushoverFact::Range.into()), jump.cloned()];
+    let jump = runs.iter().find_map(|(_, run)| jump_of(run));
+    let facts = [Some(PushoverFact::Range.into()), jump];
     let facts = facts.into_iter().flatten().collect();
     joined(runs, Some(error), facts)
 }

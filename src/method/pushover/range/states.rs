@@ -10,18 +10,20 @@ use crate::scene::Scene;
 /// What the last two levels cover. Where blocks had slid out of their place by then, the scene that collapsed is
 /// no longer the one that was laid: the load at which the first of them does so counts too, or alone.
 pub fn over_states(scene: &Scene, part: &Portion, asked: Asked, levels: Levels) -> Outcome {
-    if levels.sways {
+    let levels = match levels.sways {
         // Levels of a tall wall follow a trend, and the last two do not tell what is left of it.
-        let wandering = None;
-        return Levels {
-            wandering,
+        true => Levels {
+            wandering: None,
             ..levels
-        }
-        .measured();
-    }
-    if !levels.slides() || levels.ran_out {
-        return levels.measured();
-    }
+        },
+        false if levels.slides() && !levels.ran_out => return in_place(scene, part, asked, levels),
+        false => levels,
+    };
+    levels.measured()
+}
+
+/// What levels saw of a scene that slides before it collapses, and where a block leaves its place.
+fn in_place(scene: &Scene, part: &Portion, asked: Asked, levels: Levels) -> Outcome {
     let in_place = Asked {
         in_place: true,
         ..asked
@@ -29,8 +31,7 @@ pub fn over_states(scene: &Scene, part: &Portion, asked: Asked, levels: Levels) 
     let why_not = levels.why_not();
     let mut beyond = levels.measured();
     let mut leaving = by_levels(scene, part, in_place).measured();
-    let steps = beyond.work.block_steps + leaving.work.block_steps;
-    (beyond.work.block_steps, leaving.work.block_steps) = (steps, steps);
+    leaving.work.block_steps += beyond.work.block_steps;
     let ends = |of: &Outcome| Some((of.bracket()?, of.evidence.stated_error()?));
     match (ends(&beyond), ends(&leaving)) {
         (_, None) => leaving,
@@ -40,6 +41,7 @@ pub fn over_states(scene: &Scene, part: &Portion, asked: Asked, levels: Levels) 
         }
         (Some((one, error)), Some((other, others))) => {
             beyond.facts.insert(0, why_not.into());
+            beyond.work = leaving.work;
             observing(beyond, |observed| {
                 observed.bracket = Some(one.hull(other));
                 observed.stated_error = Some(error.max(others));
