@@ -1,6 +1,6 @@
 //! Holding a load until the blocks rest or run away.
 
-use super::measure::{displacement, speed, twice_kinetic_energy};
+use super::measure::{displacement, kinetic_energy, speed, twice_kinetic_energy};
 use super::model::{GRID, Model};
 use super::parameters::Parameters;
 use super::physics::{BodyState, Physics};
@@ -19,12 +19,22 @@ pub enum Held {
     Unclear,
 }
 
+/// When a collapse has begun.
+pub struct Onset {
+    /// Blocks.
+    pub states: Vec<BodyState>,
+    /// Kinetic energy that they gained by themselves: without what extrapolated drift gave them.
+    pub energy: f64,
+}
+
 /// Holds loads on one model.
 pub struct Hold<'a> {
     model: &'a Model<'a>,
     parameters: &'a Parameters,
     /// Time that the last hold took.
     pub elapsed: f64,
+    /// When its collapse had begun.
+    pub onset: Option<Onset>,
     /// Time that the first push took to come to rest; 0 until then.
     first: f64,
     /// The longest time that a push took to come to rest.
@@ -38,6 +48,7 @@ impl<'a> Hold<'a> {
             model,
             parameters,
             elapsed: 0.0,
+            onset: None,
             first: 0.0,
             longest: 0.0,
         }
@@ -85,27 +96,6 @@ impl<'a> Hold<'a> {
         held
     }
 
-    /// The last step again, up to the onset of collapse and without drift that is extrapolated: with what
-    /// acceleration the scene falls by itself, or none where that takes long; or that it rests.
-    pub fn by_itself(&self, physics: &mut Physics, loads: [u64; 2], finest: u64) -> Held {
-        if self.parameters.onset == 0.0 {
-            return Held::Collapse { acceleration: 0.0 };
-        }
-        let parameters = Parameters {
-            collapse: self.parameters.onset * self.parameters.collapse,
-            extrapolation: 0.0,
-            ..*self.parameters
-        };
-        let mut hold = Hold {
-            parameters: &parameters,
-            ..*self
-        };
-        match hold.step(physics, loads, finest, true) {
-            Held::Unclear => Held::Collapse { acceleration: 0.0 },
-            held => held,
-        }
-    }
-
     /// Holds λ until the blocks rest at no more than `resting_speed`, or move further than `limit`
     /// without slowing down. Kinetic damping: whenever the kinetic energy falls, all blocks are
     /// stopped, so that a step is followed quasi-statically; the last window must stay at rest
@@ -128,7 +118,10 @@ impl<'a> Hold<'a> {
         let mut peak_before = f64::INFINITY;
         // Twice the kinetic energy at its peak since the blocks were last stopped.
         let mut energy = 0.0;
+        // Kinetic energy that extrapolated drift has given them since.
+        let mut given = 0.0;
         let mut pace_before = None;
+        self.onset = None;
         for window in 0..windows {
             let ramping = ((window * steps) as f64) < ramp - 1.0;
             let damped = ramping || peak_before > resting_speed;
@@ -145,25 +138,33 @@ impl<'a> Hold<'a> {
                 let now = speed(self.model, &states);
                 peak = peak.max(now);
                 let moved = displacement(self.model, &from, &states);
-                if moved > limit && now >= peak_before {
+                let present = twice_kinetic_energy(self.model, &states, parameters.seen);
+                let runs_away = now >= peak_before;
+                if self.onset.is_none() && runs_away && moved > parameters.onset * limit {
+                    let energy = kinetic_energy(self.model, &states) - given;
+                    self.onset = Some(Onset { states, energy });
+                }
+                if runs_away && moved > limit {
                     let acceleration = now * now / (2.0 * moved);
                     return Held::Collapse { acceleration };
                 }
-                let present = twice_kinetic_energy(self.model, &states, parameters.seen);
                 let falling = present < parameters.damp_below * energy;
                 if damped && falling {
                     physics.scale_velocities(0.0);
-                    stopped = true;
+                    (stopped, given) = (true, 0.0);
                 }
                 energy = if falling { 0.0 } else { present.max(energy) };
             }
             if !damped && peak <= resting_speed {
+                self.onset = None;
                 return Held::Rest;
             }
             peak_before = peak;
             if damped && !ramping && !stopped {
+                let before = kinetic_energy(self.model, &physics.states());
                 let factor = self.extrapolate_drift(physics, &from, pace_before);
                 energy = energy * factor * factor;
+                given += before * (factor * factor - 1.0);
                 peak_before *= factor.max(1.0);
                 pace_before = Some(self.pace(&physics.states()));
             } else {

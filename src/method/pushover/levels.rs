@@ -118,16 +118,14 @@ pub fn by_levels(scene: &Scene, portion: &Portion, asked: Asked) -> Levels {
             expected: levels.seen.last().map(|level| level.bracket),
             ..Trial::new(scene, portion, asked)
         };
-        // How the scene falls is asked at one level alone: at the first, which costs least.
-        let first = levels.seen.is_empty();
-        let outcome = trial.run(&|own| own.halved(halvings).asked_how_it_falls(first));
+        let outcome = trial.run(&|own| own.halved(halvings));
         let cost = outcome.work.block_steps;
         spent += cost;
         match (outcome.bracket(), outcome.evidence.stated_error()) {
             (Some(bracket), Some(target)) => {
                 let drift = drift(&outcome);
                 levels.seen.push(Level { bracket, drift });
-                jump = jump.or_else(|| jump_of(&outcome));
+                jump = outcome.facts.iter().find(is_jump).cloned().or(jump);
                 sizes.jumps = jump.is_some();
                 levels.last = outcome;
                 levels.halvings = halvings;
@@ -158,12 +156,14 @@ pub fn by_levels(scene: &Scene, portion: &Portion, asked: Asked) -> Levels {
                 }
                 halvings += more.unwrap_or(0);
                 if more.is_none() || halvings > tuned.halvings {
+                    // What levels without an end cover is no answer where the next one has none.
+                    levels.wandering = None;
                     break;
                 }
             }
         }
     }
-    levels.last.facts.retain(|fact| jump.as_ref() != Some(fact));
+    levels.last.facts.retain(|fact| !is_jump(&fact));
     levels.last.facts.extend(jump);
     levels.last.work.block_steps = spent;
     levels
@@ -206,10 +206,9 @@ fn shortens(before: &mut f64, outcome: &Outcome, shrinking: f64) -> bool {
     shorter
 }
 
-/// That the scene falls in a jump, where it does.
-pub fn jump_of(outcome: &Outcome) -> Option<Fact> {
-    let jumps = |fact: &&Fact| matches!(fact, Fact::Pushover(PushoverFact::Jumps { .. }));
-    outcome.facts.iter().find(jumps).cloned()
+/// Whether this is that the scene falls in a jump.
+pub fn is_jump(fact: &&Fact) -> bool {
+    matches!(fact, Fact::Pushover(PushoverFact::Jumps { .. }))
 }
 
 /// How far the scene moved up to the last load at rest, in course heights: the figure of the check on drift.

@@ -181,9 +181,8 @@ parameters! { of:
     /// Displacement beyond which the last, small step has collapsed.
     collapse: f64 = of.sway * if of.sways { 7.5e-3 } else { 6e-3 } * of.courses.max(6.0),
         "collapse", LENGTH;
-    /// Part of that displacement at which the fall has begun: later, what falls has other lever arms. A wall that
-    /// sways takes as long until then as it took to find the limit, and is not asked.
-    onset: f64 = if of.sways { 0.0 } else { 1.0 / 6.0 }, "onset of collapse", "of that displacement";
+    /// Part of that displacement at which the fall has begun: later, what falls has other lever arms.
+    onset: f64 = 1.0 / 6.0, "onset of collapse", "of that displacement";
     /// Factor of time step and window where the substep is halved: a wall that sways does so twice as fast then.
     level_factor: f64 = if of.sways { 0.5 } else { 1.0 };
     /// Slip of a joint since the scene settled beyond which it counts as collapse.
@@ -299,12 +298,6 @@ impl Parameters {
             window: factor * self.window,
             ..self
         }
-    }
-
-    /// The same, and whether it is asked how the scene falls.
-    pub fn asked_how_it_falls(self, asked: bool) -> Self {
-        let onset = if asked { self.onset } else { 0.0 };
-        Self { onset, ..self }
     }
 
     /// The same without kinetic damping and without extrapolation.

@@ -141,7 +141,7 @@ fn run(
     let expected = trial.expected.map(|at| model.in_grid(at));
     let mut outcome = match search(&mut physics, &model, &parameters, expected, refused, slip) {
         SearchEnd::Bracketed(seen) => {
-            let states = [&seen.settled.states[..], &seen.collapsed.states];
+            let states = [&seen.settled.states[..], &seen.collapsed];
             moved &= strip_moved(&model, parameters.still, states);
             checks.extend(of_rest(&model, &parameters, &seen));
             match failed(&parameters, &checks) {
@@ -178,7 +178,7 @@ fn strip_moved(model: &Model, still: f64, [from, to]: [&[BodyState]; 2]) -> bool
 /// The outcome of a bracket.
 fn collapsed(model: &Model, parameters: &Parameters, seen: &Observation) -> Outcome {
     let moved = |frame: &Vec<BodyState>| mechanism(model, &seen.settled.states, frame);
-    let mechanism = mechanism(model, &seen.rest.states, &seen.collapsed.states);
+    let mechanism = mechanism(model, &seen.rest.states, &seen.collapsed);
     let observed = Observed {
         bracket: Some(Bracket {
             lower: model.lambda(seen.loads[0]),
@@ -187,7 +187,7 @@ fn collapsed(model: &Model, parameters: &Parameters, seen: &Observation) -> Outc
         stated_error: Some(parameters.stated_error),
         crack: crack_slope_by_gap(model.scene, &mechanism),
         mechanism: Some(mechanism),
-        recording: seen.collapsed.fall.as_ref().map(|fall| Recording {
+        recording: seen.fall.as_ref().map(|fall| Recording {
             frames: fall.frames.iter().map(moved).collect(),
             interval: fall.interval * model.length.sqrt(),
         }),

@@ -2,8 +2,8 @@
 
 use super::fall::{Fall, fall};
 use super::hint::{Hint, finest_increment};
-use super::hold::{Held, Hold};
-use super::measure::{displacement, kinetic_energy, live_work};
+use super::hold::{Held, Hold, Onset};
+use super::measure::{displacement, live_work};
 use super::model::{GRID, Model};
 use super::parameters::Parameters;
 use super::physics::{BodyState, Contact, Physics};
@@ -17,8 +17,10 @@ pub struct Observation {
     pub settled: RestState,
     /// Blocks at the last load at rest.
     pub rest: RestState,
-    /// The collapse.
-    pub collapsed: Collapsed,
+    /// Blocks when the collapse was called.
+    pub collapsed: Vec<BodyState>,
+    /// What happened then, where frames are asked for.
+    pub fall: Option<Fall>,
     /// Part of the work of the push that went into motion at the onset of the fall, beyond what comes of the step
     /// and of lever arms that have changed by then. None does where the scene has but reached a collapse state.
     pub jump: f64,
@@ -37,30 +39,6 @@ impl RestState {
         Self {
             states: physics.states(),
             contacts: physics.contacts(),
-        }
-    }
-}
-
-/// A collapse.
-pub struct Collapsed {
-    /// Blocks when it was called.
-    pub states: Vec<BodyState>,
-    /// What happened then, where frames are asked for.
-    pub fall: Option<Fall>,
-}
-
-impl Collapsed {
-    fn now(
-        physics: &mut Physics,
-        model: &Model,
-        parameters: &Parameters,
-        load: u64,
-        settled: &RestState,
-    ) -> Self {
-        let frames = parameters.frames;
-        Self {
-            states: physics.states(),
-            fall: (frames > 0).then(|| fall(physics, model, load, &settled.states, frames)),
         }
     }
 }
@@ -104,10 +82,6 @@ pub fn search(
         slip(&settled.states, states) > parameters.slip
             || displacement(model, &settled.states, states) > parameters.slide
     };
-    let in_place = |held: Held, physics: &Physics| match held {
-        Held::Rest if left_its_place(&physics.states()) => Held::Collapse { acceleration: 0.0 },
-        held => held,
-    };
     loop {
         let finest = finest_increment(hint.near(lower), parameters.tolerance);
         let target = match unclear {
@@ -118,40 +92,36 @@ pub fn search(
         if let Some(fact) = out_of_reach(physics, model, parameters, [lower, target]) {
             return SearchEnd::Undecided(fact);
         }
-        let mut held = in_place(hold.step(physics, [lower, target], finest, last), physics);
-        let mut collapsed = None;
-        if let (Held::Collapse { acceleration }, true) = (held, last) {
-            collapsed = Some(Collapsed::now(physics, model, parameters, target, &settled));
-            // A scene that has slipped, or left its place, came to rest there.
-            if acceleration > 0.0 {
-                physics.restore(&rest);
-                held = in_place(hold.by_itself(physics, [lower, target], finest), physics);
-            }
-        }
-        match (held, collapsed) {
-            (Held::Collapse { acceleration }, Some(collapsed)) => {
-                let jump = jump(model, &seen, physics, [lower, target], acceleration);
-                return SearchEnd::Bracketed(Box::new(Observation {
-                    loads: [lower, target],
-                    collapsed,
-                    jump,
-                    settled,
-                    rest: seen,
-                }));
-            }
-            (Held::Rest, _) => {
+        let held = match hold.step(physics, [lower, target], finest, last) {
+            Held::Rest if left_its_place(&physics.states()) => Held::Collapse { acceleration: 0.0 },
+            held => held,
+        };
+        match held {
+            Held::Rest => {
                 (rest, seen) = (physics.checkpoint(), RestState::now(physics));
                 (lower, unclear, slow_in_a_row) = (target, false, 0);
                 hint.rested(lower, finest);
                 continue;
             }
-            (Held::Collapse { acceleration }, None) => hint.ran_away(target, acceleration),
-            (Held::Unclear, _) if last && !unclear => {
+            Held::Collapse { .. } if last => {
+                let onset = hold.onset.take();
+                return SearchEnd::Bracketed(Box::new(Observation {
+                    loads: [lower, target],
+                    jump: onset.map_or(0.0, |onset| jump(model, &seen, &onset, [lower, target])),
+                    collapsed: physics.states(),
+                    fall: (parameters.frames > 0)
+                        .then(|| fall(physics, model, target, &settled.states, parameters.frames)),
+                    settled,
+                    rest: seen,
+                }));
+            }
+            Held::Collapse { acceleration } => hint.ran_away(target, acceleration),
+            Held::Unclear if last && !unclear => {
                 // Perhaps too close to the limit to tell; a step twice as long may still tell.
                 unclear = true;
                 hint.ran_away(target, 0.0);
             }
-            (Held::Unclear, _) => {
+            Held::Unclear => {
                 slow_in_a_row += 1;
                 if unclear || slow_in_a_row > parameters.slow_steps[usize::from(lower > 0)] {
                     let lambda = physics.multiplier * model.multiplier;
@@ -165,25 +135,19 @@ pub fn search(
 }
 
 /// Part of the work of the push that went into motion from rest, beyond what the step and changed lever arms give;
-/// nothing where no acceleration was seen, or where the push does no work.
-fn jump(
-    model: &Model,
-    rest: &RestState,
-    physics: &Physics,
-    loads: [u64; 2],
-    acceleration: f64,
-) -> f64 {
-    let (rest, fallen) = (&rest.states, &physics.states());
+/// nothing where the push does no work.
+fn jump(model: &Model, rest: &RestState, onset: &Onset, loads: [u64; 2]) -> f64 {
     let [lower, upper] = loads.map(|load| load as f64 / GRID);
     let push = magnitude(upper, 1.0);
-    let work = push * live_work(model, rest, fallen);
-    if acceleration == 0.0 || work <= 0.0 {
+    let work = push * live_work(model, &rest.states, &onset.states);
+    if work <= 0.0 {
         return 0.0;
     }
     let step = (upper - lower) / push;
     // A lever arm that changes by a part of the extent changes λ* by as much: of a small λ* that is a large part.
-    let arms = displacement(model, rest, fallen) / (model.extent * push.min(1.0));
-    kinetic_energy(model, fallen) / work - step - arms
+    let moved = displacement(model, &rest.states, &onset.states);
+    let arms = moved / (model.extent * push.min(1.0));
+    onset.energy / work - step - arms
 }
 
 /// Why a search that has come to rest at the first of two loads does not try the other.

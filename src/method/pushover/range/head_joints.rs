@@ -1,6 +1,6 @@
 //! The range over what perpends in contact carry: what the levels of the scene and of its mirror image see.
 
-use super::super::levels::{by_levels, jump_of};
+use super::super::levels::{by_levels, is_jump};
 use super::super::model::Model;
 use super::super::parameters::Asked;
 use super::super::portion::Portion;
@@ -44,8 +44,8 @@ pub fn over_head_joints(scene: &Scene, part: &Portion, asked: Asked) -> Outcome 
     let Some(error) = errors.reduce(|one, other| Some(one?.max(other?))).flatten() else {
         return joined(runs, None, Vec::new());
     };
-    let jump = runs.iter().find_map(|(_, run)| jump_of(run));
-    let facts = [Some(PushoverFact::Range.into()), jump];
+    let jump = runs.iter().flat_map(|(_, run)| &run.facts).find(is_jump);
+    let facts = [Some(PushoverFact::Range.into()), jump.cloned()];
     let facts = facts.into_iter().flatten().collect();
     joined(runs, Some(error), facts)
 }
