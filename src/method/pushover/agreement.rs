@@ -89,6 +89,15 @@ pub fn agreement(
     (complete && error <= most).then_some(Enclosure { bracket, error })
 }
 
+/// Whether two levels saw the same bracket and differ in deflection alone, which falls with the square of the substep:
+/// less than a tenth of how far the scene moved is left for a substep of 0.
+pub fn differ_in_deflection(levels: &[Level]) -> bool {
+    let [.., before, last] = *levels else {
+        return false;
+    };
+    before.bracket == last.bracket && slid(before, last) < 0.1 * last.drift
+}
+
 /// How much higher one level lies than another.
 fn apart(one: Level, other: Level) -> f64 {
     let middle = |of: Level| of.bracket.lower.midpoint(of.bracket.upper);
@@ -134,12 +143,16 @@ fn unresolved(levels: &[Level], grid: f64) -> f64 {
 /// was laid, with lever arms that differ by as much. Contacts deflect with the square of the substep; a
 /// trend that `shows` makes up for that, and what is left for a substep of 0 is how far the scene slid.
 fn moved(before: Level, last: Level, shows: bool) -> f64 {
-    let slid = (4.0 * last.drift - before.drift) / 3.0;
     if shows {
-        slid.clamp(0.0, last.drift)
+        slid(before, last).clamp(0.0, last.drift)
     } else {
         last.drift
     }
+}
+
+/// How far the scene slides before it collapses, in course heights, where deflections fall by four.
+fn slid(before: Level, last: Level) -> f64 {
+    (4.0 * last.drift - before.drift) / 3.0
 }
 
 /// Whether brackets overlap or meet: they show no trend.
@@ -242,6 +255,22 @@ mod tests {
         assert_eq!(agreement(&levels, sways, 3e-3, false, &Tuned::TUNED), None);
         let without = agreement(&levels[2..], sways, 3e-3, true, &Tuned::TUNED).unwrap();
         assert_eq!(without.bracket, two.bracket);
+    }
+
+    /// Drifts of paper-3, and of a wall of 24 × 48 units whose third level lies 0.1 % higher.
+    #[test]
+    fn deflection_falls_with_the_square_of_the_substep() {
+        let two = |upper, drifts: [f64; 2]| {
+            let [before, last] = drifts.map(|drift| at(0.5405, 0.5415, drift));
+            let bracket = Bracket {
+                upper,
+                ..last.bracket
+            };
+            differ_in_deflection(&[before, Level { bracket, ..last }])
+        };
+        assert!(two(0.5415, [0.231, 0.0586]));
+        assert!(!two(0.5415, [0.345, 0.1121]));
+        assert!(!two(0.5420, [0.231, 0.0586]));
     }
 
     /// Rubble with open head joints, which falls 0.13 % below its lowest collapse state at every substep.

@@ -4,7 +4,7 @@
 //! shrinks from level to level. One level can only assume that error; two measure it. Agreement is
 //! necessary, not proof: a state that all levels miss is missed.
 
-use super::agreement::{Enclosure, Level, Sizes, agreement, of_last_two};
+use super::agreement::{Enclosure, Level, Sizes, agreement, differ_in_deflection, of_last_two};
 use super::model::Model;
 use super::observing::observing;
 use super::parameters::{Asked, SLIDE};
@@ -133,7 +133,8 @@ pub fn by_levels(scene: &Scene, portion: &Portion, asked: Asked) -> Levels {
                 levels.ran_out = !all && spent.saturating_add(cost) > budget;
                 let ends = all || levels.ran_out;
                 let agreed = agreement(&levels.seen, sizes, target, ends, tuned);
-                levels.agreed = agreed.filter(|_| levels.seen.len() >= least);
+                let enough = levels.seen.len() >= least || differ_in_deflection(&levels.seen);
+                levels.agreed = agreed.filter(|_| enough);
                 levels.wandering = of_last_two(&levels.seen, sizes, target, tuned);
                 if ends || levels.agreed.is_some() {
                     break;

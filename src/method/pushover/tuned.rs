@@ -28,7 +28,8 @@ tuned! {
     more_sweeps: usize = 2;
     /// Levels that may end with a load that neither rests nor collapses in time.
     doubts: usize = 3;
-    /// Levels that must agree where a scene sways: only three show whether differences shrink.
+    /// Levels that must agree where a scene sways, unless two differ in deflection alone: only three show whether
+    /// differences shrink.
     levels_of_swaying: usize = 3;
     /// Blocks times substeps after which no further level is begun; 1800 blocks need 80 to 310 million each.
     budget: usize = 1_000_000_000;
