@@ -89,13 +89,13 @@ pub fn agreement(
     (complete && error <= most).then_some(Enclosure { bracket, error })
 }
 
-/// Whether two levels saw the same bracket and differ in deflection alone, which falls with the square of the substep:
-/// less than a tenth of how far the scene moved is left for a substep of 0.
-pub fn differ_in_deflection(levels: &[Level]) -> bool {
+/// Whether the last two levels, of which one halves the substep of the other, saw the same bracket and differ in
+/// deflection alone, which falls by four: a small part of how far the scene moved is left for a substep of 0.
+pub fn differ_in_deflection(levels: &[Level], tuned: &Tuned) -> bool {
     let [.., before, last] = *levels else {
         return false;
     };
-    before.bracket == last.bracket && slid(before, last) < 0.1 * last.drift
+    before.bracket == last.bracket && slid(before, last) < tuned.creeping * last.drift
 }
 
 /// How much higher one level lies than another.
@@ -150,7 +150,8 @@ fn moved(before: Level, last: Level, shows: bool) -> f64 {
     }
 }
 
-/// How far the scene slides before it collapses, in course heights, where deflections fall by four.
+/// How far the scene slides before it collapses, in course heights: what is left of how far it moved without
+/// deflections, which fall by four from one level to the other.
 fn slid(before: Level, last: Level) -> f64 {
     (4.0 * last.drift - before.drift) / 3.0
 }
@@ -257,7 +258,7 @@ mod tests {
         assert_eq!(without.bracket, two.bracket);
     }
 
-    /// Drifts of paper-3, and of a wall of 24 × 48 units whose third level lies 0.1 % higher.
+    /// Drifts of paper-3, and of a wall of 20 × 48 units whose third level lies 0.1 % higher.
     #[test]
     fn deflection_falls_with_the_square_of_the_substep() {
         let two = |upper, drifts: [f64; 2]| {
@@ -266,7 +267,7 @@ mod tests {
                 upper,
                 ..last.bracket
             };
-            differ_in_deflection(&[before, Level { bracket, ..last }])
+            differ_in_deflection(&[before, Level { bracket, ..last }], &Tuned::TUNED)
         };
         assert!(two(0.5415, [0.231, 0.0586]));
         assert!(!two(0.5415, [0.345, 0.1121]));

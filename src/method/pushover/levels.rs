@@ -128,13 +128,14 @@ pub fn by_levels(scene: &Scene, portion: &Portion, asked: Asked) -> Levels {
                 jump = outcome.facts.iter().find(is_jump).cloned().or(jump);
                 sizes.jumps = jump.is_some();
                 levels.last = outcome;
+                let halved_once = halvings == levels.halvings + 1;
                 levels.halvings = halvings;
                 let all = levels.seen.len() >= tuned.levels;
                 levels.ran_out = !all && spent.saturating_add(cost) > budget;
                 let ends = all || levels.ran_out;
                 let agreed = agreement(&levels.seen, sizes, target, ends, tuned);
-                let enough = levels.seen.len() >= least || differ_in_deflection(&levels.seen);
-                levels.agreed = agreed.filter(|_| enough);
+                let deflect = halved_once && differ_in_deflection(&levels.seen, tuned);
+                levels.agreed = agreed.filter(|_| deflect || levels.seen.len() >= least);
                 levels.wandering = of_last_two(&levels.seen, sizes, target, tuned);
                 if ends || levels.agreed.is_some() {
                     break;

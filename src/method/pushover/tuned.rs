@@ -31,6 +31,8 @@ tuned! {
     /// Levels that must agree where a scene sways, unless two differ in deflection alone: only three show whether
     /// differences shrink.
     levels_of_swaying: usize = 3;
+    /// Part of how far such a scene moves before it collapses that may be left for a substep of 0 where two do.
+    creeping: f64 = 0.1;
     /// Blocks times substeps after which no further level is begun; 1800 blocks need 80 to 310 million each.
     budget: usize = 1_000_000_000;
     /// Part of the error asked for within which two levels agree at once.
