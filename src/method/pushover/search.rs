@@ -17,6 +17,8 @@ pub struct Observation {
     pub settled: RestState,
     /// Blocks at the last load at rest.
     pub rest: RestState,
+    /// Blocks when the collapse had begun; where it has no beginning, at the last load at rest.
+    pub begun: Vec<BodyState>,
     /// Blocks when the collapse was called.
     pub collapsed: Vec<BodyState>,
     /// What happened then, where frames are asked for.
@@ -107,7 +109,9 @@ pub fn search(
                 let onset = hold.onset.take();
                 return SearchEnd::Bracketed(Box::new(Observation {
                     loads: [lower, target],
-                    jump: onset.map_or(0.0, |onset| jump(model, &seen, &onset, [lower, target])),
+                    jump: (onset.as_ref())
+                        .map_or(0.0, |onset| jump(model, &seen, onset, [lower, target])),
+                    begun: onset.map_or_else(|| seen.states.clone(), |onset| onset.states),
                     collapsed: physics.states(),
                     fall: (parameters.frames > 0)
                         .then(|| fall(physics, model, target, &settled.states, parameters.frames)),
