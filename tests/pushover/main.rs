@@ -19,4 +19,5 @@ mod not_convex;
 mod random_walls;
 mod refusals;
 mod small;
+mod tall_walls;
 mod unequal;

@@ -129,12 +129,12 @@ pub enum PushoverFact {
     },
     /// No collapse state is reached: the scene falls from where it no longer stays, as contacts with friction may.
     #[error(
-        "it falls in a jump: at its onset {} % of the work of the push has gone into motion, and at a collapse \
-         state none does, so that it may fall below the lowest of these",
+        "it falls in a jump: at its onset up to {} % of the work of the push has gone into motion, and at a \
+         collapse state none does, so that it may fall below the lowest of these",
         short(100.0 * .part, 1)
     )]
     Jumps {
-        /// Part of the work of the push.
+        /// Part of the work of the push, at the level where it is largest.
         part: f64,
     },
     /// Blocks slide away before the scene collapses, and levels do not agree on where it does.
@@ -149,10 +149,10 @@ pub enum PushoverFact {
     )]
     OneLevel { bracket: Bracket },
     #[error(
-        "shorter and shorter substeps do not agree on one multiplier; they gave {}",
+        "shorter and shorter substeps do not settle one multiplier; they gave {}",
         all_printed(.brackets)
     )]
-    LevelsDisagree {
+    LevelsUnsettled {
         /// Their brackets, from the longest substep to the shortest.
         brackets: Vec<Bracket>,
     },

@@ -69,7 +69,7 @@ impl Levels {
     pub fn why_not(&self) -> PushoverFact {
         match *self.brackets() {
             [bracket] => PushoverFact::OneLevel { bracket },
-            _ => PushoverFact::LevelsDisagree {
+            _ => PushoverFact::LevelsUnsettled {
                 brackets: self.brackets(),
             },
         }
@@ -112,7 +112,6 @@ pub fn by_levels(scene: &Scene, portion: &Portion, asked: Asked) -> Levels {
     let least = if sways { swaying } else { 2 };
     let (mut spent, mut halvings) = (0, 0);
     let (mut softest, mut fallen, mut doubts) = (f64::INFINITY, false, 0);
-    let mut jump = None;
     loop {
         let trial = Trial {
             expected: levels.seen.last().map(|level| level.bracket),
@@ -125,17 +124,16 @@ pub fn by_levels(scene: &Scene, portion: &Portion, asked: Asked) -> Levels {
             (Some(bracket), Some(target)) => {
                 let drift = drift(&outcome);
                 levels.seen.push(Level { bracket, drift });
-                jump = outcome.facts.iter().find(is_jump).cloned().or(jump);
-                sizes.jumps = jump.is_some();
+                sizes.jump = sizes.jump.max(jump_of(&outcome.facts));
                 levels.last = outcome;
                 let halved_once = halvings == levels.halvings + 1;
+                let two_suffice = halved_once && differ_in_deflection(&levels.seen, sizes, tuned);
                 levels.halvings = halvings;
                 let all = levels.seen.len() >= tuned.levels;
                 levels.ran_out = !all && spent.saturating_add(cost) > budget;
                 let ends = all || levels.ran_out;
                 let agreed = agreement(&levels.seen, sizes, target, ends, tuned);
-                let deflect = halved_once && differ_in_deflection(&levels.seen, tuned);
-                levels.agreed = agreed.filter(|_| deflect || levels.seen.len() >= least);
+                levels.agreed = agreed.filter(|_| two_suffice || levels.seen.len() >= least);
                 levels.wandering = of_last_two(&levels.seen, sizes, target, tuned);
                 if ends || levels.agreed.is_some() {
                     break;
@@ -165,8 +163,7 @@ pub fn by_levels(scene: &Scene, portion: &Portion, asked: Asked) -> Levels {
             }
         }
     }
-    levels.last.facts.retain(|fact| !is_jump(&fact));
-    levels.last.facts.extend(jump);
+    state_jump(&mut levels.last.facts, sizes.jump);
     levels.last.work.block_steps = spent;
     levels
 }
@@ -178,7 +175,7 @@ fn sizes(scene: &Scene, portion: &Portion, tuned: &Tuned) -> Sizes {
         unit: portion.multiplier_unit(scene),
         sways: (model.as_ref()).is_ok_and(|model| model.courses >= tuned.swaying),
         extent: model.map_or(1.0, |model| model.extent),
-        jumps: false,
+        jump: 0.0,
     }
 }
 
@@ -208,9 +205,19 @@ fn shortens(before: &mut f64, outcome: &Outcome, shrinking: f64) -> bool {
     shorter
 }
 
-/// Whether this is that the scene falls in a jump.
-pub fn is_jump(fact: &&Fact) -> bool {
-    matches!(fact, Fact::Pushover(PushoverFact::Jumps { .. }))
+/// Says how large the jump was that any level saw, and not what the last one did.
+pub fn state_jump(facts: &mut Vec<Fact>, part: f64) {
+    facts.retain(|fact| !matches!(fact, Fact::Pushover(PushoverFact::Jumps { .. })));
+    facts.extend((part > 0.0).then(|| Fact::from(PushoverFact::Jumps { part })));
+}
+
+/// Part of the work of the push that goes into motion where a scene falls in a jump; 0 where it does not.
+pub fn jump_of(facts: &[Fact]) -> f64 {
+    let part = |fact: &Fact| match fact {
+        Fact::Pushover(PushoverFact::Jumps { part }) => *part,
+        _ => 0.0,
+    };
+    facts.iter().map(part).fold(0.0, f64::max)
 }
 
 /// How far the scene moved up to the last load at rest, in course heights: the figure of the check on drift.

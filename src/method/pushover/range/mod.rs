@@ -5,7 +5,6 @@
 //! in another order, may meet different states. Nor is it unique where levels of an open scene disagree.
 
 mod head_joints;
-mod joined;
 mod states;
 
 pub use head_joints::over_head_joints;
