@@ -106,7 +106,8 @@ fn random(seed: u64) -> ([f64; 2], usize, usize, f64) {
     ([length, height], units, courses, random.between(0.35, 0.95))
 }
 
-/// The first three fall in jumps, and lay 0.3 to 2.5 % below their lowest states where they stated 0.2 to 1 %.
+/// The first three fall in jumps, and lay 0.4 to 2.5 % below their lowest states where they stated 0.2 to 1 %; the
+/// fourth has a last level that turns back, and lay 0.3 % below where it stated 0.2 %.
 #[test]
 #[ignore = "minutes"]
 fn random_tall_walls_are_right_within_what_is_stated() {
@@ -114,9 +115,10 @@ fn random_tall_walls_are_right_within_what_is_stated() {
         ([4.0, 1.75], 18, 33, 0.891),
         ([2.5, 1.75], 18, 30, 0.885),
         ([1.5, 1.0], 18, 34, 0.710),
+        ([1.5, 1.0], 21, 30, 0.658),
     ];
-    let walls = known.into_iter().chain((0..share(40) as u64).map(random));
-    let (mut asked, mut undecided, mut wrong) = (0, 0, Vec::new());
+    let walls = known.into_iter().chain((0..share(25) as u64).map(random));
+    let (mut asked, mut undecided, mut estimates, mut wrong) = (0, 0, 0, Vec::new());
     for (unit, units, courses, friction) in walls {
         let odd = vec![Piece::Unit; units];
         let scene = in_running_bond([even(units), odd], courses, unit, friction);
@@ -135,11 +137,12 @@ fn random_tall_walls_are_right_within_what_is_stated() {
         println!("{said}");
         match (seen.bracket(), seen.evidence.stated_error()) {
             (Some(bracket), Some(error)) if distance(bracket, truth) <= error => {}
-            (Some(_), _) => wrong.push(said),
+            (Some(_), Some(_)) => wrong.push(said),
+            (Some(_), None) => estimates += 1,
             (None, _) => undecided += 1,
         }
     }
     assert!(wrong.is_empty(), "{wrong:#?}");
-    println!("{asked} walls, {undecided} undecided");
+    println!("{asked} walls, {estimates} estimates, {undecided} undecided");
     assert!(4 * undecided <= asked, "{undecided} of {asked} undecided");
 }

@@ -134,7 +134,7 @@ pub enum PushoverFact {
         short(100.0 * .part, 1)
     )]
     Jumps {
-        /// Part of the work of the push, at the level where it is largest.
+        /// Part of the work of the push, the larger one of the last two levels.
         part: f64,
     },
     /// Blocks slide away before the scene collapses, and levels do not agree on where it does.
@@ -149,10 +149,10 @@ pub enum PushoverFact {
     )]
     OneLevel { bracket: Bracket },
     #[error(
-        "shorter and shorter substeps do not settle one multiplier; they gave {}",
+        "shorter and shorter substeps do not agree on one multiplier; they gave {}",
         all_printed(.brackets)
     )]
-    LevelsUnsettled {
+    LevelsDisagree {
         /// Their brackets, from the longest substep to the shortest.
         brackets: Vec<Bracket>,
     },

@@ -106,7 +106,7 @@ impl PushoverFact {
             PushoverFact::OneLevel { bracket } | PushoverFact::OfSeveral { states: bracket } => {
                 ends(bracket)
             }
-            PushoverFact::LevelsUnsettled { brackets }
+            PushoverFact::LevelsDisagree { brackets }
             | PushoverFact::RangeUnfinished { so_far: brackets } => {
                 brackets.iter_mut().for_each(ends);
             }

@@ -26,11 +26,8 @@ fn all_numbers() -> Vec<Number> {
         extrapolation, slow_motion, settled_speed, runaway, collapse, onset, first_increment, resting,
         seen, doubt, near, still, moving, missing
     );
-    let slow_steps: Number = (
-        "slow_steps",
-        |own, by| own.slow_steps[1] = (3.0 * by).round() as usize,
-        &[0.5, 2.0],
-    );
+    let scaled = |own: &mut Parameters, by: f64| own.slow_steps[1] = (3.0 * by).round() as usize;
+    let slow_steps: Number = ("slow_steps", scaled, &[0.5, 2.0]);
     let lower: [Number; 1] = numbers!(&[0.5]; damp_below);
     let upper: [Number; 1] = numbers!(&[2.0]; recycle_distance);
     [&both[..], &[slow_steps], &lower, &upper].concat()
@@ -45,13 +42,11 @@ fn open(unit: [f64; 2], courses: &[&str]) -> Scene {
 /// Scenes with their multipliers: a column that rocks (elementary statics, width over height) and the
 /// paper's Wall 1 (its lowest verified state, which associative friction meets).
 fn scenes() -> Vec<(&'static str, Scene, f64)> {
+    let column = open([1.0, 1.0], &["1"; 12]);
+    let paper_1 = open([4.0, 1.75], &["h1111h", "11111"].repeat(3));
     vec![
-        ("column of 12", open([1.0, 1.0], &["1"; 12]), 1.0 / 12.0),
-        (
-            "paper-1",
-            open([4.0, 1.75], &["h1111h", "11111"].repeat(3)),
-            0.639_969,
-        ),
+        ("column of 12", column, 1.0 / 12.0),
+        ("paper-1", paper_1, 0.639_969),
     ]
 }
 
@@ -95,11 +90,8 @@ fn light_on_top() -> (&'static str, Scene, f64) {
             load.live *= LIGHT;
         }
     });
-    (
-        "light on top",
-        column,
-        0.5 * (5.0 + LIGHT) / (12.5 + 5.5 * LIGHT),
-    )
+    let lambda = 0.5 * (5.0 + LIGHT) / (12.5 + 5.5 * LIGHT);
+    ("light on top", column, lambda)
 }
 
 /// A column that sways, so that its masses grow with the depth; width over height.

@@ -33,12 +33,17 @@ pub struct Levels {
 }
 
 impl Levels {
-    /// The last outcome, with what levels say instead of what it saw by itself.
+    /// The last outcome, with what levels say instead of what it saw by itself; an estimate where no error is stated.
     pub fn with(self, found: Enclosure) -> Outcome {
-        observing(self.last, |observed| {
+        let error = Some(found.error).filter(|error| error.is_finite());
+        let mut outcome = observing(self.last, |observed| {
             observed.bracket = Some(found.bracket);
-            observed.stated_error = Some(found.error);
-        })
+            observed.stated_error = error;
+        });
+        if error.is_none() {
+            outcome.status = Status::Estimate;
+        }
+        outcome
     }
 
     /// What the levels agree on, or else what the last two cover; without either no number.
@@ -69,7 +74,7 @@ impl Levels {
     pub fn why_not(&self) -> PushoverFact {
         match *self.brackets() {
             [bracket] => PushoverFact::OneLevel { bracket },
-            _ => PushoverFact::LevelsUnsettled {
+            _ => PushoverFact::LevelsDisagree {
                 brackets: self.brackets(),
             },
         }
@@ -78,10 +83,7 @@ impl Levels {
     /// Whether blocks had left the place where they were laid, at the last loads at rest or at all of them.
     pub fn slides(&self) -> bool {
         let mut last_two = self.seen.iter().rev().take(2);
-        match self.seen.is_empty() {
-            true => self.drifts(),
-            false => last_two.any(|level| level.drift > SLIDE),
-        }
+        last_two.any(|level| level.drift > SLIDE) || self.seen.is_empty() && self.drifts()
     }
 
     /// Whether the last level had no answer because the scene drifts, however short the substep.
@@ -97,8 +99,7 @@ pub fn by_levels(scene: &Scene, portion: &Portion, asked: Asked) -> Levels {
         true => usize::MAX,
         false => tuned.budget,
     };
-    let mut sizes = sizes(scene, portion, tuned);
-    let sways = sizes.sways;
+    let sizes = sizes(scene, portion, tuned);
     let mut levels = Levels {
         seen: Vec::new(),
         last: Outcome::of(Status::Undecided),
@@ -106,10 +107,10 @@ pub fn by_levels(scene: &Scene, portion: &Portion, asked: Asked) -> Levels {
         agreed: None,
         wandering: None,
         ran_out: false,
-        sways,
+        sways: sizes.sways,
     };
     let swaying = tuned.levels_of_swaying.min(tuned.levels);
-    let least = if sways { swaying } else { 2 };
+    let least = if sizes.sways { swaying } else { 2 };
     let (mut spent, mut halvings) = (0, 0);
     let (mut softest, mut fallen, mut doubts) = (f64::INFINITY, false, 0);
     loop {
@@ -122,12 +123,14 @@ pub fn by_levels(scene: &Scene, portion: &Portion, asked: Asked) -> Levels {
         spent += cost;
         match (outcome.bracket(), outcome.evidence.stated_error()) {
             (Some(bracket), Some(target)) => {
-                let drift = drift(&outcome);
-                levels.seen.push(Level { bracket, drift });
-                sizes.jump = sizes.jump.max(jump_of(&outcome.facts));
+                levels.seen.push(Level {
+                    bracket,
+                    drift: drift(&outcome),
+                    jump: jump_of(&outcome.facts),
+                });
                 levels.last = outcome;
                 let halved_once = halvings == levels.halvings + 1;
-                let two_suffice = halved_once && differ_in_deflection(&levels.seen, sizes, tuned);
+                let two_suffice = halved_once && differ_in_deflection(&levels.seen, tuned);
                 levels.halvings = halvings;
                 let all = levels.seen.len() >= tuned.levels;
                 levels.ran_out = !all && spent.saturating_add(cost) > budget;
@@ -163,7 +166,9 @@ pub fn by_levels(scene: &Scene, portion: &Portion, asked: Asked) -> Levels {
             }
         }
     }
-    state_jump(&mut levels.last.facts, sizes.jump);
+    let last_two = levels.seen.iter().rev().take(2);
+    let jump = last_two.map(|level| level.jump).fold(0.0, f64::max);
+    state_jump(&mut levels.last.facts, jump);
     levels.last.work.block_steps = spent;
     levels
 }
@@ -175,7 +180,6 @@ fn sizes(scene: &Scene, portion: &Portion, tuned: &Tuned) -> Sizes {
         unit: portion.multiplier_unit(scene),
         sways: (model.as_ref()).is_ok_and(|model| model.courses >= tuned.swaying),
         extent: model.map_or(1.0, |model| model.extent),
-        jump: 0.0,
     }
 }
 
@@ -205,7 +209,7 @@ fn shortens(before: &mut f64, outcome: &Outcome, shrinking: f64) -> bool {
     shorter
 }
 
-/// Says how large the jump was that any level saw, and not what the last one did.
+/// Says how large the largest jump is, and not what one level saw.
 pub fn state_jump(facts: &mut Vec<Fact>, part: f64) {
     facts.retain(|fact| !matches!(fact, Fact::Pushover(PushoverFact::Jumps { .. })));
     facts.extend((part > 0.0).then(|| Fact::from(PushoverFact::Jumps { part })));

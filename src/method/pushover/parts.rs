@@ -59,17 +59,22 @@ fn stands_at(outcome: &Outcome) -> Option<f64> {
     })
 }
 
-/// The weakest part's outcome beside those of parts that collapse almost as early.
-fn beside(outcome: Outcome, bracket: Bracket, others: &[(&Portion, Outcome)]) -> Outcome {
+/// The weakest part's outcome beside those of parts that collapse almost as early: an estimate beside one.
+fn beside(mut outcome: Outcome, bracket: Bracket, others: &[(&Portion, Outcome)]) -> Outcome {
     let near = others.iter().filter_map(|(_, of)| {
         let bracket_of = of.bracket()?;
-        let error = of.evidence.stated_error().unwrap_or(0.0);
-        (bracket_of.lower * (1.0 - error) <= bracket.upper).then_some((bracket_of.lower, error))
+        let error = of.evidence.stated_error();
+        let least = bracket_of.lower * (1.0 - error.unwrap_or(0.0));
+        (least <= bracket.upper).then_some((bracket_of.lower, error, &of.facts))
     });
     let (mut lower, mut most) = (bracket.lower, outcome.evidence.stated_error());
-    for (other, error) in near {
+    for (other, error, facts) in near {
         lower = lower.min(other);
-        most = most.map(|most| most.max(error));
+        most = most.zip(error).map(|(most, error)| most.max(error));
+        if error.is_none() {
+            outcome.status = Status::Estimate;
+            outcome.facts.extend_from_slice(facts);
+        }
     }
     observing(outcome, |observed| {
         observed.bracket = Some(Bracket { lower, ..bracket });

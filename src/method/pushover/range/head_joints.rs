@@ -14,14 +14,9 @@ use crate::scene::Scene;
 /// What three levels of both directions cost, in first levels: the second knows where to look.
 const FIRST_LEVELS: usize = 2 * (1 + 1 + 2);
 
-/// The pushovers of a range.
-type Runs = [(Variation, Outcome); 2];
-
 /// What the levels of the scene and of its mirror image see, of which each may meet another state.
 pub fn over_head_joints(scene: &Scene, part: &Portion, asked: Asked) -> Outcome {
-    let Asked {
-        settings, tuned, ..
-    } = asked;
+    let tuned = asked.tuned;
     let undecided = |fact| Outcome::without_number(Status::Undecided, fact);
     let Ok(mirror) = scene.mirrored() else {
         return undecided(PushoverFact::NoMirror);
@@ -30,7 +25,7 @@ pub fn over_head_joints(scene: &Scene, part: &Portion, asked: Asked) -> Outcome 
     let model = Model::new(scene, part, &tuned);
     let courses = model.map_or(1.0, |model| model.courses);
     let costs = FIRST_LEVELS as f64 * blocks as f64 * tuned.substeps_of_course * courses;
-    if costs > tuned.range_budget as f64 && !settings.long_ranges {
+    if costs > tuned.range_budget as f64 && !asked.settings.long_ranges {
         return undecided(PushoverFact::RangeNotRun { blocks });
     }
     let (one, other) = both(
@@ -61,7 +56,7 @@ fn levelled(scene: &Scene, part: &Portion, asked: Asked, mirrored: bool) -> (Var
 }
 
 /// One outcome of both; without a number where one of them has none.
-fn joined(runs: Runs) -> Outcome {
+fn joined(runs: [(Variation, Outcome); 2]) -> Outcome {
     let block_steps = runs.iter().map(|(_, run)| run.work.block_steps).sum();
     let checks = runs.iter().flat_map(|(variation, run)| {
         run.evidence.checks().iter().map(|check| SelfCheck {
@@ -75,17 +70,19 @@ fn joined(runs: Runs) -> Outcome {
     let outcome = match (one.bracket(), other.bracket()) {
         (Some(bracket), Some(others)) => {
             let errors = [one, other].map(|run| run.evidence.stated_error());
+            let error = errors[0].zip(errors[1]).map(|(one, other)| one.max(other));
             let observed = Observed {
                 bracket: Some(bracket.hull(others)),
-                stated_error: errors[0].zip(errors[1]).map(|(one, other)| one.max(other)),
+                stated_error: error,
                 crack: crack(one).filter(|_| crack(one) == crack(other)),
                 ..Observed::default()
             };
+            let status = error.map_or(Status::Estimate, |_| Status::Bracketed);
             let mut facts = vec![PushoverFact::Range.into()];
             state_jump(&mut facts, jump_of(&one.facts).max(jump_of(&other.facts)));
             Outcome {
                 facts,
-                ..Outcome::with(Status::Bracketed, observed)
+                ..Outcome::with(status, observed)
             }
         }
         _ => without(&runs),
@@ -96,7 +93,7 @@ fn joined(runs: Runs) -> Outcome {
 }
 
 /// Why there is no range. A scene that falls whichever way it is pushed falls.
-fn without(runs: &Runs) -> Outcome {
+fn without(runs: &[(Variation, Outcome)]) -> Outcome {
     if runs.iter().all(|(_, run)| run.status == Status::Falls) {
         return Outcome {
             facts: runs[0].1.facts.clone(),
