@@ -5,7 +5,8 @@
 //! ```
 //!
 //! λ is the last load at rest and the first that collapsed from there. What the search or its
-//! self-checks cannot vouch for is `undecided` with a reason, never a number.
+//! self-checks cannot vouch for is `undecided` with a reason, never a number. A tall wall that falls in a
+//! large jump is an `estimate`, which states no error.
 
 mod agreement;
 mod apart;
