@@ -101,7 +101,7 @@ pub struct Observed {
     pub bracket: Option<Bracket>,
     /// Error that is stated for the bracket, relative to λ.
     pub stated_error: Option<f64>,
-    /// Displacements from the last rest to the collapse, at the upper end of the bracket.
+    /// Displacements from the onset of the collapse on, at the upper end of the bracket.
     pub mechanism: Option<Mechanism>,
     /// Crack of these displacements.
     pub crack: Option<Crack>,
