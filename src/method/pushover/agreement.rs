@@ -155,11 +155,14 @@ fn fell_short(levels: &[Level], sizes: Sizes, tuned: &Tuned) -> Option<f64> {
     };
     let (step, back) = (apart(first, before), apart(before, last));
     let ratio = match *levels {
-        [.., earlier, _, _, _] => (step / apart(earlier, first)).abs().min(tuned.shrinking),
-        // How fast three levels shrink is not known, only that they do not turn back.
-        _ if step * back < 0.0 => tuned.shrinking,
-        _ => return None,
+        [.., earlier, _, _, _] => (step / apart(earlier, first)).abs(),
+        _ => f64::INFINITY,
     };
+    // Differences that did not shrink led nowhere, but do not turn back either.
+    if ratio > tuned.shrinking && step * back >= 0.0 {
+        return None;
+    }
+    let ratio = ratio.min(tuned.shrinking);
     let left = step * ratio / (1.0 - ratio) - back;
     (sizes.sways && step * left > 0.0).then_some(left)
 }
@@ -241,8 +244,7 @@ mod tests {
         let top_heavy = [(0.5043, 7.7e-3), (0.513, 2.7e-3), (0.5131, 7e-4)];
         let top_heavy = top_heavy.map(|(lower, drift)| at(lower, lower + 2e-4, drift));
         assert_eq!(agree(&top_heavy[..2]), None);
-        let lower = 0.513;
-        let upper = 0.5133;
+        let (lower, upper) = (0.513, 0.5133);
         assert_eq!(agree(&top_heavy).unwrap().bracket, Bracket { lower, upper });
     }
 
