@@ -106,8 +106,9 @@ fn random(seed: u64) -> ([f64; 2], usize, usize, f64) {
     ([length, height], units, courses, random.between(0.35, 0.95))
 }
 
-/// The first three fall in jumps, and lay 0.4 to 2.5 % below their lowest states where they stated 0.2 to 1 %; the
-/// fourth has a last level that turns back, and lay 0.3 % below where it stated 0.2 %.
+/// The first three fall in jumps, and lay 0.5 to 2.5 % below their lowest states where they stated 0.2 to 1 %; the
+/// last level of the fourth falls short of where those before it led: 0.24 % below, and 0.2 % stated. At most a
+/// quarter of walls whose states lie within 5 % are refused.
 #[test]
 #[ignore = "minutes"]
 fn random_tall_walls_are_right_within_what_is_stated() {
@@ -118,7 +119,7 @@ fn random_tall_walls_are_right_within_what_is_stated() {
         ([1.5, 1.0], 21, 30, 0.658),
     ];
     let walls = known.into_iter().chain((0..share(25) as u64).map(random));
-    let (mut asked, mut undecided, mut estimates, mut wrong) = (0, 0, 0, Vec::new());
+    let (mut asked, mut refused, mut estimates, mut wrong) = ([0; 2], [0; 2], 0, Vec::new());
     for (unit, units, courses, friction) in walls {
         let odd = vec![Piece::Unit; units];
         let scene = in_running_bond([even(units), odd], courses, unit, friction);
@@ -126,7 +127,9 @@ fn random_tall_walls_are_right_within_what_is_stated() {
         let Some(truth) = truth_from(&scene, 0) else {
             continue;
         };
-        asked += 1;
+        // Where states lie far apart, the load at which a wall falls depends on more than its scene.
+        let apart = usize::from(truth.upper > 1.05 * truth.lower);
+        asked[apart] += 1;
         let seen = Pushover.solve(&scene, &Settings::default());
         let said = format!(
             "{units} × {courses} of {unit:?}, {friction:.3}: {:?} {:?}, {truth:?} {}",
@@ -139,10 +142,12 @@ fn random_tall_walls_are_right_within_what_is_stated() {
             (Some(bracket), Some(error)) if distance(bracket, truth) <= error => {}
             (Some(_), Some(_)) => wrong.push(said),
             (Some(_), None) => estimates += 1,
-            (None, _) => undecided += 1,
+            (None, _) => refused[apart] += 1,
         }
     }
     assert!(wrong.is_empty(), "{wrong:#?}");
-    println!("{asked} walls, {estimates} estimates, {undecided} undecided");
-    assert!(4 * undecided <= asked, "{undecided} of {asked} undecided");
+    println!(
+        "{asked:?} walls whose states lie within 5 % and farther apart: {refused:?} refused, {estimates} estimates"
+    );
+    assert!(4 * refused[0] <= asked[0], "{refused:?} of {asked:?} refused");
 }

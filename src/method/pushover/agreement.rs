@@ -54,10 +54,7 @@ pub fn agreement(
     // Where none may follow, the difference itself has to be within the target, and is stated.
     let part = if ends { 1.0 } else { tuned.close };
     let close = step.abs() <= part * target * size;
-    let ratio = match *levels {
-        [.., first, before, _] => step.abs() / apart(first, before).abs(),
-        _ => f64::INFINITY,
-    };
+    let ratio = shrinkage(levels);
     if !(close || ratio <= tuned.shrinking) {
         return None;
     }
@@ -81,8 +78,10 @@ pub fn agreement(
     // No further level sees more than a step of the grid.
     let most = target * if ends { tuned.most_error } else { 1.0 };
     let most = most.max(rounded_up(grid / size));
-    let agrees = complete && error <= most;
-    let error = error.max(least(before, last, sizes, target, tuned));
+    let least = least(before, last, sizes, target, tuned);
+    // A further level may not jump, and state an error.
+    let agrees = complete && error <= most && (ends || least.is_finite());
+    let error = error.max(least);
     agrees.then_some(Enclosure { bracket, error })
 }
 
@@ -96,9 +95,8 @@ fn least(before: Level, last: Level, sizes: Sizes, target: f64, tuned: &Tuned) -
     }
 }
 
-/// Whether the last two levels, of which one halves the substep of the other, saw the same bracket, no jump, and
-/// differ in deflection alone, which falls by four: a small part of how far the scene moved is left for a substep
-/// of 0.
+/// Whether the last two levels saw the same bracket and no jump, and differ in deflection alone, which falls by four
+/// where one halves the substep of the other: little of how far the scene moved is left for a substep of 0.
 pub fn differ_in_deflection(levels: &[Level], tuned: &Tuned) -> bool {
     let [.., before, last] = *levels else {
         return false;
@@ -113,14 +111,17 @@ fn apart(one: Level, other: Level) -> f64 {
     middle(other) - middle(one)
 }
 
+/// Part of the difference before that the last one is; infinite where there is none before.
+fn shrinkage(levels: &[Level]) -> f64 {
+    match *levels {
+        [.., first, before, last] => (apart(before, last) / apart(first, before)).abs(),
+        _ => f64::INFINITY,
+    }
+}
+
 /// What the last two of levels that do not agree saw: states that lie close together. The error is how far the
 /// last one moved the ends; where differences grow beyond what may be stated, they have no end in sight.
-pub fn of_last_two(
-    levels: &[Level],
-    sizes: Sizes,
-    target: f64,
-    tuned: &Tuned,
-) -> Option<Enclosure> {
+pub fn wandering(levels: &[Level], sizes: Sizes, target: f64, tuned: &Tuned) -> Option<Enclosure> {
     let [.., first, before, last] = *levels else {
         return None;
     };
@@ -130,7 +131,7 @@ pub fn of_last_two(
     let ends = (earlier.lower - bracket.lower).max(bracket.upper - earlier.upper);
     let width = before.bracket.width().max(last.bracket.width());
     let error = rounded_up((ends.max(width) / size).max(last.drift / sizes.extent));
-    let grows = apart(before, last).abs() > apart(first, before).abs();
+    let grows = shrinkage(levels) > 1.0;
     let covers = error <= tuned.most_error * target || !grows;
     let error = error.max(least(before, last, sizes, target, tuned));
     covers.then_some(Enclosure { bracket, error })
@@ -154,10 +155,7 @@ fn fell_short(levels: &[Level], sizes: Sizes, tuned: &Tuned) -> Option<f64> {
         return None;
     };
     let (step, back) = (apart(first, before), apart(before, last));
-    let ratio = match *levels {
-        [.., earlier, _, _, _] => (step / apart(earlier, first)).abs(),
-        _ => f64::INFINITY,
-    };
+    let ratio = shrinkage(&levels[..levels.len() - 1]);
     // Differences that did not shrink led nowhere, but do not turn back either.
     if ratio > tuned.shrinking && step * back >= 0.0 {
         return None;
@@ -325,7 +323,7 @@ mod tests {
             let levels = [level, level, Level { jump, ..level }];
             let sizes = Sizes { sways, ..SIZES };
             let agreed = agreement(&levels, sizes, 2e-3, true, &Tuned::TUNED).unwrap();
-            let covered = of_last_two(&levels, sizes, 2e-3, &Tuned::TUNED).unwrap();
+            let covered = wandering(&levels, sizes, 2e-3, &Tuned::TUNED).unwrap();
             assert_eq!(agreed.error, covered.error);
             agreed.error
         };
@@ -350,7 +348,7 @@ mod tests {
     fn levels_that_wander_state_how_far() {
         let levels = |brackets: [f64; 4]| brackets.map(|lower| at(lower, lower + 2e-4, 1e-3));
         let seen = levels([0.3516, 0.3516, 0.4050, 0.3517]);
-        let covered = |levels: &[Level]| of_last_two(levels, SIZES, 2e-3, &Tuned::TUNED);
+        let covered = |levels: &[Level]| wandering(levels, SIZES, 2e-3, &Tuned::TUNED);
         let found = covered(&seen).unwrap();
         assert_eq!((found.bracket.lower, found.error), (0.3517, 5e-4));
         let seen = levels([0.3437, 0.3437, 0.3765, 0.4455]);

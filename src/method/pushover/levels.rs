@@ -4,7 +4,7 @@
 //! shrinks from level to level. One level can only assume that error; two measure it. Agreement is
 //! necessary, not proof: a state that all levels miss is missed.
 
-use super::agreement::{Enclosure, Level, Sizes, agreement, differ_in_deflection, of_last_two};
+use super::agreement::{Enclosure, Level, Sizes, agreement, differ_in_deflection, wandering};
 use super::model::Model;
 use super::observing::observing;
 use super::parameters::{Asked, SLIDE};
@@ -137,7 +137,7 @@ pub fn by_levels(scene: &Scene, portion: &Portion, asked: Asked) -> Levels {
                 let ends = all || levels.ran_out;
                 let agreed = agreement(&levels.seen, sizes, target, ends, tuned);
                 levels.agreed = agreed.filter(|_| two_suffice || levels.seen.len() >= least);
-                levels.wandering = of_last_two(&levels.seen, sizes, target, tuned);
+                levels.wandering = wandering(&levels.seen, sizes, target, tuned);
                 if ends || levels.agreed.is_some() {
                     break;
                 }
@@ -209,7 +209,7 @@ fn shortens(before: &mut f64, outcome: &Outcome, shrinking: f64) -> bool {
     shorter
 }
 
-/// Says how large the largest jump is, and not what one level saw.
+/// Says how large the larger jump of two runs is, instead of what one of them saw.
 pub fn state_jump(facts: &mut Vec<Fact>, part: f64) {
     facts.retain(|fact| !matches!(fact, Fact::Pushover(PushoverFact::Jumps { .. })));
     facts.extend((part > 0.0).then(|| Fact::from(PushoverFact::Jumps { part })));

@@ -178,7 +178,7 @@ fn strip_moved(model: &Model, still: f64, [from, to]: [&[BodyState]; 2]) -> bool
 /// The outcome of a bracket.
 fn collapsed(model: &Model, parameters: &Parameters, seen: &Observation) -> Outcome {
     let moved = |frame: &Vec<BodyState>| mechanism(model, &seen.settled.states, frame);
-    let mechanism = mechanism(model, &seen.begun, &seen.collapsed);
+    let mechanism = mechanism(model, &seen.onset, &seen.collapsed);
     let observed = Observed {
         bracket: Some(Bracket {
             lower: model.lambda(seen.loads[0]),

@@ -17,8 +17,8 @@ pub struct Observation {
     pub settled: RestState,
     /// Blocks at the last load at rest.
     pub rest: RestState,
-    /// Blocks when the collapse had begun; where it has no beginning, at the last load at rest.
-    pub begun: Vec<BodyState>,
+    /// Blocks at the onset of the collapse; where it was not seen in time, at the last load at rest.
+    pub onset: Vec<BodyState>,
     /// Blocks when the collapse was called.
     pub collapsed: Vec<BodyState>,
     /// What happened then, where frames are asked for.
@@ -106,12 +106,15 @@ pub fn search(
                 continue;
             }
             Held::Collapse { .. } if last => {
-                let onset = hold.onset.take();
+                let onset = hold.onset.as_ref();
+                // A fall that was half over when it was seen is read from the last rest.
+                let moved = |onset: &Onset| displacement(model, &seen.states, &onset.states);
+                let early = |onset: &&Onset| moved(onset) < parameters.collapse / 2.0;
+                let begun = onset.filter(early).map(|onset| &onset.states);
                 return SearchEnd::Bracketed(Box::new(Observation {
                     loads: [lower, target],
-                    jump: (onset.as_ref())
-                        .map_or(0.0, |onset| jump(model, &seen, onset, [lower, target])),
-                    begun: onset.map_or_else(|| seen.states.clone(), |onset| onset.states),
+                    jump: onset.map_or(0.0, |onset| jump(model, &seen, onset, [lower, target])),
+                    onset: begun.unwrap_or(&seen.states).clone(),
                     collapsed: physics.states(),
                     fall: (parameters.frames > 0)
                         .then(|| fall(physics, model, target, &settled.states, parameters.frames)),

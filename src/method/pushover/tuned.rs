@@ -28,8 +28,7 @@ tuned! {
     more_sweeps: usize = 2;
     /// Levels that may end with a load that neither rests nor collapses in time.
     doubts: usize = 3;
-    /// Levels that must agree where a scene sways, unless two differ in deflection alone: only three show whether
-    /// differences shrink.
+    /// Levels that must agree where a scene sways, unless two differ in deflection alone: three show a trend.
     levels_of_swaying: usize = 3;
     /// Part of how far such a scene moves before it collapses that may be left for a substep of 0 where two do.
     creeping: f64 = 0.1;
