@@ -54,13 +54,15 @@ pub fn agreement(
     // Where none may follow, the difference itself has to be within the target, and is stated.
     let part = if ends { 1.0 } else { tuned.close };
     let close = step.abs() <= part * target * size;
-    let ratio = shrinkage(levels);
-    if !(close || ratio <= tuned.shrinking) {
-        return None;
-    }
-    let ratio = ratio.min(tuned.shrinking);
     let grid = sizes.unit / GRID;
     let shows = !overlap(before.bracket, last.bracket, grid);
+    let ratio = shrinkage(levels);
+    // Small steps of a scene that sways add up, where they all lead the same way and do not shrink.
+    let goes_on = sizes.sways && shows && ratio > tuned.shrinking;
+    if goes_on || !(close || ratio.abs() <= tuned.shrinking) {
+        return None;
+    }
+    let ratio = ratio.abs().min(tuned.shrinking);
     let left = match shows {
         true => step * ratio / (1.0 - ratio),
         false if sizes.sways => unresolved(levels, grid),
@@ -71,10 +73,13 @@ pub fn agreement(
     let missing = fell_short(levels, sizes, tuned).filter(|by| by.abs() > left.abs());
     let left = missing.unwrap_or(left);
     let bracket = covering(before.bracket, last.bracket, left, grid);
-    let error = bracket
-        .relative_width(sizes.unit)
-        .max(moved(before, last, shows) / sizes.extent);
-    let error = rounded_up(error);
+    // It collapses elsewhere than where it was laid, with other lever arms. A trend makes up for deflection.
+    let moved = match shows {
+        true => slid(before, last).clamp(0.0, last.drift),
+        false => last.drift,
+    };
+    let width = bracket.relative_width(sizes.unit);
+    let error = rounded_up(width.max(moved / sizes.extent));
     // No further level sees more than a step of the grid.
     let most = target * if ends { tuned.most_error } else { 1.0 };
     let most = most.max(rounded_up(grid / size));
@@ -105,16 +110,24 @@ pub fn differ_in_deflection(levels: &[Level], tuned: &Tuned) -> bool {
     same && slid(before, last) < tuned.creeping * last.drift
 }
 
+/// The levels of one way to fall: those from the last one on before whose collapse a scene that sways moved farther
+/// than with a longer substep. Contacts deflect less with a shorter one: the longer one fell too early.
+pub fn of_one_fall(levels: &[Level], sizes: Sizes, tiny: f64) -> &[Level] {
+    let farther = |pair: &[Level]| sizes.sways && pair[1].drift > pair[0].drift + tiny;
+    let before = levels.windows(2).rposition(farther);
+    &levels[before.map_or(0, |at| at + 1)..]
+}
+
 /// How much higher one level lies than another.
 fn apart(one: Level, other: Level) -> f64 {
     let middle = |of: Level| of.bracket.lower.midpoint(of.bracket.upper);
     middle(other) - middle(one)
 }
 
-/// Part of the difference before that the last one is; infinite where there is none before.
+/// Part of the difference before that the last one is, below 0 where it turns back; infinite without one before.
 fn shrinkage(levels: &[Level]) -> f64 {
     match *levels {
-        [.., first, before, last] => (apart(before, last) / apart(first, before)).abs(),
+        [.., first, before, last] => apart(before, last) / apart(first, before),
         _ => f64::INFINITY,
     }
 }
@@ -131,7 +144,7 @@ pub fn wandering(levels: &[Level], sizes: Sizes, target: f64, tuned: &Tuned) -> 
     let ends = (earlier.lower - bracket.lower).max(bracket.upper - earlier.upper);
     let width = before.bracket.width().max(last.bracket.width());
     let error = rounded_up((ends.max(width) / size).max(last.drift / sizes.extent));
-    let grows = shrinkage(levels) > 1.0;
+    let grows = shrinkage(levels).abs() > 1.0;
     let covers = error <= tuned.most_error * target || !grows;
     let error = error.max(least(before, last, sizes, target, tuned));
     covers.then_some(Enclosure { bracket, error })
@@ -155,25 +168,19 @@ fn fell_short(levels: &[Level], sizes: Sizes, tuned: &Tuned) -> Option<f64> {
         return None;
     };
     let (step, back) = (apart(first, before), apart(before, last));
-    let ratio = shrinkage(&levels[..levels.len() - 1]);
+    // Of three levels nothing tells by how much differences shrink.
+    let ratio = match levels.len() {
+        3 => tuned.shrinking,
+        all => shrinkage(&levels[..all - 1]).abs(),
+    };
     // Differences that did not shrink led nowhere, but do not turn back either.
     if ratio > tuned.shrinking && step * back >= 0.0 {
         return None;
     }
     let ratio = ratio.min(tuned.shrinking);
     let left = step * ratio / (1.0 - ratio) - back;
-    (sizes.sways && step * left > 0.0).then_some(left)
-}
-
-/// How far the scene moved before it collapsed, in course heights: it collapses elsewhere than where it
-/// was laid, with lever arms that differ by as much. Contacts deflect with the square of the substep; a
-/// trend that `shows` makes up for that, and what is left for a substep of 0 is how far the scene slid.
-fn moved(before: Level, last: Level, shows: bool) -> f64 {
-    if shows {
-        slid(before, last).clamp(0.0, last.drift)
-    } else {
-        last.drift
-    }
+    let shows = left.abs() > before.bracket.width().max(last.bracket.width());
+    (sizes.sways && shows && step * left > 0.0).then_some(left)
 }
 
 /// How far the scene slides before it collapses, in course heights: what is left of how far it moved without
@@ -313,6 +320,20 @@ mod tests {
         assert!(!two(0.5405, 0.0, [0.345, 0.1121]));
         assert!(!two(0.5405, 9e-3, [0.231, 0.0586]));
         assert!(!two(0.5410, 0.0, [0.231, 0.0586]));
+    }
+
+    /// A wall of 34 courses, levels 0.3495, 0.3515, 0.3615, 0.3625 and 0.3635, whose lowest collapse state is 0.3726.
+    #[test]
+    fn levels_of_another_fall_and_small_steps_that_go_on_do_not_agree() {
+        let levels = [0.007, 0.081, 0.203, 0.115].map(|drift| at(0.36, 0.3605, drift));
+        let going_on = [0.3615, 0.3625, 0.3635].map(|lower| at(lower, lower + 5e-4, 0.01));
+        for sways in [false, true] {
+            let sizes = Sizes { sways, ..SIZES };
+            let alike = [2, 3, 4].map(|seen| of_one_fall(&levels[..seen], sizes, 0.01).len());
+            assert_eq!(alike, if sways { [1, 1, 2] } else { [2, 3, 4] });
+            let agreed = agreement(&going_on, sizes, 3e-3, true, &Tuned::TUNED);
+            assert_eq!(agreed.is_none(), sways);
+        }
     }
 
     /// Rubble that falls 0.13 % below its lowest state at every substep, and a wall of 34 courses, 2.8 %.

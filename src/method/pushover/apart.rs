@@ -12,7 +12,7 @@ const HALF: usize = 16;
 
 /// Bits that decide what collides: two faces do where each is a member of a group that the other
 /// meets.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Groups {
     /// The group that the face is in.
     pub member: u32,

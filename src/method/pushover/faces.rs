@@ -48,52 +48,37 @@ pub fn faces(
     portion: &Portion,
     (origin, length): (Point, f64),
 ) -> Result<Vec<Face>, PushoverFact> {
-    let carries = |joint: &Joint| {
+    let carries = |(_, joint): &(usize, &Joint)| {
         // A pin holds its block by itself.
         joint.length() > 0.0
             && !(portion.is_absent(joint.to)
                 || portion.is_fixed(joint.from) && portion.is_fixed(Side::Block(joint.to)))
     };
-    let joints: Vec<(usize, &Joint)> = (scene.joints().iter().enumerate())
-        .filter(|(_, joint)| carries(joint))
-        .collect();
-    let places = |&(_, joint): &(usize, &Joint)| {
-        [joint.from, Side::Block(joint.to)].map(|body| place(scene, joint, body, origin, length))
+    let joints = scene.joints().iter().enumerate().filter(carries);
+    let both = |(index, joint): (usize, &Joint)| {
+        let on = |body| face(scene, (index, joint), body, (origin, length));
+        [joint.from, Side::Block(joint.to)].map(on)
     };
-    let places: Vec<[Place; 2]> = joints.iter().map(places).collect();
-    let boxes: Vec<(Point, Point)> = places.iter().map(about).collect();
-    let groups = groups(&boxes, REACH)?;
-    let pairs = joints.iter().zip(places).zip(groups);
-    let faces = pairs.flat_map(|((&(index, joint), places), groups)| {
-        let bodies = [joint.from, Side::Block(joint.to)];
-        [0, 1].map(|end| Face {
-            joint: index,
-            body: bodies[end],
-            is_second: end == 1,
-            centre: places[end].centre.into(),
-            along: places[end].along.into(),
-            half: places[end].half,
-            friction: joint.friction,
-            groups: groups[end],
-        })
-    });
-    Ok(faces.collect())
+    let mut pairs: Vec<[Face; 2]> = joints.map(both).collect();
+    let boxes: Vec<(Point, Point)> = pairs.iter().map(about).collect();
+    for (pair, groups) in pairs.iter_mut().zip(groups(&boxes, REACH)?) {
+        [pair[0].groups, pair[1].groups] = groups;
+    }
+    Ok(pairs.concat())
 }
 
-/// Where a face lies.
-struct Place {
-    centre: Point,
-    along: Vector,
-    half: f64,
-}
-
-/// The face of a joint on one of its bodies: behind the joint, and along the body's side as far as
-/// that goes on, so that a block that slides keeps what it rests on, and loses it at the corner.
-fn place(scene: &Scene, joint: &Joint, body: Side, origin: Point, length: f64) -> Place {
-    let (shape, behind) = match body {
-        Side::Block(block) if block == joint.to => (&scene.blocks()[block].shape, joint.normal),
-        Side::Block(block) => (&scene.blocks()[block].shape, -joint.normal),
-        Side::Support(support) => (&scene.supports()[support], -joint.normal),
+/// The face of a joint on one of its bodies, without groups: behind the joint, and along the body's side as
+/// far as that goes on, so that a block that slides keeps what it rests on, and loses it at the corner.
+fn face(
+    scene: &Scene,
+    (index, joint): (usize, &Joint),
+    body: Side,
+    (origin, length): (Point, f64),
+) -> Face {
+    let is_second = body == Side::Block(joint.to);
+    let shape = match body {
+        Side::Block(block) => &scene.blocks()[block].shape,
+        Side::Support(support) => &scene.supports()[support],
     };
     let along = (joint.ends[1] - joint.ends[0]).normalize();
     let (from, to) = side(shape, joint);
@@ -102,11 +87,21 @@ fn place(scene: &Scene, joint: &Joint, body: Side, origin: Point, length: f64) -
     let low = at(from).min(at(to)).clamp(-reach, 0.0);
     let high = at(from).max(at(to));
     let high = high.clamp(joint.length(), joint.length() + reach);
+    let behind = if is_second {
+        joint.normal
+    } else {
+        -joint.normal
+    };
     let middle = joint.ends[0] + along * low.midpoint(high) + behind * (DEPTH / 2.0 * length);
-    Place {
-        centre: Point::from((middle - origin) / length),
-        along,
+    Face {
+        joint: index,
+        body,
+        is_second,
+        centre: Point::from((middle - origin) / length).into(),
+        along: along.into(),
         half: (high - low) / 2.0 / length,
+        friction: joint.friction,
+        groups: Groups::default(),
     }
 }
 
@@ -125,11 +120,12 @@ fn side(shape: &Polygon, joint: &Joint) -> (Point, Point) {
 }
 
 /// The box about both faces of a joint.
-fn about(pair: &[Place; 2]) -> (Point, Point) {
-    let corners = pair.iter().flat_map(|place| {
-        let half = place.along * place.half;
+fn about(pair: &[Face; 2]) -> (Point, Point) {
+    let corners = pair.iter().flat_map(|face| {
+        let half = Vector::from(face.along) * face.half;
         let deep = Vector::new(-half.y, half.x).normalize() * (DEPTH / 2.0);
-        [half + deep, half - deep, deep - half, -half - deep].map(|to| place.centre + to)
+        [half + deep, half - deep, deep - half, -half - deep]
+            .map(|to| Point::from(face.centre) + to)
     });
     bounds(&corners.collect::<Vec<Point>>())
 }

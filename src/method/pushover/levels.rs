@@ -4,7 +4,9 @@
 //! shrinks from level to level. One level can only assume that error; two measure it. Agreement is
 //! necessary, not proof: a state that all levels miss is missed.
 
-use super::agreement::{Enclosure, Level, Sizes, agreement, differ_in_deflection, wandering};
+use super::agreement::{
+    Enclosure, Level, Sizes, agreement, differ_in_deflection, of_one_fall, wandering,
+};
 use super::model::Model;
 use super::observing::observing;
 use super::parameters::{Asked, SLIDE};
@@ -24,7 +26,7 @@ pub struct Levels {
     pub halvings: u32,
     /// What the levels agree on.
     pub agreed: Option<Enclosure>,
-    /// Where they do not, what the last two cover.
+    /// Where they do not, what the last two cover; not of a tall wall, whose levels follow a trend.
     pub wandering: Option<Enclosure>,
     /// Whether a further level would have cost too much.
     pub ran_out: bool,
@@ -80,15 +82,13 @@ impl Levels {
         }
     }
 
-    /// Whether blocks had left the place where they were laid, at the last loads at rest or at all of them.
+    /// Whether blocks had left the place where they were laid, at the last loads at rest; without any, whether the
+    /// scene drifts, however short the substep.
     pub fn slides(&self) -> bool {
+        let drifts = |check: &SelfCheck| check.what == Checked::Drift;
         let mut last_two = self.seen.iter().rev().take(2);
-        last_two.any(|level| level.drift > SLIDE) || self.seen.is_empty() && self.drifts()
-    }
-
-    /// Whether the last level had no answer because the scene drifts, however short the substep.
-    fn drifts(&self) -> bool {
-        failed_check(&self.last).is_some_and(|check| check.what == Checked::Drift)
+        last_two.any(|level| level.drift > SLIDE)
+            || self.seen.is_empty() && failed_check(&self.last).is_some_and(drifts)
     }
 }
 
@@ -132,12 +132,16 @@ pub fn by_levels(scene: &Scene, portion: &Portion, asked: Asked) -> Levels {
                 let halved_once = halvings == levels.halvings + 1;
                 let two_suffice = halved_once && differ_in_deflection(&levels.seen, tuned);
                 levels.halvings = halvings;
-                let all = levels.seen.len() >= tuned.levels;
+                let tiny = tuned.close * target * sizes.extent;
+                let alike = of_one_fall(&levels.seen, sizes, tiny);
+                let too_few = alike.len() + tuned.levels < least + levels.seen.len();
+                let all = too_few || levels.seen.len() >= tuned.levels;
                 levels.ran_out = !all && spent.saturating_add(cost) > budget;
                 let ends = all || levels.ran_out;
-                let agreed = agreement(&levels.seen, sizes, target, ends, tuned);
-                levels.agreed = agreed.filter(|_| two_suffice || levels.seen.len() >= least);
-                levels.wandering = wandering(&levels.seen, sizes, target, tuned);
+                let agreed = agreement(alike, sizes, target, ends, tuned);
+                levels.agreed = agreed.filter(|_| two_suffice || alike.len() >= least);
+                let covered = wandering(&levels.seen, sizes, target, tuned);
+                levels.wandering = covered.filter(|_| !sizes.sways);
                 if ends || levels.agreed.is_some() {
                     break;
                 }

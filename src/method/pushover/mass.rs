@@ -1,7 +1,7 @@
 //! Masses, which a multiplier does not depend on, and by how much a block's movement is to be
 //! magnified before it is judged, so that a light or a small block is seen beside heavy ones.
 
-use super::portion::{Portion, Role};
+use super::portion::Portion;
 use super::tuned::Tuned;
 use crate::answer::PushoverFact;
 use crate::mechanics::reach;
@@ -90,7 +90,7 @@ fn refuse_unequal(
     weights: &[f64],
     most: f64,
 ) -> Result<(), PushoverFact> {
-    let free = (0..weights.len()).filter(|&i| portion.role(i) == Role::Free && weights[i] > 0.0);
+    let free = (0..weights.len()).filter(|&i| portion.is_free(i) && weights[i] > 0.0);
     let by_weight = |a: &usize, b: &usize| weights[*a].total_cmp(&weights[*b]);
     let (Some(light), Some(heavy)) = (free.clone().min_by(by_weight), free.max_by(by_weight))
     else {

@@ -1,7 +1,7 @@
 //! How far and how fast: pure functions of states. What light and small blocks do is magnified, so
 //! that it is seen beside heavy ones.
 
-use super::model::{Model, MovingBody};
+use super::model::{BodyForce, Model, MovingBody};
 use super::physics::BodyState;
 
 /// Largest speed of any point of any block.
@@ -52,13 +52,11 @@ pub fn live_work(model: &Model, from: &[BodyState], to: &[BodyState]) -> f64 {
     let of = |((a, b), block): ((&BodyState, &BodyState), &MovingBody)| -> f64 {
         let turn = b.rotation - a.rotation;
         let [x, y] = [0, 1].map(|axis| b.position[axis] - a.position[axis]);
-        let loads = block.loads.iter();
-        loads
-            .map(|load| {
-                let [arm_x, arm_y] = load.arm;
-                load.live[0] * (x - turn * arm_y) + load.live[1] * (y + turn * arm_x)
-            })
-            .sum()
+        let along = |force: &BodyForce| {
+            let [arm_x, arm_y] = force.arm;
+            force.live[0] * (x - turn * arm_y) + force.live[1] * (y + turn * arm_x)
+        };
+        block.loads.iter().map(along).sum()
     };
     from.iter().zip(to).zip(&model.blocks).map(of).sum()
 }

@@ -6,7 +6,7 @@
 
 use super::faces::{Face, faces};
 use super::mass::{Inert, inert};
-use super::portion::{Portion, Role};
+use super::portion::Portion;
 use super::tuned::Tuned;
 use crate::answer::{Bracket, PushoverFact};
 use crate::mechanics::reach;
@@ -98,8 +98,7 @@ impl<'a> Model<'a> {
             tuned,
         )?;
         let faces = faces(scene, portion, (units.origin, units.length))?;
-        let free = (scene.blocks().iter().enumerate())
-            .filter(|&(index, _)| portion.role(index) == Role::Free);
+        let free = (scene.blocks().iter().enumerate()).filter(|&(index, _)| portion.is_free(index));
         let mut blocks: Vec<MovingBody> = free
             .map(|(index, block)| units.body((index, block), scene.pin(index), inert[index]))
             .collect();

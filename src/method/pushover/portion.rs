@@ -13,9 +13,11 @@ use crate::scene::{
 
 /// What a block is in a pushover.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Role {
+enum Role {
     /// It moves as it must.
     Free,
+    /// It does too, between the stagger line and the blocks held fixed.
+    Strip,
     /// It is held fixed.
     Fixed,
     /// It belongs to another part.
@@ -24,34 +26,30 @@ pub enum Role {
 
 /// The role of every block, in the scene's order; by default all are free.
 #[derive(Clone, Debug, Default)]
-pub struct Portion {
-    /// Blocks of other parts.
-    absent: Vec<bool>,
-    /// Blocks held fixed.
-    fixed: Vec<bool>,
-    /// Blocks between the stagger line and those held fixed.
-    strip: Vec<bool>,
-}
+pub struct Portion(Vec<Role>);
 
 impl Portion {
     /// The connected parts of a scene, in the order of their first blocks.
     pub fn parts(scene: &Scene) -> Vec<Self> {
         let of = connected_parts(scene.blocks().len(), scene.joints());
         let first = (0..of.len()).filter(|&block| of[block] == block);
-        let portion = first.map(|first| Self {
-            absent: of.iter().map(|&other| other != first).collect(),
-            ..Self::default()
-        });
-        portion.collect()
+        let part = |first: usize| {
+            let role = |&other: &usize| match other == first {
+                true => Role::Free,
+                false => Role::Absent,
+            };
+            Self(of.iter().map(role).collect())
+        };
+        first.map(part).collect()
     }
 
-    /// What a block is.
-    pub fn role(&self, block: usize) -> Role {
-        match (self.absent.get(block), self.fixed.get(block)) {
-            (Some(true), _) => Role::Absent,
-            (_, Some(true)) => Role::Fixed,
-            _ => Role::Free,
-        }
+    fn role(&self, block: usize) -> Role {
+        self.0.get(block).copied().unwrap_or(Role::Free)
+    }
+
+    /// Whether a block moves as it must.
+    pub fn is_free(&self, block: usize) -> bool {
+        matches!(self.role(block), Role::Free | Role::Strip)
     }
 
     /// Whether a block belongs to another part.
@@ -62,7 +60,7 @@ impl Portion {
     /// The blocks of this part, also those held fixed.
     pub fn present<'a>(&'a self, scene: &'a Scene) -> impl Iterator<Item = &'a Block> {
         let blocks = scene.blocks().iter().enumerate();
-        let present = blocks.filter(|&(index, _)| self.role(index) != Role::Absent);
+        let present = blocks.filter(|&(index, _)| !self.is_absent(index));
         present.map(|(_, block)| block)
     }
 
@@ -74,7 +72,7 @@ impl Portion {
     /// The joints of this part.
     pub fn joints<'a>(&'a self, scene: &'a Scene) -> impl Iterator<Item = &'a Joint> + Clone {
         let joints = scene.joints().iter();
-        joints.filter(|joint| self.role(joint.to) != Role::Absent)
+        joints.filter(|joint| !self.is_absent(joint.to))
     }
 
     /// Whether head joints of this part are in contact: what they carry depends on how the wall came
@@ -112,12 +110,12 @@ impl Portion {
 
     /// Whether any block is held fixed.
     pub fn holds_any(&self) -> bool {
-        self.fixed.contains(&true)
+        self.0.contains(&Role::Fixed)
     }
 
     /// Whether a block is in the strip that must stay still.
     pub fn is_in_strip(&self, block: usize) -> bool {
-        self.strip.get(block) == Some(&true)
+        self.role(block) == Role::Strip
     }
 }
 
@@ -125,7 +123,7 @@ impl Portion {
 /// each overlap. `None` where there is nothing to gain, and for irregular walls: a part with
 /// openings may fail far from that line, where nothing would tell.
 pub fn beyond_stagger(scene: &Scene, part: &Portion, tuned: &Tuned) -> Option<Portion> {
-    if part.absent.contains(&true) {
+    if part.0.contains(&Role::Absent) {
         return None;
     }
     scene.regular().as_ref().ok()?;
@@ -133,27 +131,20 @@ pub fn beyond_stagger(scene: &Scene, part: &Portion, tuned: &Tuned) -> Option<Po
         .coursing()
         .filter(|wall| wall.levels.len() as f64 >= tuned.swaying)?;
     let (low, high) = scene.bounds();
-    // Overlaps between the stagger line and the block's near side.
-    let beyond = scene.blocks().iter().map(|block| {
+    let role = |block: &Block| {
         let (l, h) = block.shape.bounds();
         let near = match scene.push() {
             Push::Right => high.x - h.x,
             Push::Left => l.x - low.x,
         };
         let course = wall.courses_up_to(l.y - low.y) as f64 + 1.0;
-        near / wall.overlap - course
-    });
-    let beyond: Vec<f64> = beyond.collect();
-    let fixed: Vec<bool> = beyond.iter().map(|&by| by > tuned.margin - 0.5).collect();
-    let strip = beyond
-        .iter()
-        .zip(&fixed)
-        .map(|(&by, &f)| by > -0.5 && !f)
-        .collect();
-    let part = Portion {
-        fixed,
-        strip,
-        ..Portion::default()
+        // Overlaps between the stagger line and the block's near side.
+        match near / wall.overlap - course {
+            beyond if beyond > tuned.margin - 0.5 => Role::Fixed,
+            beyond if beyond > -0.5 => Role::Strip,
+            _ => Role::Free,
+        }
     };
+    let part = Portion(scene.blocks().iter().map(role).collect());
     part.holds_any().then_some(part)
 }

@@ -47,25 +47,23 @@ impl<'a> Trial<'a> {
     /// The outcome with parameters changed. A scene that neither rests nor falls rattles, because its
     /// friction is not solved to the end: it is pushed again with more sweeps.
     pub fn run(&self, change: &impl Fn(Parameters) -> Parameters) -> Outcome {
-        let with_more = |sweeps: usize| {
-            self.set_free(&|own| {
+        let (mut more, mut spent) = (0, 0);
+        loop {
+            let mut outcome = self.set_free(&|own| {
                 let own = change(own);
+                let stabilization = own.stabilization + more;
                 Parameters {
-                    stabilization: own.stabilization + sweeps,
+                    stabilization,
                     ..own
                 }
-            })
-        };
-        let mut outcome = with_more(0);
-        for sweeps in 1..=self.asked.tuned.more_sweeps {
-            if !is_unclear(&outcome) {
-                break;
+            });
+            spent += outcome.work.block_steps;
+            more += 1;
+            if more > self.asked.tuned.more_sweeps || !is_unclear(&outcome) {
+                outcome.work.block_steps = spent;
+                return outcome;
             }
-            let spent = outcome.work.block_steps;
-            outcome = with_more(sweeps);
-            outcome.work.block_steps += spent;
         }
-        outcome
     }
 
     /// The outcome with parameters changed. A part that was held fixed and might have moved is set

@@ -10,7 +10,7 @@ use crate::scene::Scene;
 
 /// An outcome after [`verify`]: the figures join its checks, and without agreement it loses its
 /// number.
-pub fn confirmed(scene: &Scene, settings: &PushoverSettings, outcome: Outcome) -> Outcome {
+pub fn confirmed(scene: &Scene, settings: &PushoverSettings, mut outcome: Outcome) -> Outcome {
     if outcome.bracket().is_none() {
         return outcome;
     }
@@ -25,9 +25,8 @@ pub fn confirmed(scene: &Scene, settings: &PushoverSettings, outcome: Outcome) -
         return observing(refused, |observed| observed.checks = checks);
     }
     let agreed = repeated.into_iter().map(PushoverFact::Checked);
-    let mut confirmed = outcome;
-    confirmed.facts.extend(agreed.map(Fact::from));
-    observing(confirmed, |observed| observed.checks = checks)
+    outcome.facts.extend(agreed.map(Fact::from));
+    observing(outcome, |observed| observed.checks = checks)
 }
 
 /// Repeats a bracketed pushover with half the substep, on the mirrored scene and without kinetic

@@ -10,16 +10,10 @@ use crate::scene::Scene;
 /// What the last two levels cover. Where blocks had slid out of their place by then, the scene that collapsed is
 /// no longer the one that was laid: the load at which the first of them does so counts too, or alone.
 pub fn over_states(scene: &Scene, part: &Portion, asked: Asked, levels: Levels) -> Outcome {
-    let levels = match levels.sways {
-        // Levels of a tall wall follow a trend, and the last two do not tell what is left of it.
-        true => Levels {
-            wandering: None,
-            ..levels
-        },
-        false if levels.slides() && !levels.ran_out => return in_place(scene, part, asked, levels),
-        false => levels,
-    };
-    levels.measured()
+    match !levels.sways && levels.slides() && !levels.ran_out {
+        true => in_place(scene, part, asked, levels),
+        false => levels.measured(),
+    }
 }
 
 /// What levels saw of a scene that slides before it collapses, and where a block leaves its place.
