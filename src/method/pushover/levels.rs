@@ -123,11 +123,7 @@ pub fn by_levels(scene: &Scene, portion: &Portion, asked: Asked) -> Levels {
         spent += cost;
         match (outcome.bracket(), outcome.evidence.stated_error()) {
             (Some(bracket), Some(target)) => {
-                levels.seen.push(Level {
-                    bracket,
-                    drift: drift(&outcome),
-                    jump: jump_of(&outcome.facts),
-                });
+                levels.seen.push(level(&outcome, bracket));
                 levels.last = outcome;
                 let halved_once = halvings == levels.halvings + 1;
                 let two_suffice = halved_once && differ_in_deflection(&levels.seen, tuned);
@@ -156,10 +152,9 @@ pub fn by_levels(scene: &Scene, portion: &Portion, asked: Asked) -> Levels {
                 doubts += usize::from(is_unclear(&outcome));
                 let unclear = is_unclear(&outcome) && doubts <= tuned.doubts;
                 let more = if fell || unclear { Some(1) } else { soft };
-                if levels.seen.is_empty() {
-                    levels.last = outcome;
-                } else {
-                    levels.last.facts = outcome.facts;
+                match levels.seen.is_empty() {
+                    true => levels.last = outcome,
+                    false => levels.last.facts = outcome.facts,
                 }
                 halvings += more.unwrap_or(0);
                 if more.is_none() || halvings > tuned.halvings {
@@ -228,9 +223,13 @@ pub fn jump_of(facts: &[Fact]) -> f64 {
     facts.iter().map(part).fold(0.0, f64::max)
 }
 
-/// How far the scene moved up to the last load at rest, in course heights: the figure of the check on drift.
-fn drift(outcome: &Outcome) -> f64 {
+/// What a level saw beside its bracket: how far the scene moved is the figure of the check on drift.
+fn level(outcome: &Outcome, bracket: Bracket) -> Level {
     let mut checks = outcome.evidence.checks().iter();
-    let of = checks.find(|check| check.what == Checked::Drift);
-    of.map_or(f64::INFINITY, |check| check.value)
+    let drift = checks.find(|check| check.what == Checked::Drift);
+    Level {
+        bracket,
+        drift: drift.map_or(f64::INFINITY, |check| check.value),
+        jump: jump_of(&outcome.facts),
+    }
 }
