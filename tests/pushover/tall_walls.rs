@@ -105,9 +105,9 @@ fn random(seed: u64) -> ([f64; 2], usize, usize, f64) {
 }
 
 /// The first two fall in jumps, and the next two move farther before they fall than with longer substeps: they lay 0.5
-/// to 3 % below their lowest states where they stated 0.2 to 1 %. Levels of the last two fall short of where those
+/// to 2.6 % below their lowest states where they stated 0.2 to 1 %. Levels of the last two fall short of where those
 /// before them led: 0.2 and 0.5 % below, and 0.2 and 0.3 % stated. Of walls whose states lie within 5 %, at most a
-/// third are refused: 3 of all 16, and 3 of the 9 that two fifths of the test have.
+/// quarter are refused; all are pushed whatever the share, as a quarter of few tells nothing.
 #[test]
 #[ignore = "minutes"]
 fn random_tall_walls_are_right_within_what_is_stated() {
@@ -119,13 +119,15 @@ fn random_tall_walls_are_right_within_what_is_stated() {
         ([1.5, 1.0], 21, 30, 0.658),
         ([1.5, 1.0], 21, 30, 0.649),
     ];
-    let walls = known.into_iter().chain((0..share(25) as u64).map(random));
+    let walls = known.into_iter().chain((0..25).map(random)).enumerate();
     let (mut asked, mut refused, mut estimates, mut wrong) = ([0; 2], [0; 2], 0, Vec::new());
-    for (unit, units, courses, friction) in walls {
+    for (index, (unit, units, courses, friction)) in walls {
         let odd = vec![Piece::Unit; units];
         let scene = in_running_bond([even(units), odd], courses, unit, friction);
         // The truth of a scene with many collapse states is wide.
         let Some(truth) = truth_from(&scene, 0) else {
+            // Nothing can be said of such a wall: a known one would hide here.
+            assert!(index >= known.len(), "no state of {units} × {courses}");
             continue;
         };
         // Where states lie far apart, the load at which a wall falls depends on more than its scene.
@@ -151,7 +153,7 @@ fn random_tall_walls_are_right_within_what_is_stated() {
         "{asked:?} walls whose states lie within 5 % and farther apart: {refused:?} refused, {estimates} estimates"
     );
     assert!(
-        3 * refused[0] <= asked[0],
+        4 * refused[0] <= asked[0],
         "{refused:?} of {asked:?} refused"
     );
 }

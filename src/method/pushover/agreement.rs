@@ -73,7 +73,8 @@ pub fn agreement(
     let missing = fell_short(levels, sizes, tuned).filter(|by| by.abs() > left.abs());
     let left = missing.unwrap_or(left);
     let bracket = covering(before.bracket, last.bracket, left, grid);
-    // It collapses elsewhere than where it was laid, with other lever arms. A trend makes up for deflection.
+    // The scene collapses elsewhere than where it was laid, with other lever arms. A trend that shows makes up for
+    // what contacts deflect.
     let moved = match shows {
         true => slid(before, last).clamp(0.0, last.drift),
         false => last.drift,
@@ -110,8 +111,8 @@ pub fn differ_in_deflection(levels: &[Level], tuned: &Tuned) -> bool {
     same && slid(before, last) < tuned.creeping * last.drift
 }
 
-/// The levels of one way to fall: those from the last one on before whose collapse a scene that sways moved farther
-/// than with a longer substep. Contacts deflect less with a shorter one: the longer one fell too early.
+/// The last levels that fell in one way. Contacts deflect less with a shorter substep: where a scene that sways moved
+/// farther before its fall than at the level before, that one had fallen too early, and levels up to it do not count.
 pub fn of_one_fall(levels: &[Level], sizes: Sizes, tiny: f64) -> &[Level] {
     let farther = |pair: &[Level]| sizes.sways && pair[1].drift > pair[0].drift + tiny;
     let before = levels.windows(2).rposition(farther);
@@ -124,7 +125,7 @@ fn apart(one: Level, other: Level) -> f64 {
     middle(other) - middle(one)
 }
 
-/// Part of the difference before that the last one is, below 0 where it turns back; infinite without one before.
+/// The last difference as a part of the one before; below 0 where it turns back, infinite without one before.
 fn shrinkage(levels: &[Level]) -> f64 {
     match *levels {
         [.., first, before, last] => apart(before, last) / apart(first, before),
@@ -173,7 +174,7 @@ fn fell_short(levels: &[Level], sizes: Sizes, tuned: &Tuned) -> Option<f64> {
         3 => tuned.shrinking,
         all => shrinkage(&levels[..all - 1]).abs(),
     };
-    // Differences that did not shrink led nowhere, but do not turn back either.
+    // Where differences did not shrink, only a level that turns back falls short.
     if ratio > tuned.shrinking && step * back >= 0.0 {
         return None;
     }
