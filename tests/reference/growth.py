@@ -9,8 +9,7 @@
 through running bond, in three shapes of 8 to 1,290 blocks with open head joints and in one of 8 to 102 blocks in
 contact; the bound through running bond of 8 to 25 blocks.
 `growth-before.csv` is of the commit before contacts stood at the joints of the scene (d4da637), on the same machine
-and day; what that program could not read is not in it. The chart shows both. Ranges in contact were measured later, on
-a slower machine; each time is divided by how much longer rows with open head joints took there.
+and day; what that program could not read is not in it. The chart shows both.
 `table` prints the power of the number of blocks that fits best, and what lies furthest above it.
 """
 import csv
