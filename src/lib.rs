@@ -77,7 +77,7 @@ pub mod inside {
         SearchFailure, Uniqueness,
     };
     pub use crate::answer::{Checked, Repetition, SelfCheck};
-    pub use crate::certificate::{Refusal, prove};
+    pub use crate::certificate::{LongestWay, Refusal, prove};
     pub use crate::external::{
         AnswerFile, External, SceneFile, answer_schema, export, parse, scene_schema,
     };

@@ -23,6 +23,8 @@ pub(crate) struct JointRows {
 #[derive(Clone, Debug)]
 pub(crate) struct SlipBound {
     pub(crate) joint: usize,
+    /// Whether that way has three joints, so that it is used where shorter ones do not suffice.
+    pub(crate) is_long: bool,
     /// Rates, four a joint, and their positive shares.
     pub(crate) shares: Vec<Entry>,
     /// What rounding may leave of each velocity between the slip and what it is made of, at most.

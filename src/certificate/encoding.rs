@@ -7,7 +7,7 @@ use flate2::Compression;
 use flate2::read::ZlibDecoder;
 use flate2::write::ZlibEncoder;
 
-use super::types::{Assumption, Certificate, Factor, Slice};
+use super::types::{Assumption, Certificate, Factor, LongestWay, Slice};
 
 /// What every file of a certificate begins with, before the number of its version.
 const TITLE: &str = "trilith lower bound, version ";
@@ -15,8 +15,8 @@ const TITLE: &str = "trilith lower bound, version ";
 /// The version that is written and read.
 const VERSION: &str = "3";
 
-/// What version 3 says of its multipliers: that they have those of slip bounds, as all have.
-const WITH_SLIP_BOUNDS: usize = 1;
+/// How many bodies the ways lead through that limit slips, which tells their length.
+const WAYS: [(usize, LongestWay); 2] = [(1, LongestWay::TwoJoints), (2, LongestWay::ThreeJoints)];
 
 /// Most bytes that a certificate may have when it is not compressed: some 200 slices of 33 blocks.
 const LARGEST: u64 = 256 << 20;
@@ -42,7 +42,9 @@ impl Certificate {
         plain.extend_from_slice(scene);
         numbers(&mut plain, &[self.lower, self.cap]);
         list(&mut plain, &self.opening);
-        count(&mut plain, WITH_SLIP_BOUNDS);
+        let mut ways = WAYS.iter();
+        let way = ways.find(|(_, way)| *way == self.longest_way);
+        count(&mut plain, way.expect("both are there").0);
         count(&mut plain, self.slices.len());
         for slice in &self.slices {
             numbers(&mut plain, &[slice.from, slice.to, slice.sigma]);
@@ -153,15 +155,15 @@ impl<'a> Rest<'a> {
         let scene = String::from_utf8(self.bytes(length)?.to_vec()).ok()?;
         let (lower, cap) = (self.number()?, self.number()?);
         let opening = self.list()?;
-        if self.count()? != WITH_SLIP_BOUNDS {
-            return None;
-        }
+        let through = self.count()?;
+        let &(_, longest_way) = WAYS.iter().find(|(bodies, _)| *bodies == through)?;
         let slices = self.count()?;
         Some(Certificate {
             scene,
             lower,
             cap,
             opening,
+            longest_way,
             slices: (0..slices).map(|_| self.slice()).collect::<Option<_>>()?,
         })
     }
@@ -198,6 +200,7 @@ mod tests {
             lower: 0.25,
             cap: 1e4,
             opening: vec![0.1, 0.2],
+            longest_way: LongestWay::ThreeJoints,
             slices: vec![slice.clone(), slice],
         }
     }

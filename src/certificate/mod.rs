@@ -11,7 +11,7 @@
 //!
 //! is not negative, and zero where a corner force meets its own opening, μN + t its own g⁺, μN − t
 //! its own g⁻. Further rates are what each slip falls short of its bounds: with g⁺ = max(slip, 0), the
-//! other joints of a closed chain limit it (`slips.rs`). Forces are in equilibrium, E s = 0. A
+//! other joints of a closed chain limit it (`slips.rs`); a certificate says how long its chains are. Forces are in equilibrium, E s = 0. A
 //! certificate of a slice [a, b] gives multipliers m, not negative but for those of the zero products,
 //! and ν of any sign, such that for all s and k
 //!
@@ -58,4 +58,4 @@ pub use proof::prove;
 pub(crate) use proof::{Prover, scene_fingerprint};
 pub(crate) use tree::{SliceProof, together};
 pub(crate) use types::Zeros;
-pub use types::{Assumption, Certificate, Factor, Proved, Refusal, Slice};
+pub use types::{Assumption, Certificate, Factor, LongestWay, Proved, Refusal, Slice};

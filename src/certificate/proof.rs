@@ -45,7 +45,7 @@ pub fn prove(scene: &Scene, certificate: &Certificate) -> Result<Proved, Refusal
     if cap < 1.0 {
         return Err(Refusal::Capped { cap });
     }
-    let conditions = conditions.with_slip_bounds(scene);
+    let conditions = conditions.with_slip_bounds(scene, certificate.longest_way);
     let prover = Prover::new(scene, conditions, &certificate.opening)?;
     let slices = certificate.slices.iter().enumerate();
     let parts = slices.map(|(index, slice)| prover.slice(slice, certificate.cap, index));

@@ -15,23 +15,33 @@
 
 use super::conditions::{Conditions, Entry, SlipBound, relative};
 use super::sum::Sum;
+use super::types::LongestWay;
 use crate::scene::{Scene, Side};
 
 /// One joint of a way, and whether it leads from its `to` back to its `from`.
 type Leg = (usize, bool);
 
 impl Conditions {
-    /// The same with bounds of all slips, along the other ways between the sides of a joint of up to two
-    /// joints. Longer ones make the linear systems of the lift much denser, and were not needed on random
-    /// walls.
-    pub(crate) fn with_slip_bounds(mut self, scene: &Scene) -> Self {
+    /// The same with bounds of slips along the other ways between the sides of a joint: all those of up to two
+    /// joints and, of the `longest`, the first way of three joints of each joint that has none of these. The
+    /// bounds along ways of three joints stand last. They make the linear systems of the lift two to three times
+    /// as dear; those of joints that have shorter ways too gained less than they cost.
+    pub(crate) fn with_slip_bounds(mut self, scene: &Scene, longest: LongestWay) -> Self {
         let ways = Ways::of(scene);
-        for joint in 0..self.joints.len() {
-            let bounds = ways.between(joint).into_iter();
-            let bounds = bounds.map(|way| bound(scene, &self, joint, &way));
-            let bounds: Vec<_> = bounds.collect();
-            self.slip_bounds.extend(bounds);
+        let all = 0..self.joints.len();
+        let short: Vec<_> = all.map(|joint| ways.short(joint)).collect();
+        let of_all = short.iter().enumerate();
+        let short_ones = of_all.flat_map(|(joint, ways)| ways.iter().map(move |way| (joint, way)));
+        let mut bounds: Vec<SlipBound> = short_ones
+            .map(|(joint, way)| bound(scene, &self, joint, way))
+            .collect();
+        if longest == LongestWay::ThreeJoints {
+            let without = (0..short.len()).filter(|&joint| short[joint].is_empty());
+            let first = |joint| Some((joint, ways.of_length(joint, 3).into_iter().next()?));
+            let long = without.filter_map(first);
+            bounds.extend(long.map(|(joint, way)| bound(scene, &self, joint, &way)));
         }
+        self.slip_bounds = bounds;
         self
     }
 }
@@ -58,27 +68,36 @@ impl Ways {
         Self { bodies, legs }
     }
 
-    /// The ways of up to two joints from a joint's `from` to its `to` without it.
-    fn between(&self, joint: usize) -> Vec<Vec<Leg>> {
-        let [from, to] = self.bodies[joint];
-        let onward = |way: Vec<Leg>, seen: &[usize]| {
-            let at = *seen.last().expect("it begins somewhere");
-            let seen = seen.to_vec();
-            let next = self.legs[at]
-                .iter()
-                .filter(move |(_, body)| !seen.contains(body));
-            next.map(move |&(leg, body)| ([&way[..], &[leg]].concat(), body))
-        };
-        let mut short = Vec::new();
-        for (way, through) in onward(Vec::new(), &[from]) {
-            if through == to {
-                short.extend(Some(way).filter(|way| way[0].0 != joint));
-                continue;
-            }
-            let ends = onward(way, &[from, through]).filter(|(_, end)| *end == to);
-            short.extend(ends.map(|(way, _)| way));
-        }
+    /// The ways of up to two joints from a joint's `from` to its `to` without it, in the order of their first
+    /// joints.
+    fn short(&self, joint: usize) -> Vec<Vec<Leg>> {
+        let mut short = [1, 2].map(|length| self.of_length(joint, length)).concat();
+        short.sort_by_key(|way| way[0].0);
         short
+    }
+
+    /// The ways of so many joints from a joint's `from` to its `to` without it.
+    fn of_length(&self, joint: usize, length: usize) -> Vec<Vec<Leg>> {
+        let [from, to] = self.bodies[joint];
+        // Each with the bodies that it leads through.
+        let mut ways: Vec<(Vec<Leg>, Vec<usize>)> = vec![(Vec::new(), vec![from])];
+        for step in 1..=length {
+            let longer = ways.iter().flat_map(|(way, through)| {
+                let at = *through.last().expect("it begins somewhere");
+                let next = self.legs[at].iter().filter(move |(leg, body)| {
+                    let arrives = *body == to;
+                    leg.0 != joint && !through.contains(body) && arrives == (step == length)
+                });
+                next.map(|&(leg, body)| {
+                    (
+                        [&way[..], &[leg]].concat(),
+                        [&through[..], &[body]].concat(),
+                    )
+                })
+            });
+            ways = longer.collect();
+        }
+        ways.into_iter().map(|(way, _)| way).collect()
     }
 }
 
@@ -122,6 +141,7 @@ fn bound(scene: &Scene, conditions: &Conditions, joint: usize, way: &[Leg]) -> S
     let rounding = left.into_iter().map(|(k, sum)| (k, sum.largest(64.0)));
     SlipBound {
         joint,
+        is_long: way.len() > 2,
         shares,
         rounding: rounding.collect(),
     }
@@ -142,7 +162,7 @@ mod tests {
     #[test]
     fn a_unit_slips_on_one_half_as_on_the_other() {
         let scene = wall(&["hh", "1"]);
-        let conditions = Conditions::of(&scene).with_slip_bounds(&scene);
+        let conditions = Conditions::of(&scene).with_slip_bounds(&scene, LongestWay::ThreeJoints);
         let is_bed = |joint: &&usize| scene.joints()[**joint].to == 2;
         let all: Vec<usize> = (0..scene.joints().len()).collect();
         let beds: Vec<usize> = all.iter().filter(is_bed).copied().collect();
@@ -172,13 +192,29 @@ mod tests {
     /// What bounds are made of is the slip, to rounding, on walls with openings too.
     #[test]
     fn slips_are_made_of_the_rates_of_other_joints() {
-        let scene = wall(&["h1h", "11", "hgh", "11"]);
-        let bounds = Conditions::of(&scene).with_slip_bounds(&scene).slip_bounds;
-        assert_eq!(bounds.len(), 15);
-        for bound in bounds {
-            let rounding = bound.rounding.iter().map(|entry| entry.1);
-            assert!(rounding.fold(0.0, f64::max) < 1e-13, "{bound:?}");
-            assert!(bound.shares.iter().all(|entry| entry.1 > 0.0));
+        for (head_joints, short, long) in [(HeadJoints::Contact, 15, 0), (HeadJoints::Open, 0, 8)] {
+            let wall = Wall::laid([4.0, 1.75], 0.65, &["h1h", "11", "hgh", "11"]);
+            let scene = wall.scene(head_joints).unwrap();
+            let count = |longest: LongestWay| {
+                let conditions = Conditions::of(&scene).with_slip_bounds(&scene, longest);
+                for bound in &conditions.slip_bounds {
+                    let rounding = bound.rounding.iter().map(|entry| entry.1);
+                    assert!(rounding.fold(0.0, f64::max) < 1e-13, "{bound:?}");
+                    assert!(bound.shares.iter().all(|entry| entry.1 > 0.0));
+                }
+                let bounds = conditions.slip_bounds.iter();
+                let is_long: Vec<bool> = bounds.map(|bound| bound.is_long).collect();
+                assert!(is_long.is_sorted(), "short ones stand first");
+                is_long.iter().fold([0, 0], |[short, long], &is_long| {
+                    if is_long {
+                        [short, long + 1]
+                    } else {
+                        [short + 1, long]
+                    }
+                })
+            };
+            assert_eq!(count(LongestWay::TwoJoints), [short, 0]);
+            assert_eq!(count(LongestWay::ThreeJoints), [short, long]);
         }
     }
 }

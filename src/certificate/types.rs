@@ -90,6 +90,15 @@ impl Slice {
     }
 }
 
+/// How many joints the ways between the sides of a joint may have that limit its slip, beside its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LongestWay {
+    /// Two. Stored certificates of before have these alone.
+    TwoJoints,
+    /// Three for joints without a shorter way, as with open head joints.
+    ThreeJoints,
+}
+
 /// A proof that no collapse state of a scene in which the push does work has 0 ≤ λ < `lower`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Certificate {
@@ -101,6 +110,8 @@ pub struct Certificate {
     pub cap: f64,
     /// Velocities of a motion that opens every joint by more than μ times its slip.
     pub opening: Vec<f64>,
+    /// Which slip bounds its multipliers have.
+    pub longest_way: LongestWay,
     /// Slices. Those with the same assumptions stand in ascending order, each from no more than what
     /// is proved before it: by those of the same assumptions, or of fewer.
     pub slices: Vec<Slice>,

@@ -9,6 +9,7 @@ use std::collections::BTreeMap;
 
 use super::face::Face;
 use super::interior_point::Multipliers;
+use super::lift::Lift;
 use super::lifted::Request;
 use super::products::Products;
 use super::vanishing::Vanishing;
@@ -25,6 +26,8 @@ pub(super) struct Leaf {
     pub(super) share: f64,
     /// Whether shorter slices gain nothing either, so that it is to be divided.
     pub(super) divides: bool,
+    /// Whether its slices bound slips along ways of three joints too.
+    pub(super) has_long_ways: bool,
     /// Products that its last lifted state violates, the worst first.
     pub(super) violated: Vec<usize>,
     /// Up to which λ its forces can vanish; `None` until it is asked for.
@@ -74,6 +77,11 @@ impl Leaf {
         (vanishings, solved)
     }
 
+    /// Its forces and motions.
+    pub(super) fn face<'a>(&self, lift: &'a Lift) -> Face<'a> {
+        Face::of(lift, &self.assumed, self.has_long_ways)
+    }
+
     /// Its parts: in one the force of a product is zero, in the other its rate.
     pub(super) fn parts(&self, pair: usize) -> [Self; 2] {
         [Factor::Force, Factor::Rate].map(|zero| {
@@ -84,6 +92,7 @@ impl Leaf {
                 lower: self.lower,
                 share: 1.0,
                 divides: false,
+                has_long_ways: self.has_long_ways,
                 violated: Vec::new(),
                 // What assumes no more forces has the same.
                 vanishing: self.vanishing.clone().filter(|_| zero == Factor::Rate),
@@ -102,6 +111,7 @@ impl Default for Leaves {
             lower: 0.0,
             share: 1.0,
             divides: false,
+            has_long_ways: false,
             violated: Vec::new(),
             vanishing: None,
         }])
@@ -166,13 +176,12 @@ pub(super) fn violated(face: &Face, request: Request, multipliers: &Multipliers)
 
 #[cfg(test)]
 mod tests {
-    use super::super::lift::Lift;
     use super::super::opening;
     use super::super::parameters::Parameters;
     use super::super::slices::{Search, Slices};
     use super::*;
     use crate::answer::Work;
-    use crate::certificate::{Certificate, Refusal, prove};
+    use crate::certificate::{Certificate, LongestWay, Refusal, prove};
     use crate::certificate::{Conditions, Prover};
     use crate::method::Settings;
     use crate::method::limit::walls::{LOWEST_OF_SMALL_WALL as LOWEST, small_wall};
@@ -180,7 +189,7 @@ mod tests {
 
     /// The certificate of slices that are divided by these products from the start.
     fn divided(scene: &Scene, pairs: &[usize]) -> (Certificate, f64) {
-        let conditions = Conditions::of(scene).with_slip_bounds(scene);
+        let conditions = Conditions::of(scene).with_slip_bounds(scene, LongestWay::ThreeJoints);
         let opening = opening(scene, &mut Work::default()).unwrap();
         let prover = Prover::new(scene, conditions.clone(), &opening).unwrap();
         let lift = Lift::new(conditions, Parameters::TUNED).unwrap();

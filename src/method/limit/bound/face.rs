@@ -25,17 +25,22 @@ pub(super) struct Face<'a> {
     pub(super) motion: Motion,
     /// Which of them meet in the linear systems.
     pub(super) pattern: Pattern,
+    /// Whether slips are bounded along ways of three joints too.
+    has_long_ways: bool,
     /// The zero rates that do not follow from others.
     pivots: Vec<Pivot>,
 }
 
 impl<'a> Face<'a> {
-    /// That of these assumptions.
-    pub(super) fn of(lift: &'a Lift, assumed: &[Assumption]) -> Self {
+    /// That of these assumptions, with slip bounds along ways of three joints or without.
+    pub(super) fn of(lift: &'a Lift, assumed: &[Assumption], has_long_ways: bool) -> Self {
         let conditions = &lift.conditions;
         let zeros = Zeros::of(lift.joints(), assumed);
         let plain = Motion::of_velocities(conditions);
-        let (left, pivots) = plain.where_zero(conditions, |rate| zeros.rate(rate));
+        let (mut left, pivots) = plain.where_zero(conditions, |rate| zeros.rate(rate));
+        if !has_long_ways {
+            left.leave_out_long_ways(conditions);
+        }
         let motion = left.numbered();
         Self {
             basis: forces_where_zero(lift, &zeros),
@@ -43,6 +48,7 @@ impl<'a> Face<'a> {
             zeros,
             pattern: motion.pattern(),
             motion,
+            has_long_ways,
             pivots,
         }
     }
@@ -56,6 +62,7 @@ impl<'a> Face<'a> {
             basis: lift.basis.clone(),
             pattern: motion.pattern(),
             motion,
+            has_long_ways: true,
             pivots: Vec::new(),
         }
     }
@@ -63,6 +70,19 @@ impl<'a> Face<'a> {
     /// Free numbers of the forces.
     pub(super) fn free(&self) -> usize {
         self.basis.ncols()
+    }
+
+    /// Whether a rate has no multipliers, as it is a slip bound that is not used.
+    fn is_left_out(&self, rate: usize) -> bool {
+        let conditions = &self.lift.conditions;
+        let bound = rate.checked_sub(conditions.power() + 1);
+        let bound = bound.and_then(|bound| conditions.slip_bounds.get(bound));
+        !self.has_long_ways && bound.is_some_and(|bound| bound.is_long)
+    }
+
+    /// Whether the product of a force condition and a rate is zero, or left out.
+    pub(super) fn is_zero(&self, force: usize, rate: usize) -> bool {
+        self.zeros.is_zero(force, rate) || self.is_left_out(rate)
     }
 
     /// Products of numbers that a step of the interior point takes, roughly: those of the system's tiles
@@ -87,8 +107,9 @@ impl<'a> Face<'a> {
         let conditions = self.lift.force_conditions(basis, ends);
         let motion = Motion::of_velocities(&self.lift.conditions);
         for (rate, mut column) in values.column_iter_mut().enumerate() {
+            let is_left_out = self.zeros.rate(rate) || self.is_left_out(rate);
             for (force, value) in column.iter_mut().enumerate() {
-                if self.zeros.rate(rate) || self.zeros.force(force) {
+                if is_left_out || self.zeros.force(force) {
                     *value = 0.0;
                 }
             }
@@ -188,7 +209,7 @@ fn forces_where_zero(lift: &Lift, zeros: &Zeros) -> DMatrix<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::certificate::{Conditions, Factor};
+    use crate::certificate::{Conditions, Factor, LongestWay};
     use crate::method::limit::bound::parameters::Parameters;
     use crate::method::limit::walls::{LOWEST_OF_SMALL_WALL as LOWEST, small_wall};
     use crate::scene::HeadJoints;
@@ -198,7 +219,7 @@ mod tests {
     #[test]
     fn assumed_factors_take_what_a_face_leaves() {
         let scene = small_wall(HeadJoints::Contact);
-        let conditions = Conditions::of(&scene).with_slip_bounds(&scene);
+        let conditions = Conditions::of(&scene).with_slip_bounds(&scene, LongestWay::ThreeJoints);
         let lift = Lift::new(conditions, Parameters::TUNED).unwrap();
         let assume = |pair: usize, zero: Factor| Assumption { pair, zero };
         let rates = [0, 2, 3, 9].map(|pair| assume(pair, Factor::Rate));
@@ -210,7 +231,7 @@ mod tests {
             &forces,
             &[&rates[..], &forces, &joint].concat(),
         ] {
-            let face = Face::of(&lift, assumed);
+            let face = Face::of(&lift, assumed, false);
             let ends = [0.9 * LOWEST, 1.1 * LOWEST];
             let conditions = lift.force_conditions(&face.basis, ends);
             assert!(

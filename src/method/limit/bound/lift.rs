@@ -64,6 +64,14 @@ impl Lift {
         self.conditions.joints.len()
     }
 
+    /// Whether a slip is bounded along a way of three joints.
+    pub(super) fn has_long_ways(&self) -> bool {
+        self.conditions
+            .slip_bounds
+            .iter()
+            .any(|bound| bound.is_long)
+    }
+
     /// The force conditions of a slice a ≤ λ ≤ b in the free numbers of a basis of forces: four a joint,
     /// 1, λ − a, b − λ.
     pub(super) fn force_conditions(

@@ -65,9 +65,7 @@ impl<'a> Lifted<'a> {
         let products = Products::new(face, [request.from, request.to]);
         let rows = products.conditions.nrows();
         let all = 0..rows * face.motion.rows.len();
-        let is_zero: Vec<bool> = all
-            .map(|at| face.zeros.is_zero(at % rows, at / rows))
-            .collect();
+        let is_zero: Vec<bool> = all.map(|at| face.is_zero(at % rows, at / rows)).collect();
         let of_power = products.power.transpose();
         Self {
             count: (is_zero.iter().filter(|is_zero| !**is_zero).count() + 1) as f64,

@@ -33,7 +33,7 @@ impl Motion {
         }
     }
 
-    /// In the velocities of the blocks.
+    /// In the velocities of the blocks, and the forward slips of the joints.
     pub(super) fn of_velocities(conditions: &Conditions) -> Self {
         let rates = 0..=conditions.power();
         let mut rows: Vec<Vec<Entry>> = rates.map(|rate| conditions.rate_row(rate)).collect();
@@ -86,6 +86,16 @@ impl Motion {
             };
         }
         (self, pivots)
+    }
+
+    /// Without the rates of slip bounds along ways of three joints.
+    pub(super) fn leave_out_long_ways(&mut self, conditions: &Conditions) {
+        let bounds = &mut self.rows[conditions.power() + 1..];
+        for (row, bound) in bounds.iter_mut().zip(&conditions.slip_bounds) {
+            if bound.is_long {
+                row.clear();
+            }
+        }
     }
 
     /// With the unknowns alone that stand in a rate.
@@ -201,33 +211,49 @@ fn combined(entries: impl Iterator<Item = Entry>, row: impl Fn(usize) -> Vec<Ent
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::certificate::LongestWay;
+    use crate::mechanics::CollapseState;
     use crate::method::Settings;
     use crate::method::limit::interval::lowest;
     use crate::method::limit::walls::wall;
-    use crate::scene::Push;
+    use crate::scene::{HeadJoints, Push, Scene, Wall};
 
     /// Slips of verified collapse states are within their bounds, all rates not negative.
     #[test]
     fn slips_of_collapse_states_are_within_their_bounds() {
-        let scene = wall(4, Push::Right);
-        let conditions = Conditions::of(&scene).with_slip_bounds(&scene);
-        assert!(!conditions.slip_bounds.is_empty());
-        let motion = Motion::of_velocities(&conditions);
-        let found = lowest(&scene, &Settings::default(), f64::NEG_INFINITY);
-        assert!(!found.evidence.states().is_empty());
-        for state in found.evidence.states() {
-            let velocities = state.mechanism.motions.iter().map(|&motion| motion.into());
-            let scaled =
-                velocities.flat_map(|[x, y, turn]: [f64; 3]| [x, y, turn * scene.height()]);
-            let mut unknowns: Vec<f64> = scaled.collect();
-            let largest = unknowns.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
-            for joint in &conditions.joints {
-                let slip = joint.rates[2].iter().map(|&(k, value)| value * unknowns[k]);
-                let slip: f64 = slip.sum();
-                unknowns.push(slip.max(0.0));
+        let of_courses = |friction| {
+            let wall = Wall::laid([4.0, 1.75], friction, &["h1h", "11", "h1h", "11"]);
+            wall.scene(HeadJoints::Open).unwrap()
+        };
+        let scenes = [wall(4, Push::Right), of_courses(0.65), of_courses(0.2)];
+        for scene in scenes {
+            let conditions = Conditions::of(&scene);
+            let conditions = conditions.with_slip_bounds(&scene, LongestWay::ThreeJoints);
+            assert!(!conditions.slip_bounds.is_empty());
+            let found = lowest(&scene, &Settings::default(), f64::NEG_INFINITY);
+            assert!(!found.evidence.states().is_empty());
+            for state in found.evidence.states() {
+                assert_rates_are_not_negative(&scene, &conditions, state);
             }
-            let rates = motion.rates(&DMatrix::from_row_slice(1, motion.unknowns, &unknowns));
-            assert!(rates.iter().all(|rate| *rate > -1e-6 * largest), "{rates}");
         }
+    }
+
+    fn assert_rates_are_not_negative(
+        scene: &Scene,
+        conditions: &Conditions,
+        state: &CollapseState,
+    ) {
+        let velocities = state.mechanism.motions.iter().map(|&motion| motion.into());
+        let scaled = velocities.flat_map(|[x, y, turn]: [f64; 3]| [x, y, turn * scene.height()]);
+        let mut unknowns: Vec<f64> = scaled.collect();
+        let largest = unknowns.iter().fold(0.0, |most: f64, v| most.max(v.abs()));
+        for joint in &conditions.joints {
+            let slip = joint.rates[2].iter().map(|&(k, value)| value * unknowns[k]);
+            let slip: f64 = slip.sum();
+            unknowns.push(slip.max(0.0));
+        }
+        let motion = Motion::of_velocities(conditions);
+        let rates = motion.rates(&DMatrix::from_row_slice(1, motion.unknowns, &unknowns));
+        assert!(rates.iter().all(|rate| *rate > -1e-6 * largest), "{rates}");
     }
 }

@@ -24,19 +24,19 @@ pub(super) fn best_proof(
     (multipliers, exact): (&Multipliers, bool),
     prove: impl Fn(&Slice) -> Option<SliceProof>,
 ) -> Option<(Slice, SliceProof)> {
-    let (lift, zeros) = (face.lift, &face.zeros);
+    let lift = face.lift;
     let ends = [request.from, request.to];
     let products = Products::new(face, ends);
     let cleaner = Cleaner {
         products: &products,
         lambda: products.lambda.clone(),
-        is_zero: &|force, rate| zeros.is_zero(force, rate),
+        is_zero: &|force, rate| face.is_zero(force, rate),
         exponent: if exact { 2 } else { 1 },
     };
     let kept = &multipliers.values;
     let dropped = kept.map_with_location(|force, rate, value| {
         let is_leaving = value < multipliers.products[(force, rate)];
-        if is_leaving && !zeros.is_zero(force, rate) {
+        if is_leaving && !face.is_zero(force, rate) {
             0.0
         } else {
             value

@@ -12,7 +12,7 @@ use super::slice::best_proof;
 use super::vanishing::Vanishing;
 use crate::answer::{BoundFact, Budget};
 use crate::certificate::{Assumption, Factor, Prover, SliceProof, scene_fingerprint, together};
-use crate::certificate::{Certificate, Proved, Slice};
+use crate::certificate::{Certificate, LongestWay, Proved, Slice};
 use crate::method::settings::BoundSettings;
 use crate::scene::Scene;
 
@@ -80,8 +80,9 @@ impl Search<'_> {
     /// Solves slices until the bound meets the lowest state or the budget is spent, always of the
     /// branch with the lowest bound. A slice begins where the last one ended: the whole distance to
     /// the state at first, then half of what is left; half as far after one that gained less than half of its
-    /// width, twice as far after one without states. Where short ones gain nothing either, the branch is
-    /// divided. `told` gets the slices each time that the bound has grown.
+    /// width, twice as far after one without states. Where short ones gain nothing either, slips are bounded
+    /// along longer ways too; where these gain nothing, the branch is divided. `told` gets the slices each time
+    /// that the bound has grown.
     pub(super) fn run(&mut self, slices: &mut Slices, state: f64, told: &dyn Fn(&Slices)) {
         slices.ended_by = None;
         let tolerance = self.settings.bound_gap * state.max(1e-3);
@@ -119,7 +120,7 @@ impl Search<'_> {
         goal: Goal,
     ) -> Result<(), Budget> {
         let own = &self.lift.parameters;
-        let steps_left = self.steps_left(slices, &Face::of(self.lift, &leaf.assumed))?;
+        let steps_left = self.steps_left(slices, &leaf.face(self.lift))?;
         if self.exclude(slices, leaf, goal.state) {
             return Ok(());
         }
@@ -138,6 +139,11 @@ impl Search<'_> {
         // A slice that reaches the state may fail where one that ends before it does not.
         let is_tried = gain > 0.0 || request.to <= goal.state;
         leaf.divides = is_tried && (leaf.share < own.least_share || gain < own.least_gain);
+        if leaf.divides && !leaf.has_long_ways && self.lift.has_long_ways() {
+            leaf.has_long_ways = true;
+            leaf.divides = false;
+            leaf.share = own.next_share;
+        }
         Ok(())
     }
 
@@ -242,7 +248,7 @@ impl Search<'_> {
     /// Solves one slice of a leaf, and returns the share of its width by which it raises the leaf's bound.
     fn solve(&self, found: &mut Slices, leaf: &mut Leaf, request: Request) -> f64 {
         let assumed = leaf.assumed.clone();
-        let face = Face::of(self.lift, &assumed);
+        let face = leaf.face(self.lift);
         let bearable = self.lift.parameters.lost_to_rounding * (request.to - request.from);
         let mut best: Option<Best> = None;
         let steps = solve(&face, request, &mut |multipliers, exact| {
@@ -323,6 +329,7 @@ impl Slices {
             lower: proved.lower,
             cap,
             opening,
+            longest_way: LongestWay::ThreeJoints,
             slices: self.slices.iter().map(|(slice, _)| slice.clone()).collect(),
         };
         (certificate, proved)
