@@ -15,9 +15,6 @@ const TITLE: &str = "trilith lower bound, version ";
 /// The version that is written and read.
 const VERSION: &str = "3";
 
-/// How many bodies the ways lead through that limit slips, which tells their length.
-const WAYS: [(usize, LongestWay); 2] = [(1, LongestWay::TwoJoints), (2, LongestWay::ThreeJoints)];
-
 /// Most bytes that a certificate may have when it is not compressed: some 200 slices of 33 blocks.
 const LARGEST: u64 = 256 << 20;
 
@@ -42,9 +39,7 @@ impl Certificate {
         plain.extend_from_slice(scene);
         numbers(&mut plain, &[self.lower, self.cap]);
         list(&mut plain, &self.opening);
-        let mut ways = WAYS.iter();
-        let way = ways.find(|(_, way)| *way == self.longest_way);
-        count(&mut plain, way.expect("both are there").0);
+        count(&mut plain, self.longest_way as usize);
         count(&mut plain, self.slices.len());
         for slice in &self.slices {
             numbers(&mut plain, &[slice.from, slice.to, slice.sigma]);
@@ -155,8 +150,11 @@ impl<'a> Rest<'a> {
         let scene = String::from_utf8(self.bytes(length)?.to_vec()).ok()?;
         let (lower, cap) = (self.number()?, self.number()?);
         let opening = self.list()?;
-        let through = self.count()?;
-        let &(_, longest_way) = WAYS.iter().find(|(bodies, _)| *bodies == through)?;
+        let longest_way = match self.count()? {
+            1 => LongestWay::TwoJoints,
+            2 => LongestWay::ThreeJoints,
+            _ => return None,
+        };
         let slices = self.count()?;
         Some(Certificate {
             scene,

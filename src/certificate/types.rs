@@ -90,13 +90,14 @@ impl Slice {
     }
 }
 
-/// How many joints the ways between the sides of a joint may have that limit its slip, beside its own.
+/// How many joints the other ways between the sides of a joint may have that limit its slip. The number of each is
+/// that of files: how many bodies such a way leads through.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LongestWay {
-    /// Two. Stored certificates of before have these alone.
-    TwoJoints,
+    /// Two, as in certificates that were stored before there were longer ones.
+    TwoJoints = 1,
     /// Three for joints without a shorter way, as with open head joints.
-    ThreeJoints,
+    ThreeJoints = 2,
 }
 
 /// A proof that no collapse state of a scene in which the push does work has 0 ≤ λ < `lower`.

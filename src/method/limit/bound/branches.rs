@@ -82,6 +82,26 @@ impl Leaf {
         Face::of(lift, &self.assumed, self.has_long_ways)
     }
 
+    /// How it goes on after a slice that gained this share of its width.
+    pub(super) fn adapt(&mut self, lift: &Lift, slice: Request, state: f64, gain: f64) {
+        let own = &lift.parameters;
+        if self.lower >= slice.to.min(state) {
+            self.share *= 2.0;
+        } else if gain < own.half_gain {
+            self.share *= 0.5;
+        }
+        self.share = self.share.min(own.next_share);
+        // A slice that reaches the state may fail where one that ends before it does not.
+        let is_tried = gain > 0.0 || slice.to <= state;
+        let is_stuck = is_tried && (self.share < own.least_share || gain < own.least_gain);
+        if is_stuck && !self.has_long_ways && lift.has_long_ways() {
+            self.has_long_ways = true;
+            self.share = own.next_share;
+        } else {
+            self.divides = is_stuck;
+        }
+    }
+
     /// Its parts: in one the force of a product is zero, in the other its rate.
     pub(super) fn parts(&self, pair: usize) -> [Self; 2] {
         [Factor::Force, Factor::Rate].map(|zero| {

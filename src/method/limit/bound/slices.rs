@@ -130,20 +130,7 @@ impl Search<'_> {
             ..self.request(leaf, goal)
         };
         let gain = self.solve(slices, leaf, request);
-        if leaf.lower >= request.to.min(goal.state) {
-            leaf.share *= 2.0;
-        } else if gain < own.half_gain {
-            leaf.share *= 0.5;
-        }
-        leaf.share = leaf.share.min(own.next_share);
-        // A slice that reaches the state may fail where one that ends before it does not.
-        let is_tried = gain > 0.0 || request.to <= goal.state;
-        leaf.divides = is_tried && (leaf.share < own.least_share || gain < own.least_gain);
-        if leaf.divides && !leaf.has_long_ways && self.lift.has_long_ways() {
-            leaf.has_long_ways = true;
-            leaf.divides = false;
-            leaf.share = own.next_share;
-        }
+        leaf.adapt(self.lift, request, goal.state, gain);
         Ok(())
     }
 
