@@ -76,8 +76,9 @@ impl<'a> Newton<'a> {
         out
     }
 
-    /// Solves to a residual of this share of the right side, or as far as rounding lets it.
-    pub(super) fn solve(&self, right: &DMatrix<f64>, share: f64) -> DMatrix<f64> {
+    /// Solves to a residual of this share of the right side, or as far as rounding lets it; also the share that
+    /// is left.
+    pub(super) fn solve(&self, right: &DMatrix<f64>, share: f64) -> (DMatrix<f64>, f64) {
         let own = self.products.parameters();
         let mut x = self.factor.solve(right);
         let mut residual = right - self.times(&x);
@@ -112,6 +113,6 @@ impl<'a> Newton<'a> {
             }
             last = Some((direction, rho));
         }
-        best.1
+        (best.1, best.0 / right.amax().max(f64::MIN_POSITIVE))
     }
 }

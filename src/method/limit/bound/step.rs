@@ -14,6 +14,8 @@ pub(super) struct Linearised<'a> {
     weights: Weights,
     /// Products times multipliers.
     product: DMatrix<f64>,
+    /// Whether the weights cannot be softened any more.
+    is_softest: bool,
 }
 
 /// How multipliers follow products.
@@ -35,9 +37,16 @@ struct Aimed {
 }
 
 impl<'a> Linearised<'a> {
-    pub(super) fn new(program: &'a Lifted<'a>, at: &'a Point, residual: &'a Residual) -> Self {
+    /// With softness and hold that many times larger than they are at first.
+    pub(super) fn new(
+        program: &'a Lifted<'a>,
+        at: &'a Point,
+        residual: &'a Residual,
+        softer: f64,
+    ) -> Self {
         let own = program.products.parameters();
-        let of_mean = |[share, least, most]: [f64; 3]| (share * residual.mean).clamp(least, most);
+        let of_mean =
+            |[share, least, most]: [f64; 3]| softer * (share * residual.mean).clamp(least, most);
         let softness = of_mean(own.softness);
         let soften = |product, multiplier| 1.0 / (product + softness * multiplier);
         let softened = at.products.zip_map(&at.multipliers, soften);
@@ -59,42 +68,48 @@ impl<'a> Linearised<'a> {
             residual,
             weights,
             product: at.products.component_mul(&at.multipliers),
+            is_softest: softer >= own.softest,
         }
     }
 
-    /// Mehrotra's step, drawn to the centre, and how far it goes.
-    pub(super) fn corrected(&self) -> (Point, Lengths) {
+    /// Mehrotra's step, drawn to the centre, and how far it goes. None where rounding spoils its linear system,
+    /// so that a softer one is to be tried.
+    pub(super) fn corrected(&self) -> Option<(Point, Lengths)> {
         let (program, at, mean) = (self.program, self.at, self.residual.mean);
         let own = program.products.parameters();
         let scale = at.scale[1] / at.scale[0];
         let weights = &self.weights;
         let newton = Newton::new(&program.products, &weights.values, scale, weights.held);
         let scaled = at.scale[0] * at.scale[1];
-        let predicted = self.step(&newton, &-&self.product, -scaled, own.predicted_to);
+        let (predicted, _) = self.step(&newton, &-&self.product, -scaled, own.predicted_to);
         let lengths = program.lengths(at, &predicted);
         let after = at.sum_behind(&predicted, lengths, &program.is_zero);
         let centre = (after / program.count / mean).powi(3) * mean;
         let bent = predicted.products.component_mul(&predicted.multipliers);
         let wanted = self.towards(-&self.product - bent, centre);
         let of_scale = centre - scaled - predicted.scale[0] * predicted.scale[1];
+        let (step, left) = self.step(&newton, &wanted, of_scale, own.solved_to);
+        if left > own.unsolved && !self.is_softest {
+            return None;
+        }
         let corrected = Aimed {
-            step: self.step(&newton, &wanted, of_scale, own.solved_to),
+            step,
             wanted,
             of_scale,
         };
         let corrected = self.drawn_to_centre(&newton, corrected, centre);
         let reach = program.lengths(at, &corrected);
         if reach[0].min(reach[1]) >= own.short_step {
-            return (corrected, reach);
+            return Some((corrected, reach));
         }
         // A correction that leads nowhere: back towards the centre.
         let wanted = self.towards(-&self.product, own.centre * mean);
-        let centred = self.step(&newton, &wanted, own.centre * mean - scaled, own.solved_to);
+        let (centred, _) = self.step(&newton, &wanted, own.centre * mean - scaled, own.solved_to);
         let other = program.lengths(at, &centred);
         if other[0].min(other[1]) > reach[0].min(reach[1]) {
-            (centred, other)
+            Some((centred, other))
         } else {
-            (corrected, reach)
+            Some((corrected, reach))
         }
     }
 
@@ -121,7 +136,7 @@ impl<'a> Linearised<'a> {
             }
             let [first, second] = [0, 1].map(|k| [at.scale[k], aimed.step.scale[k]]);
             let of_scale = aimed.of_scale + missing(first, second);
-            let step = self.step(newton, &wanted, of_scale, own.solved_to);
+            let (step, _) = self.step(newton, &wanted, of_scale, own.solved_to);
             let longer = program.lengths(at, &step);
             let sum = |lengths: Lengths| lengths[0].min(1.0) + lengths[1].min(1.0);
             if sum(longer) < sum(reach) + own.worth * own.longer {
@@ -146,8 +161,8 @@ impl<'a> Linearised<'a> {
     }
 
     /// The step with these changes of product times multiplier, and of the scale condition's, whose linear
-    /// system leaves this share of its right side.
-    fn step(&self, newton: &Newton, wanted: &DMatrix<f64>, scale: f64, left: f64) -> Point {
+    /// system is to leave this share of its right side; also the share that it leaves.
+    fn step(&self, newton: &Newton, wanted: &DMatrix<f64>, scale: f64, left: f64) -> (Point, f64) {
         let (program, at, residual) = (self.program, self.at, self.residual);
         let Weights {
             softness,
@@ -168,7 +183,7 @@ impl<'a> Linearised<'a> {
         let mut right = program.products.transposed(&target);
         right -= &residual.identity;
         right -= &program.scale_row * of_scale;
-        let unknowns = newton.solve(&right, left);
+        let (unknowns, left) = newton.solve(&right, left);
         let moved = program.products.of(&unknowns);
         let multipliers = target - values.component_mul(&moved);
         let mut products = moved + &residual.products + &multipliers * *softness;
@@ -180,11 +195,12 @@ impl<'a> Linearised<'a> {
         let work = program.products.work(&unknowns);
         let first = residual.scale - work;
         let second = of_scale + at.scale[1] / at.scale[0] * work;
-        Point {
+        let step = Point {
             unknowns,
             products,
             multipliers,
             scale: [first, second],
-        }
+        };
+        (step, left)
     }
 }
