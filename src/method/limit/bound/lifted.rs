@@ -77,17 +77,18 @@ impl<'a> Lifted<'a> {
         }
     }
 
-    /// All products and multipliers 1 that can be.
+    /// All products and multipliers the same that can be: a joint's share of the weight, which is the size of
+    /// forces, and of the terms that add up to the identity, of which each unknown has some a joint.
     pub(super) fn start(&self) -> Point {
         let (rows, rates) = (
             self.products.conditions.nrows(),
             self.products.face.motion.rows.len(),
         );
-        let is_not_zero = self
-            .is_zero
-            .iter()
-            .map(|is_zero| f64::from(u8::from(!is_zero)));
-        let start = DMatrix::from_iterator(rows, rates, is_not_zero);
+        let lift = self.products.face.lift;
+        let all = lift.parameters.start / lift.joints() as f64;
+        let start = self.is_zero.iter();
+        let start = start.map(|&is_zero| if is_zero { 0.0 } else { all });
+        let start = DMatrix::from_iterator(rows, rates, start);
         Point {
             unknowns: self.products.face.zero(),
             products: start.clone(),
