@@ -82,7 +82,8 @@ tuned! {
     /// Share of the mean product, and its inverse, between which products with multipliers are not drawn
     /// to the centre. Not measured.
     near_centre: f64 = 0.1;
-    /// Steps shorter than this are tried again towards the centre. Not measured.
+    /// Steps shorter than this are tried again towards the centre, with corrections as well: without these, seven
+    /// slices of a wall of 14 blocks (contact, friction 1.44) took 204 steps for 184.
     short_step: f64 = 0.15;
     /// Share of the mean product that they aim at then. Not measured.
     centre: f64 = 0.4;

@@ -103,8 +103,16 @@ impl<'a> Linearised<'a> {
             return Some((corrected, reach));
         }
         // A correction that leads nowhere: back towards the centre.
-        let wanted = self.towards(-&self.product, own.centre * mean);
-        let (centred, _) = self.step(&newton, &wanted, own.centre * mean - scaled, own.solved_to);
+        let centre = own.centre * mean;
+        let wanted = self.towards(-&self.product, centre);
+        let of_scale = centre - scaled;
+        let (step, _) = self.step(&newton, &wanted, of_scale, own.solved_to);
+        let centred = Aimed {
+            step,
+            wanted,
+            of_scale,
+        };
+        let centred = self.drawn_to_centre(&newton, centred, centre);
         let other = program.lengths(at, &centred);
         if other[0].min(other[1]) > reach[0].min(reach[1]) {
             Some((centred, other))
