@@ -4,19 +4,20 @@
 use trilith::answer::{CollapseResidual, Outcome, StaticResidual, Work};
 use trilith::inside::Program;
 use trilith::inside::{atlas::Columns, atlas::running_bond};
-use trilith::method::limit::{Associative, Interval, Sequential};
+use trilith::method::limit::{Associative, Bound, Interval, Sequential};
 use trilith::method::pushover::Pushover;
 use trilith::method::{Method, Settings};
 
 /// A path's name and its work.
 type Path = (&'static str, fn() -> Work);
 
-const PATHS: [Path; 8] = [
+const PATHS: [Path; 9] = [
     ("joints", joints),
     ("assembly", assembly),
     ("associative", || work(&Associative, 10)),
     ("sequential", || work(&Sequential, 6)),
     ("interval", || work(&Interval, 6)),
+    ("bound", || work(&Bound, 3)),
     ("reduced", || work(&Associative, 60)),
     ("judge", judge),
     ("pushover", pushover),
