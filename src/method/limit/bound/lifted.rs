@@ -77,8 +77,8 @@ impl<'a> Lifted<'a> {
         }
     }
 
-    /// All products and multipliers the same that can be: a joint's share of the weight, which is the size of
-    /// forces, and of the terms that add up to the identity, of which each unknown has some a joint.
+    /// All products and multipliers that can be are the same: a joint's share of the weight. That is the size of
+    /// forces, and of multipliers, as a sum over all joints of some of them balances the power.
     pub(super) fn start(&self) -> Point {
         let (rows, rates) = (
             self.products.conditions.nrows(),

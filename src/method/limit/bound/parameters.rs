@@ -59,9 +59,9 @@ tuned! {
     state_weight: f64 = 1e-6;
 
     // The interior point.
-    /// Products and multipliers at the start, times the number of joints. With 1 for each product, whatever the
-    /// number of joints, 17 walls of 13 to 20 blocks took 1,601 steps; with this share of about 30 joints 1,337, and
-    /// with a tenth of it 1,900.
+    /// Products and multipliers at the start, times the number of joints. With 1 for each product, 17 walls of 13 to
+    /// 20 blocks (19 to 41 joints) took 1,601 steps, with 0.03 for each 1,337; with 0.003 five of them took 418 for
+    /// 387.
     start: f64 = 1.0;
     /// Change of a product for a change of its multiplier, as a share of the mean product, and its least
     /// and most (proximal terms: Friedlander and Orban, Math. Prog. Comp. 4 (2012) 71-107; tied to the
