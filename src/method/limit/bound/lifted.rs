@@ -77,8 +77,8 @@ impl<'a> Lifted<'a> {
         }
     }
 
-    /// All products and multipliers that can be are the same: a joint's share of the weight. That is the size of
-    /// forces, and of multipliers, as a sum over all joints of some of them balances the power.
+    /// All products and multipliers that need not be zero are the same: one over the number of joints. Forces are of
+    /// that size, as parts of the total weight. Multipliers are too, as terms of many joints add up to the power.
     pub(super) fn start(&self) -> Point {
         let (rows, rates) = (
             self.products.conditions.nrows(),
