@@ -36,7 +36,8 @@ pub enum Factor {
 }
 
 /// That one factor of a product is zero. A collapse state has the one or the other, so that two proofs,
-/// one with each, prove it of all states.
+/// one with each, prove it of all states. That about the rate speaks of all states without it; so that about the
+/// force need only speak of those with it, in which the joint does not slip in the other direction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Assumption {
     /// The product, by the common row of its force condition and its rate: four a joint.
@@ -60,7 +61,12 @@ impl Zeros {
         };
         for assumed in assumed {
             match assumed.zero {
-                Factor::Force => zeros.forces[assumed.pair] = true,
+                Factor::Force => {
+                    zeros.forces[assumed.pair] = true;
+                    if let Some(other) = other_direction(assumed.pair) {
+                        zeros.rates[other] = true;
+                    }
+                }
                 Factor::Rate => zeros.rates[assumed.pair] = true,
             }
         }
@@ -81,6 +87,11 @@ impl Zeros {
     pub(crate) fn is_zero(&self, force: usize, rate: usize) -> bool {
         (force == rate && force < self.forces.len()) || self.force(force) || self.rate(rate)
     }
+}
+
+/// The rate of the other direction, where a rate is a slip.
+fn other_direction(rate: usize) -> Option<usize> {
+    (rate % 4 >= 2).then_some(rate ^ 1)
 }
 
 impl Slice {

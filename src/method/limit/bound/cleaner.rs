@@ -37,7 +37,7 @@ impl Cleaner<'_> {
             let newton = Newton::new(self.products, &weights, of_sigma, 0.0);
             let before = least.0;
             for _ in 0..own.cleanings {
-                let (moved, _) = newton.solve(&self.left(&now), own.cleaned_to);
+                let (moved, _) = newton.solve(&self.left(&now), [0.0, own.cleaned_to]);
                 now.0 += self.products.of(&moved).component_mul(&weights);
                 now.1 += of_sigma * self.products.work(&moved);
                 self.clip(&mut now.0);

@@ -13,6 +13,7 @@ use nalgebra::DMatrix;
 
 use super::face::Face;
 use super::lifted::{Lifted, Request};
+use super::start::Halfway;
 use super::step::Linearised;
 
 /// Multipliers of a slice.
@@ -28,17 +29,19 @@ pub(super) struct Multipliers {
 }
 
 /// Solves one slice until its multipliers `suffice`, are as good as they get, or steps are used up, and
-/// returns its steps. `suffice` gets multipliers that the iteration may end with, and whether they are to be
+/// returns its steps and a point that other slices can begin at, as this one does. `suffice` gets multipliers that the iteration may end with, and whether they are to be
 /// those of the optimum; where they do not suffice, it goes on, to leave less of the identity. A step whose linear
 /// system rounding spoils is taken again, softer.
 pub(super) fn solve(
     face: &Face,
     request: Request,
+    start: Option<&Halfway>,
     suffice: &mut dyn FnMut(&Multipliers, bool) -> bool,
-) -> usize {
+) -> (usize, Option<Halfway>) {
     let own = &face.lift.parameters;
     let mut program = Lifted::new(face, request);
-    let mut at = program.start();
+    let mut at = program.start(start);
+    let mut halfway = None;
     let mut stalled = 0;
     let mut softer = 1.0;
     let mut best: Option<(f64, Multipliers)> = None;
@@ -56,9 +59,12 @@ pub(super) fn solve(
         };
         if program.is_done(&residual) {
             if suffice(&multipliers(), program.request.exact) {
-                return steps;
+                return (steps, halfway);
             }
             program.refine(&residual);
+        }
+        if residual.mean * program.count > own.halfway {
+            halfway = Some(program.halfway(&at, residual.mean));
         }
         let merit = residual.sigma.min(request.enough) - own.of_left * residual.left;
         if best.as_ref().is_none_or(|(most, _)| merit > *most) {
@@ -86,7 +92,7 @@ pub(super) fn solve(
     }
     let (_, best) = best.expect("the start is finite");
     suffice(&best, program.request.exact);
-    steps
+    (steps, halfway)
 }
 
 #[cfg(test)]

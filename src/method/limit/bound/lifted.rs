@@ -77,26 +77,6 @@ impl<'a> Lifted<'a> {
         }
     }
 
-    /// All products and multipliers that need not be zero are the same: one over the number of joints. Forces are of
-    /// that size, as parts of the total weight. Multipliers are too, as terms of many joints add up to the power.
-    pub(super) fn start(&self) -> Point {
-        let (rows, rates) = (
-            self.products.conditions.nrows(),
-            self.products.face.motion.rows.len(),
-        );
-        let lift = self.products.face.lift;
-        let all = lift.parameters.start / lift.joints() as f64;
-        let start = self.is_zero.iter();
-        let start = start.map(|&is_zero| if is_zero { 0.0 } else { all });
-        let start = DMatrix::from_iterator(rows, rates, start);
-        Point {
-            unknowns: self.products.face.zero(),
-            products: start.clone(),
-            multipliers: start,
-            scale: [1.0, 1.0],
-        }
-    }
-
     pub(super) fn residual(&self, at: &Point) -> Residual {
         let identity = &self.cost - self.products.transposed(&at.multipliers);
         let identity = identity + &self.scale_row * at.scale[1];

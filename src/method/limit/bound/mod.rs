@@ -61,6 +61,7 @@ mod point;
 mod products;
 mod slice;
 mod slices;
+mod start;
 mod step;
 #[cfg(test)]
 mod tuned;

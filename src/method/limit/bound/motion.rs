@@ -14,6 +14,8 @@ pub(super) struct Motion {
     /// Row of the live load's power among them.
     pub(super) power: usize,
     pub(super) unknowns: usize,
+    /// The unknowns of all motions, in those that are left.
+    all: Vec<Vec<Entry>>,
 }
 
 /// A rate that is zero, and the unknown that follows from others for it.
@@ -30,6 +32,7 @@ impl Motion {
             rows: vec![vec![(0, 1.0)]],
             power: 0,
             unknowns: 1,
+            all: vec![vec![(0, 1.0)]],
         }
     }
 
@@ -46,6 +49,7 @@ impl Motion {
             rows,
             power: conditions.power(),
             unknowns: conditions.motions(),
+            all: (0..conditions.motions()).map(|k| vec![(k, 1.0)]).collect(),
         }
     }
 
@@ -77,6 +81,9 @@ impl Motion {
             let others = others.map(|&(k, other)| (k, -other / value)).collect();
             followed.replace(unknown, others);
             pivots.push(Pivot { rate, unknown });
+        }
+        for row in &mut self.all {
+            *row = followed.of(row);
         }
         for (rate, row) in self.rows.iter_mut().enumerate() {
             *row = if is_zero(rate) {
@@ -111,6 +118,12 @@ impl Motion {
         for (k, _) in self.rows.iter_mut().flatten() {
             *k = places[*k].expect("it stands in a rate");
         }
+        for row in &mut self.all {
+            let left = row
+                .iter()
+                .filter_map(|&(k, value)| Some((places[k]?, value)));
+            *row = left.collect();
+        }
         self.unknowns = places.iter().flatten().count();
         self
     }
@@ -136,13 +149,19 @@ impl Motion {
 
     /// Columns of all rates, from those of the unknowns.
     pub(super) fn rates(&self, unknowns: &DMatrix<f64>) -> DMatrix<f64> {
-        let mut rates = DMatrix::zeros(unknowns.nrows(), self.rows.len());
-        for (mut rate, entries) in rates.column_iter_mut().zip(&self.rows) {
-            for &(k, value) in entries {
-                rate.axpy(value, &unknowns.column(k), 1.0);
-            }
-        }
-        rates
+        columns(&self.rows, unknowns)
+    }
+
+    /// Columns of the unknowns of all motions, from those of the unknowns that are left.
+    pub(super) fn all(&self, unknowns: &DMatrix<f64>) -> DMatrix<f64> {
+        columns(&self.all, unknowns)
+    }
+
+    /// Columns of the unknowns that are left, from those of all motions.
+    pub(super) fn left_of(&self, all: &DMatrix<f64>) -> DMatrix<f64> {
+        let place = |k: usize| self.all.iter().position(|row| row[..] == [(k, 1.0)]);
+        let places = (0..self.unknowns).map(|k| place(k).expect("each is left of all"));
+        all.select_columns(&places.collect::<Vec<usize>>())
     }
 
     /// The transpose of [`Motion::rates`].
@@ -155,6 +174,17 @@ impl Motion {
         }
         unknowns
     }
+}
+
+/// Sums of columns.
+fn columns(sums: &[Vec<Entry>], of: &DMatrix<f64>) -> DMatrix<f64> {
+    let mut columns = DMatrix::zeros(of.nrows(), sums.len());
+    for (mut column, entries) in columns.column_iter_mut().zip(sums) {
+        for &(k, value) in entries {
+            column.axpy(value, &of.column(k), 1.0);
+        }
+    }
+    columns
 }
 
 /// What takes the place of unknowns; the others stay.

@@ -76,13 +76,17 @@ impl<'a> Newton<'a> {
         out
     }
 
-    /// Solves to a residual of this share of the right side, or as far as rounding lets it; also the share that
-    /// is left.
-    pub(super) fn solve(&self, right: &DMatrix<f64>, share: f64) -> (DMatrix<f64>, f64) {
+    /// Solves to this residual, or to this share of the right side, or as far as rounding lets it; also the share
+    /// that is left.
+    pub(super) fn solve(
+        &self,
+        right: &DMatrix<f64>,
+        [residual, share]: [f64; 2],
+    ) -> (DMatrix<f64>, f64) {
+        let enough = residual.max(share * right.amax());
         let own = self.products.parameters();
         let mut x = self.factor.solve(right);
         let mut residual = right - self.times(&x);
-        let enough = share * right.amax();
         let mut best = (residual.amax(), x.clone());
         let mut halved = (best.0, 0);
         let mut last: Option<(DMatrix<f64>, f64)> = None;

@@ -63,6 +63,13 @@ tuned! {
     /// 20 blocks (19 to 41 joints) took 1,601 steps, with 0.03 for each 1,337; with 0.003 five of them took 418 for
     /// 387.
     start: f64 = 1.0;
+    /// Sum of products times multipliers down to which a point of a slice is kept, for the next one to begin at: so far
+    /// apart are its bound and the λ* of its lifted state, or what they leave.
+    halfway: f64 = 0.1;
+    /// Share of the mean product that one has at least where a slice begins at a point of another one.
+    least_at_start: f64 = 0.3;
+    /// By how much the mean product may be larger there than it was, or the slice does not begin at that point.
+    off_centre: f64 = 10.0;
     /// Change of a product for a change of its multiplier, as a share of the mean product, and its least
     /// and most (proximal terms: Friedlander and Orban, Math. Prog. Comp. 4 (2012) 71-107; tied to the
     /// mean product as by Pougkakiotis and Gondzio, Comput. Optim. Appl. 78 (2021) 307-351). Without it
@@ -71,6 +78,8 @@ tuned! {
     softness: [f64; 3] = [1e-4, 1e-9, 1e-5];
     /// What holds the unknowns, likewise.
     hold: [f64; 3] = [1e-2, 1e-9, 1e-4];
+    /// Share that a step leaves of what the conditions leave, over how far it is drawn to the centre.
+    left_behind: f64 = 0.5;
     /// Share of the step that makes a number zero which is not gone. Not measured.
     kept_back: f64 = 0.005;
     /// Corrections of a step towards the centre, at most.
@@ -117,6 +126,9 @@ tuned! {
     of_left: f64 = 1e4;
     /// Share of the right side that a step's linear system leaves. Not measured.
     solved_to: f64 = 1e-11;
+    /// What it leaves over what multipliers leave of the identity, which it may leave at any rate: without, twelve
+    /// slices took 1,997 rounds of conjugate gradients, so 1,165.
+    solved_of_left: f64 = 1e-3;
     /// Share that it leaves at most, or the step is taken again, softer: in the first slice of paper-2 with open
     /// head joints the 37th step left 8e-6, those before it less than 1e-10. All multipliers after it were spoilt,
     /// so that the slice proved 0.044 of 0.563.

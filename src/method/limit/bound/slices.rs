@@ -1,5 +1,7 @@
 //! Which slices of λ are solved, one after the other, and what they prove together.
 
+use std::sync::Arc;
+
 use nalgebra::DMatrix;
 
 use super::branches::{Gains, Leaf, Leaves, violated};
@@ -238,7 +240,8 @@ impl Search<'_> {
         let face = leaf.face(self.lift);
         let bearable = self.lift.parameters.lost_to_rounding * (request.to - request.from);
         let mut best: Option<Best> = None;
-        let steps = solve(&face, request, &mut |multipliers, exact| {
+        let start = leaf.halfway.as_deref();
+        let (steps, halfway) = solve(&face, request, start, &mut |multipliers, exact| {
             let prove = |slice: &Slice| self.proof(slice);
             let proof = best_proof(&face, request, &assumed, (multipliers, exact), prove);
             let own = Best {
@@ -270,6 +273,7 @@ impl Search<'_> {
         let gain = (reached - request.from) / (request.to - request.from);
         if gain > 0.0 {
             leaf.lower = reached;
+            leaf.halfway = halfway.map(Arc::new);
             found.slices.push((slice, proof));
         }
         gain

@@ -29,11 +29,13 @@ struct Weights {
     values: DMatrix<f64>,
 }
 
-/// A step, and the changes of product times multiplier, and of the scale condition's, that it aims at.
-struct Aimed {
-    step: Point,
+/// What a step is to do.
+struct Aim {
+    /// Changes of product times multiplier, and of the scale condition's.
     wanted: DMatrix<f64>,
     of_scale: f64,
+    /// Share that it takes back of what the conditions and the identity leave.
+    taken: f64,
 }
 
 impl<'a> Linearised<'a> {
@@ -81,38 +83,31 @@ impl<'a> Linearised<'a> {
         let weights = &self.weights;
         let newton = Newton::new(&program.products, &weights.values, scale, weights.held);
         let scaled = at.scale[0] * at.scale[1];
-        let (predicted, _) = self.step(&newton, &-&self.product, -scaled, own.predicted_to);
+        let straight = Aim {
+            wanted: -&self.product,
+            of_scale: -scaled,
+            taken: 1.0,
+        };
+        let (predicted, _) = self.step(&newton, &straight, own.predicted_to);
         let lengths = program.lengths(at, &predicted);
         let after = at.sum_behind(&predicted, lengths, &program.is_zero);
-        let centre = (after / program.count / mean).powi(3) * mean;
+        let share = (after / program.count / mean).powi(2);
         let bent = predicted.products.component_mul(&predicted.multipliers);
-        let wanted = self.towards(-&self.product - bent, centre);
-        let of_scale = centre - scaled - predicted.scale[0] * predicted.scale[1];
-        let (step, left) = self.step(&newton, &wanted, of_scale, own.solved_to);
+        let of_scale = -scaled - predicted.scale[0] * predicted.scale[1];
+        let aim = self.towards(-&self.product - bent, of_scale, share);
+        let (step, left) = self.step(&newton, &aim, own.solved_to);
         if left > own.unsolved && !self.is_softest {
             return None;
         }
-        let corrected = Aimed {
-            step,
-            wanted,
-            of_scale,
-        };
-        let corrected = self.drawn_to_centre(&newton, corrected, centre);
+        let corrected = self.drawn_to_centre(&newton, step, aim, share * mean);
         let reach = program.lengths(at, &corrected);
         if reach[0].min(reach[1]) >= own.short_step {
             return Some((corrected, reach));
         }
         // A correction that leads nowhere: back towards the centre.
-        let centre = own.centre * mean;
-        let wanted = self.towards(-&self.product, centre);
-        let of_scale = centre - scaled;
-        let (step, _) = self.step(&newton, &wanted, of_scale, own.solved_to);
-        let centred = Aimed {
-            step,
-            wanted,
-            of_scale,
-        };
-        let centred = self.drawn_to_centre(&newton, centred, centre);
+        let aim = self.towards(-&self.product, -scaled, own.centre);
+        let (step, _) = self.step(&newton, &aim, own.solved_to);
+        let centred = self.drawn_to_centre(&newton, step, aim, own.centre * mean);
         let other = program.lengths(at, &centred);
         if other[0].min(other[1]) > reach[0].min(reach[1]) {
             Some((centred, other))
@@ -124,53 +119,65 @@ impl<'a> Linearised<'a> {
     /// A step whose products with multipliers are drawn towards the centre where a longer one would leave
     /// them far off, as long as that makes it longer (Gondzio, Comput. Optim. Appl. 6 (1996) 137-156). The
     /// factor is there already, so that each correction is one more solution.
-    fn drawn_to_centre(&self, newton: &Newton, mut aimed: Aimed, centre: f64) -> Point {
+    fn drawn_to_centre(
+        &self,
+        newton: &Newton,
+        mut step: Point,
+        mut aim: Aim,
+        centre: f64,
+    ) -> Point {
         let (program, at) = (self.program, self.at);
         let own = program.products.parameters();
         let range = [own.near_centre * centre, centre / own.near_centre];
-        let mut reach = program.lengths(at, &aimed.step);
+        let mut reach = program.lengths(at, &step);
         for _ in 0..own.corrections {
             let [primal, dual] = reach.map(|length| (length + own.longer).min(1.0));
             let missing = |[product, by]: [f64; 2], [multiplier, dual_by]: [f64; 2]| {
                 let reached = (product + primal * by) * (multiplier + dual * dual_by);
                 (reached.clamp(range[0], range[1]) - reached).max(-range[1])
             };
-            let mut wanted = aimed.wanted.clone();
+            let mut wanted = aim.wanted.clone();
             for (k, wanted) in wanted.iter_mut().enumerate() {
                 if !program.is_zero[k] {
-                    let product = [at.products[k], aimed.step.products[k]];
-                    *wanted += missing(product, [at.multipliers[k], aimed.step.multipliers[k]]);
+                    let product = [at.products[k], step.products[k]];
+                    *wanted += missing(product, [at.multipliers[k], step.multipliers[k]]);
                 }
             }
-            let [first, second] = [0, 1].map(|k| [at.scale[k], aimed.step.scale[k]]);
-            let of_scale = aimed.of_scale + missing(first, second);
-            let (step, _) = self.step(newton, &wanted, of_scale, own.solved_to);
-            let longer = program.lengths(at, &step);
+            let [first, second] = [0, 1].map(|k| [at.scale[k], step.scale[k]]);
+            let other = Aim {
+                wanted,
+                of_scale: aim.of_scale + missing(first, second),
+                ..aim
+            };
+            let (drawn, _) = self.step(newton, &other, own.solved_to);
+            let longer = program.lengths(at, &drawn);
             let sum = |lengths: Lengths| lengths[0].min(1.0) + lengths[1].min(1.0);
             if sum(longer) < sum(reach) + own.worth * own.longer {
                 break;
             }
-            aimed = Aimed {
-                step,
-                wanted,
-                of_scale,
-            };
-            reach = longer;
+            (step, aim, reach) = (drawn, other, longer);
         }
-        aimed.step
+        step
     }
 
-    /// A wanted change of product times multiplier, that much larger; none where products are zero.
-    fn towards(&self, mut wanted: DMatrix<f64>, centre: f64) -> DMatrix<f64> {
+    /// What changes product times multiplier like this and draws it towards this share of the mean. A step that is
+    /// drawn to the centre takes less of what the conditions leave, so that products do not vanish before that.
+    fn towards(&self, mut wanted: DMatrix<f64>, of_scale: f64, share: f64) -> Aim {
+        let centre = share * self.residual.mean;
         for (wanted, is_zero) in wanted.iter_mut().zip(&self.program.is_zero) {
             *wanted = if *is_zero { 0.0 } else { *wanted + centre };
         }
-        wanted
+        let left = self.program.products.parameters().left_behind;
+        Aim {
+            wanted,
+            of_scale: of_scale + centre,
+            taken: 1.0 - left * share.min(1.0),
+        }
     }
 
-    /// The step with these changes of product times multiplier, and of the scale condition's, whose linear
-    /// system is to leave this share of its right side; also the share that it leaves.
-    fn step(&self, newton: &Newton, wanted: &DMatrix<f64>, scale: f64, left: f64) -> (Point, f64) {
+    /// The step of this aim, whose linear system is to leave this share of its right side, or what does not count
+    /// beside what multipliers leave of the identity now; also the share that it leaves.
+    fn step(&self, newton: &Newton, aim: &Aim, left: f64) -> (Point, f64) {
         let (program, at, residual) = (self.program, self.at, self.residual);
         let Weights {
             softness,
@@ -179,29 +186,32 @@ impl<'a> Linearised<'a> {
             ..
         } = &self.weights;
         // What multipliers become where products do not move.
-        let mut target = wanted.component_mul(softened);
-        target -= values.component_mul(&residual.products);
-        let missing = program.is_zero.iter().zip(&residual.products);
+        let violated = &residual.products * aim.taken;
+        let mut target = aim.wanted.component_mul(softened);
+        target -= values.component_mul(&violated);
+        let missing = program.is_zero.iter().zip(&violated);
         for (target, (is_zero, missing)) in target.iter_mut().zip(missing) {
             if *is_zero {
                 *target = -missing / softness;
             }
         }
-        let of_scale = scale / at.scale[0] - at.scale[1] / at.scale[0] * residual.scale;
+        let scale = residual.scale * aim.taken;
+        let of_scale = aim.of_scale / at.scale[0] - at.scale[1] / at.scale[0] * scale;
         let mut right = program.products.transposed(&target);
-        right -= &residual.identity;
+        right -= &residual.identity * aim.taken;
         right -= &program.scale_row * of_scale;
-        let (unknowns, left) = newton.solve(&right, left);
+        let bearable = program.products.parameters().solved_of_left * residual.left;
+        let (unknowns, left) = newton.solve(&right, [bearable, left]);
         let moved = program.products.of(&unknowns);
         let multipliers = target - values.component_mul(&moved);
-        let mut products = moved + &residual.products + &multipliers * *softness;
+        let mut products = moved + violated + &multipliers * *softness;
         for (product, is_zero) in products.iter_mut().zip(&program.is_zero) {
             if *is_zero {
                 *product = 0.0;
             }
         }
         let work = program.products.work(&unknowns);
-        let first = residual.scale - work;
+        let first = scale - work;
         let second = of_scale + at.scale[1] / at.scale[0] * work;
         let step = Point {
             unknowns,
