@@ -34,6 +34,8 @@ pub(super) struct Leaf {
     pub(super) violated: Vec<usize>,
     /// Up to which λ its forces can vanish; `None` until it is asked for.
     pub(super) vanishing: Option<Vanishings>,
+    /// Normal forces of the states of its last lift that had some, over the total weight.
+    pub(super) normals: Vec<Vec<f64>>,
     /// Where the next slice begins: a point of the last one that gained something.
     pub(super) halfway: Option<Arc<Halfway>>,
 }
@@ -118,6 +120,7 @@ impl Leaf {
                 divides: false,
                 has_long_ways: self.has_long_ways,
                 violated: Vec::new(),
+                normals: self.normals.clone(),
                 halfway: self.halfway.clone(),
                 // What assumes no more forces has the same.
                 vanishing: self.vanishing.clone().filter(|_| zero == Factor::Rate),
@@ -139,13 +142,14 @@ impl Default for Leaves {
             has_long_ways: false,
             violated: Vec::new(),
             vanishing: None,
+            normals: Vec::new(),
             halfway: None,
         }])
     }
 }
 
 impl Leaves {
-    /// The leaf with the lowest bound, the first of equals.
+    /// The place of the leaf with the lowest bound, the first of equals.
     pub(super) fn lowest(&self) -> usize {
         let leaves = 0..self.0.len();
         let lowest = leaves.min_by(|&a, &b| self.0[a].lower.total_cmp(&self.0[b].lower));

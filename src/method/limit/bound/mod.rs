@@ -241,7 +241,8 @@ impl Opened {
     }
 }
 
-/// The lowest state that the states of a lift lead to, which other starts may miss, and the work.
+/// The lowest state that the states of a lift lead to, which other starts may miss, and the work: those of the
+/// branch that limits the bound.
 fn lowest_of_lift(
     scene: &Scene,
     proving: &Settings,
@@ -249,7 +250,8 @@ fn lowest_of_lift(
 ) -> (Option<CollapseState>, Work) {
     let mut few = *proving;
     few.interval.starts = 1;
-    let found = Interval.solve_from(scene, &few, &slices.normals);
+    let normals = &slices.leaves.0[slices.leaves.lowest()].normals;
+    let found = Interval.solve_from(scene, &few, normals);
     (found.evidence.states().first().cloned(), found.work)
 }
 

@@ -57,8 +57,6 @@ pub(super) struct Slices {
     pub(super) work: f64,
     /// What ended it, where that is what the settings allow.
     pub(super) ended_by: Option<Budget>,
-    /// Normal forces of the states of the last lift that had some, over the total weight.
-    pub(super) normals: Vec<Vec<f64>>,
 }
 
 /// What the multipliers of a slice gave that have the highest bound.
@@ -267,7 +265,7 @@ impl Search<'_> {
             return 0.0;
         };
         if proof.least <= request.to {
-            found.normals = best.normals;
+            leaf.normals = best.normals;
         }
         let reached = proof.least.min(request.to);
         let gain = (reached - request.from) / (request.to - request.from);
