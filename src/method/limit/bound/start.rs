@@ -49,12 +49,25 @@ impl Lifted<'_> {
         }
     }
 
-    /// Where it begins: at this point, unless it is too far off the centre here.
+    /// Where it begins: at this point, unless that has too many other rates or is too far off the centre here.
     pub(super) fn start(&self, halfway: Option<&Halfway>) -> Point {
-        let most = self.products.parameters().off_centre;
-        let other = halfway.map(|halfway| (self.start_at(halfway), most * halfway.mean));
-        let near = other.filter(|(point, most)| self.residual(point).mean < *most);
+        let own = self.products.parameters();
+        let alike = halfway.filter(|halfway| self.other_rates(halfway) <= own.other_rates);
+        let point = alike.map(|halfway| (self.start_at(halfway), own.off_centre * halfway.mean));
+        let near = point.filter(|(point, most)| self.residual(point).mean < *most);
         near.map_or_else(|| self.start_alike(), |(point, _)| point)
+    }
+
+    /// Share of the rates that are zero or left out here and were not there, or the other way round.
+    fn other_rates(&self, halfway: &Halfway) -> f64 {
+        let rows = halfway.products.nrows();
+        // The condition 1 is never zero, so that its products tell of the rates.
+        let is_other = |rate: &usize| {
+            let k = rate * rows + rows - 3;
+            self.is_zero[k] != halfway.is_zero[k]
+        };
+        let rates = 0..halfway.products.ncols();
+        rates.clone().filter(is_other).count() as f64 / rates.len() as f64
     }
 
     /// All products and multipliers that need not be zero are the same: one over the number of joints. Forces are of
