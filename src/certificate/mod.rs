@@ -24,9 +24,9 @@
 //! that is a Farkas proof. A slice may assume that one factor of a zero product is zero: a corner without
 //! pressure or one that does not open. Then all its products are zero and their multipliers have any
 //! sign; every collapse state meets that assumption or the one about the other factor, so that two
-//! slices, one with each, prove it of all states. The one about the rate speaks of all states in which it is zero;
-//! so the one about a friction force speaks of states that slip in its direction alone, and their slip in
-//! the other direction is zero as well. The products are those of a first-level reformulation-linearisation
+//! slices, one with each, prove it of all states. The one that assumes a zero slip covers every state without
+//! that slip. The one that assumes its friction force to be zero need only cover the others: they slip in that
+//! direction, so that the slip in the other one is zero too. The products are those of a first-level reformulation-linearisation
 //! (Sherali and Adams, SIAM J. Discrete Math. 3 (1990) 411-430) of a linear program with
 //! complementarity constraints; nothing is ever asked of a solver here.
 //!

@@ -36,8 +36,9 @@ pub enum Factor {
 }
 
 /// That one factor of a product is zero. A collapse state has the one or the other, so that two proofs,
-/// one with each, prove it of all states. That about the rate speaks of all states without it; so that about the
-/// force need only speak of those with it, in which the joint does not slip in the other direction.
+/// one with each, prove it of all states. The one that assumes a zero rate covers every state without that rate.
+/// The one that assumes a zero force need only cover the others. Where the rate is a slip, the joint then slips in
+/// its direction, and so not in the other one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Assumption {
     /// The product, by the common row of its force condition and its rate: four a joint.

@@ -29,9 +29,10 @@ pub(super) struct Multipliers {
 }
 
 /// Solves one slice until its multipliers `suffice`, are as good as they get, or steps are used up, and
-/// returns its steps and a point that other slices can begin at, as this one does. `suffice` gets multipliers that the iteration may end with, and whether they are to be
-/// those of the optimum; where they do not suffice, it goes on, to leave less of the identity. A step whose linear
-/// system rounding spoils is taken again, softer.
+/// returns its steps and a point that other slices can begin at, as this one may begin at one. `suffice` gets
+/// multipliers that the iteration may end with, and whether they are to be those of the optimum; where they do not
+/// suffice, it goes on, to leave less of the identity. A step whose linear system rounding spoils is taken again,
+/// softer.
 pub(super) fn solve(
     face: &Face,
     request: Request,

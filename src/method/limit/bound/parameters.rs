@@ -70,9 +70,9 @@ tuned! {
     /// Share of the mean product that one has at least where a slice begins at a point of another one. With 1 and
     /// 0.1 the steps were within 4 %.
     least_at_start: f64 = 0.3;
-    /// Share of the rates that may be zero by further assumptions where a slice begins at a point of another one:
-    /// on openings-3 with open head joints, where 2 to 12 % are between two slices, slices that began there took 20
-    /// to 36 steps for 15 to 22.
+    /// Share of the rates that may be zero by further assumptions where a slice begins at a point of another one. On
+    /// openings-3 with open head joints 2 to 12 % are, from one slice to the next: slices that began there took 20 to
+    /// 36 steps for 15 to 22. On the walls of `halfway` above at most 1 % are.
     other_rates: f64 = 0.012;
     /// By how much the mean product may be larger there than it was, or the slice does not begin at that point. Not
     /// measured.
@@ -86,7 +86,8 @@ tuned! {
     /// What holds the unknowns, likewise.
     hold: [f64; 3] = [1e-2, 1e-9, 1e-4];
     /// Share that a step leaves of what the conditions leave, over how far it is drawn to the centre. With 0, 11 slices
-    /// of six walls of 10 to 20 blocks took 293 steps, so 246; with 0.7 307, with 0.9 320.
+    /// of six walls of 10 to 20 blocks took 293 steps (264 if drawn by Mehrotra's cube), so 246; with 0.7 307, with
+    /// 0.9 320.
     left_behind: f64 = 0.5;
     /// Share of the step that makes a number zero which is not gone. Not measured.
     kept_back: f64 = 0.005;

@@ -91,6 +91,7 @@ impl<'a> Linearised<'a> {
         let (predicted, _) = self.step(&newton, &straight, own.predicted_to);
         let lengths = program.lengths(at, &predicted);
         let after = at.sum_behind(&predicted, lengths, &program.is_zero);
+        // Mehrotra cubes this; what that is worth stands with `left_behind`.
         let share = (after / program.count / mean).powi(2);
         let bent = predicted.products.component_mul(&predicted.multipliers);
         let of_scale = -scaled - predicted.scale[0] * predicted.scale[1];
@@ -200,7 +201,9 @@ impl<'a> Linearised<'a> {
         let mut right = program.products.transposed(&target);
         right -= &residual.identity * aim.taken;
         right -= &program.scale_row * of_scale;
-        let bearable = program.products.parameters().solved_of_left * residual.left;
+        let own = program.products.parameters();
+        // What counts as unsolved is not borne.
+        let bearable = (own.solved_of_left * residual.left).min(own.unsolved * right.amax());
         let (unknowns, left) = newton.solve(&right, [bearable, left]);
         let moved = program.products.of(&unknowns);
         let multipliers = target - values.component_mul(&moved);
