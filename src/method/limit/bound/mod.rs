@@ -73,6 +73,7 @@ use std::time::Duration;
 use super::ending::Ending;
 use super::interval::{Interval, lowest};
 use super::program::Program;
+use super::scale::Scale;
 use crate::answer::{BoundFact, Evidence, Fact, LimitFact, Outcome, Status, Work, magnitude};
 use crate::certificate::{Certificate, Conditions, LongestWay, Proved, Prover, Unknown};
 use crate::mechanics::CollapseState;
@@ -271,17 +272,22 @@ fn push_moves(found: &Outcome) -> Option<BoundFact> {
 }
 
 /// A motion that opens every joint by 1 beyond μ times its slip (the lengths over the height), so
-/// that all forces together are as small as can be shown; `None` where the scene can lock.
+/// that all forces together are as small as can be shown; `None` where the scene can lock. One in which the
+/// push does no work bounds forces alike at every λ; where a push can be carried without limit there is none.
 fn opening(scene: &Scene, work: &mut Work) -> Option<Vec<f64>> {
-    let mut program = Program::new(scene);
     // What guides a support stays closed.
     let mut opens = vec![0.0; scene.joints().len()];
     opens[..scene.contacts().len()].fill(-1.0);
-    program.set_cost(0.0, &opens);
-    match program.solve_counted(work) {
-        Ending::Solved(solution) => Some(Unknown::of(scene).velocities(&solution.velocity)),
-        _ => None,
-    }
+    let without_work = Program::new(scene);
+    let with_work = || Program::at_multiplier(scene, 0.0, Scale::of(scene));
+    let programs = [without_work].into_iter().chain(std::iter::once_with(with_work));
+    programs.into_iter().find_map(|mut program| {
+        program.set_cost(0.0, &opens);
+        match program.solve_counted(work) {
+            Ending::Solved(solution) => Some(Unknown::of(scene).velocities(&solution.velocity)),
+            _ => None,
+        }
+    })
 }
 
 /// The answer where the interval has no state: its own where it settles the scene.
