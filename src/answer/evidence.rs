@@ -85,12 +85,17 @@ pub enum Evidence {
     },
     /// Forces that carry every multiplier λ ≥ 0: those at rest and λ times the ray.
     Stands {
-        /// Whether the ray needs friction, so that it proves nothing of friction without dilatancy.
+        /// Whether nothing is proved of friction without dilatancy: the ray needs friction, and nothing else
+        /// excludes collapse states.
         associative: bool,
         /// Forces at λ = 0.
         at_rest: Vec<JointForce>,
         /// Forces that balance the live load for λ = 1 and nothing else.
         ray: Vec<JointForce>,
+        /// Where the ray needs friction, what proves that there is no collapse state all the same. It is large, and
+        /// files of results leave it out.
+        #[serde(skip)]
+        certificate: Option<Arc<Certificate>>,
     },
 }
 
@@ -269,7 +274,7 @@ impl Evidence {
         }
     }
 
-    /// Whether it is of a scene that stands by a ray that needs friction.
+    /// Whether it is of a scene that stands with associative friction, and nothing is proved without dilatancy.
     pub fn stands_by_friction(&self) -> bool {
         matches!(self, Evidence::Stands { associative, .. } if *associative)
     }
@@ -290,10 +295,12 @@ impl Evidence {
         }
     }
 
-    /// What proves a lower bound, where there is one.
+    /// What proves a lower bound, or that there is no collapse state, where there is one.
     pub fn certificate(&self) -> Option<&Certificate> {
         match self {
-            Evidence::Bounded { certificate, .. } => certificate.as_deref(),
+            Evidence::Bounded { certificate, .. } | Evidence::Stands { certificate, .. } => {
+                certificate.as_deref()
+            }
             _ => None,
         }
     }

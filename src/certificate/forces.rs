@@ -58,8 +58,12 @@ impl ForceBound {
         })
     }
 
-    /// Σ ε N at most, for λ* up to `to`.
+    /// Σ ε N at most, for λ* up to `to`; where that is infinite, over 1 + λ* for every λ* ≥ 0.
     pub(super) fn total(&self, to: f64) -> f64 {
-        (self.dead + to.abs() * self.live).max(0.0) * OUTWARD
+        let most = match to.is_finite() {
+            true => self.dead + to.abs() * self.live,
+            false => self.dead.max(self.live),
+        };
+        most.max(0.0) * OUTWARD
     }
 }

@@ -21,7 +21,14 @@
 //!
 //! with R small. For a collapse state in the slice the left side is λ − σ and the first two sums
 //! are at least zero, so λ ≥ σ + ⟨R, s kᵀ⟩. With σ above b no state has its λ in the slice at all:
-//! that is a Farkas proof. A slice may assume that one factor of a zero product is zero: a corner without
+//! that is a Farkas proof.
+//!
+//! A slice without an upper end begins at 0 and has −σ ((1 + 2 λ) f_L·u + f_D·u) on the left side. As friction takes
+//! the work of all loads, f_D·u + λ f_L·u = Σ μN |slip|, that is −σ ((1 + λ) f_L·u + Σ μN |slip|). With σ > 0 there is
+//! no collapse state at all, but for motions against the push: neither one in which the push does work nor one in
+//! which it does none and the weight does.
+//!
+//! A slice may assume that one factor of a zero product is zero: a corner without
 //! pressure or one that does not open. Then all its products are zero and their multipliers have any
 //! sign; every collapse state meets that assumption or the one about the other factor, so that two
 //! slices, one with each, prove it of all states. The one that assumes a zero slip covers every state without
@@ -36,7 +43,8 @@
 //! everything that s and k can be:
 //!  - forces by one motion v that opens every joint by more than μ times its slip. By virtual work
 //!    Σ n·opening + t·slip = −f_D·v − λ f_L·v, so that Σ ε N is no more than that, ε being what each
-//!    joint opens beyond μ|slip|. Scenes that lock have no such motion and no certificate;
+//!    joint opens beyond μ|slip|. Scenes that lock have no such motion and no certificate. Without an upper end
+//!    both sides are over 1 + λ, which bounds what forces at rest and λ times the live load can be;
 //!  - velocities by the rates along a chain of joints from a support; that of supports that move, which
 //!    is one for all of them, by the power of their live load, which is 1. Where the multiplier of
 //!    1 × rate is at least what R needs of that rate, R is absorbed, however fast the motion. Where it
@@ -59,5 +67,5 @@ pub(crate) use conditions::{Conditions, Entry, Unknown};
 pub use proof::prove;
 pub(crate) use proof::{Prover, scene_fingerprint};
 pub(crate) use tree::{SliceProof, together};
-pub(crate) use types::Zeros;
 pub use types::{Assumption, Certificate, Factor, LongestWay, Proved, Refusal, Slice};
+pub(crate) use types::{Zeros, left_side};

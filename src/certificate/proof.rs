@@ -36,7 +36,7 @@ pub fn prove(scene: &Scene, certificate: &Certificate) -> Result<Proved, Refusal
         return Err(Refusal::OtherScene);
     }
     let (lower, cap) = (certificate.lower, certificate.cap);
-    if !(cap.is_finite() && lower.is_finite()) {
+    if !cap.is_finite() || lower.is_nan() {
         return Err(Refusal::NotFinite);
     }
     if lower <= 0.0 {
@@ -119,7 +119,12 @@ impl Prover {
             return Err(Refusal::NotFinite);
         }
         Ok(SliceProof {
-            least,
+            least: match slice.to.is_finite() {
+                true => least,
+                // Not for motions up to a cap alone.
+                false if least > 0.0 && deficit == 0.0 => f64::INFINITY,
+                false => slice.from,
+            },
             deficit,
             rounding: rounding.largest(),
         })
@@ -134,7 +139,13 @@ fn check(conditions: &Conditions, slice: &Slice, index: usize) -> Result<(), Ref
     if !sizes {
         return Err(Refusal::Size);
     }
-    let ends = [slice.from, slice.to, slice.sigma];
+    if slice.to.is_nan() {
+        return Err(Refusal::NotFinite);
+    }
+    if slice.to.is_infinite() && slice.from != 0.0 {
+        return Err(Refusal::Endless { slice: index });
+    }
+    let ends = [slice.from, slice.sigma];
     let numbers = ends.iter().chain(&slice.multipliers).chain(&slice.balance);
     if !numbers.copied().all(f64::is_finite) || slice.from < 0.0 {
         return Err(Refusal::NotFinite);

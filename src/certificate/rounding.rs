@@ -3,7 +3,7 @@
 use super::conditions::{Chain, Conditions};
 use super::forces::{ForceBound, OUTWARD};
 use super::sum::Sum;
-use super::types::Slice;
+use super::types::{Slice, left_side};
 
 /// What rounding leaves of the identity: one number at most a force and a kinematic unknown.
 pub(super) struct Rounding {
@@ -16,9 +16,11 @@ impl Rounding {
         let (forces, motions) = (conditions.forces(), conditions.motions());
         let velocities = conditions.velocities();
         let mut columns = vec![vec![Sum::default(); forces]; motions];
+        let ([of_one, of_lambda], of_dead) = left_side(slice.to, slice.sigma);
         for (c, &live) in conditions.live.iter().enumerate() {
-            columns[c][1].add(live);
-            columns[c][0].add_product(-slice.sigma, live);
+            columns[c][0].add_product(of_one, live);
+            columns[c][1].add_product(of_lambda, live);
+            columns[c][0].add_product(of_dead, conditions.dead[c]);
         }
         // No entry is a sum of more than this: the power's column of every joint, the slip bounds, the loads.
         let steps = 64.0 * (conditions.rate_rows() + velocities) as f64;
@@ -78,7 +80,8 @@ impl Rounding {
         self.columns.iter().flatten().copied().fold(0.0, f64::max)
     }
 
-    /// The largest that one kinematic unknown's column can be, times any forces.
+    /// The largest that one kinematic unknown's column can be, times any forces; over 1 + λ* where the slice has
+    /// no upper end.
     fn over_forces(
         &self,
         motion: usize,
@@ -87,14 +90,17 @@ impl Rounding {
         forces: &ForceBound,
     ) -> f64 {
         let column = &self.columns[motion];
-        let of_lambda = slice.from.abs().max(slice.to.abs());
+        let of_loads = match slice.to.is_finite() {
+            true => column[0] + slice.from.abs().max(slice.to.abs()) * column[1],
+            false => column[0].max(column[1]),
+        };
         let joints = conditions.joints.iter().zip(&forces.margin).enumerate();
         let of_joint = joints.map(|(j, (joint, margin))| {
             let at = 2 + 3 * j;
             (column[at].max(column[at + 1]) + joint.friction * column[at + 2]) / margin
         });
         let of_joints = of_joint.fold(0.0, f64::max);
-        (column[0] + of_lambda * column[1] + forces.total(slice.to) * of_joints) * OUTWARD
+        (of_loads + forces.total(slice.to) * of_joints) * OUTWARD
     }
 }
 
@@ -127,15 +133,18 @@ fn force_combination(conditions: &Conditions, slice: &Slice, rate: usize) -> Vec
     let [one, above, below] = [0, 1, 2].map(|k| multiplier(4 * conditions.joints.len() + k));
     parts[0].add(one);
     parts[0].add_product(-slice.from, above);
-    parts[0].add_product(slice.to, below);
     parts[1].add(above);
-    parts[1].add(-below);
+    if slice.to.is_finite() {
+        parts[0].add_product(slice.to, below);
+        parts[1].add(-below);
+    }
     parts
 }
 
 /// How much more a unit of some rate can cost by rounding than the multipliers of that rate absorb:
 /// the bound is lower by this times the sum of all rates of joints; 0 where they absorb all. Then the same
-/// for the power of the live load, which is 1.
+/// for the power of the live load, which is 1. Both are over 1 + λ* where the slice has no upper end; then 1 + λ*
+/// times that power is no more than what σ is multiplied with.
 pub(super) fn deficits(
     conditions: &Conditions,
     slice: &Slice,
@@ -169,7 +178,11 @@ pub(super) fn deficits(
     for (rate, needed) in moving {
         let [one, above, below] =
             [0, 1, 2].map(|k| slice.multipliers[(of_joints + k) * rates + rate]);
-        let absorbed = one + (slice.to - slice.from).max(0.0) * above.min(below);
+        let absorbed = match slice.to.is_finite() {
+            true => one + (slice.to - slice.from).max(0.0) * above.min(below),
+            // So much one + above · λ is at least, over 1 + λ.
+            false => one.min(above),
+        };
         let deficit = needed * OUTWARD - absorbed * (1.0 - 1e-9);
         let largest = &mut largest[usize::from(rate == conditions.power())];
         // A NaN must not be passed over.

@@ -11,15 +11,17 @@ use crate::number::nine_digits;
 pub struct Slice {
     /// Least λ* of the slice, a.
     pub from: f64,
-    /// Largest λ* of the slice, b.
+    /// Largest λ* of the slice, b; infinite where it has no upper end, and then it begins at 0.
     pub to: f64,
     /// What it assumes of products that are zero, one after the other; empty where it speaks of every
     /// collapse state in the slice.
     pub assumed: Vec<Assumption>,
-    /// What λ* is at least, but for rounding; more than `to` where no state is in the slice.
+    /// What λ* is at least, but for rounding; more than `to` where no state is in the slice. Without an upper end
+    /// it is positive where no state is in the slice.
     pub sigma: f64,
-    /// One row a force condition (four a joint in the scene's order, then 1, λ − a, b − λ), in it one
-    /// number a rate (four a joint, then the power of the live load, then those of slip bounds).
+    /// One row a force condition (four a joint in the scene's order, then 1, λ − a, b − λ, which counts for nothing
+    /// without an upper end), in it one number a rate (four a joint, then the power of the live load, then those of
+    /// slip bounds).
     pub multipliers: Vec<f64>,
     /// One row an equilibrium condition (three a block), in it one number a kinematic unknown
     /// (three velocities a block, then the forward slip of each joint).
@@ -95,6 +97,15 @@ fn other_direction(rate: usize) -> Option<usize> {
     (rate % 4 >= 2).then_some(rate ^ 1)
 }
 
+/// The left side of a slice's identity: what it has of 1 and of λ* times the power of the live load, and of 1 times
+/// that of the dead load.
+pub(crate) fn left_side(to: f64, sigma: f64) -> ([f64; 2], f64) {
+    match to.is_finite() {
+        true => ([-sigma, 1.0], 0.0),
+        false => ([-sigma, -2.0 * sigma], -sigma),
+    }
+}
+
 impl Slice {
     /// The products that are zero for this slice, of so many joints.
     pub(crate) fn zeros(&self, joints: usize) -> Zeros {
@@ -117,7 +128,7 @@ pub enum LongestWay {
 pub struct Certificate {
     /// Fingerprint of the scene's conditions.
     pub scene: String,
-    /// λ in the case's unit that is claimed to be proved.
+    /// λ in the case's unit that is claimed to be proved; infinite where there is no state at all.
     pub lower: f64,
     /// Largest sum of openings and slips of the motions that it speaks of, where it needs one.
     pub cap: f64,
@@ -132,7 +143,8 @@ pub struct Certificate {
 
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Proved {
-    /// No collapse state in which the push does work has 0 ≤ λ below this.
+    /// No collapse state in which the push does work has 0 ≤ λ below this. Where it is infinite there is none at all
+    /// but for motions against the push.
     pub lower: f64,
     /// Sum of openings and slips per unit of the live load's power, without dimension, up to which
     /// that is proved; `None` where there is no limit.
@@ -192,6 +204,11 @@ pub enum Refusal {
     Unsupported,
     #[error("slice {} begins above what those before it prove", .slice + 1)]
     Apart {
+        /// Slice, from 0.
+        slice: usize,
+    },
+    #[error("slice {} has no upper end and does not begin at 0", .slice + 1)]
+    Endless {
         /// Slice, from 0.
         slice: usize,
     },

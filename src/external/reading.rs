@@ -108,6 +108,7 @@ fn evidence(scene: &Scene, answer: &AnswerFile) -> Result<Evidence, ProgramFailu
                     associative: answer.kind == AnswerKind::Stands,
                     at_rest,
                     ray,
+                    certificate: None,
                 }
             })
         }

@@ -62,10 +62,12 @@ fn proofs(evidence: &Evidence) -> Vec<AnswerFile> {
             associative,
             at_rest,
             ray,
+            certificate,
         } => vec![AnswerFile {
             forces: Some(forces(at_rest)),
             ray: Some(forces(ray)),
-            ..AnswerFile::of(match associative {
+            // A certificate, beside a ray that needs friction, has a file of its own.
+            ..AnswerFile::of(match *associative || certificate.is_some() {
                 true => AnswerKind::Stands,
                 false => AnswerKind::StandsWithoutDilatancy,
             })

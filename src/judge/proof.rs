@@ -295,8 +295,8 @@ fn bounds(scene: &Scene, status: Status, below: Put, lower: f64, above: &Ceiling
     put.found(status, status != Status::Estimate, Ruling::Is(proved))
 }
 
-/// What proves `falls` (a mechanism) or `stands` (forces at λ = 0 and a ray, without friction where
-/// it is not about associative friction): the status is refuted where that fails, and `undecided`
+/// What proves `falls` (a mechanism) or `stands` (forces at λ = 0 and a ray, without friction or with a certificate
+/// where it is not about associative friction): the status is refuted where that fails, and `undecided`
 /// where nothing is given.
 fn settled(scene: &Scene, status: Status, evidence: &Evidence) -> Found {
     let put = match (status, evidence) {
@@ -311,12 +311,20 @@ fn settled(scene: &Scene, status: Status, evidence: &Evidence) -> Found {
                 associative,
                 at_rest,
                 ray,
+                certificate,
             },
         ) => {
+            let certificate = certificate.as_deref();
+            if let Some(Err(refusal)) =
+                certificate.map(|own| certified(scene, f64::INFINITY, Some(own)))
+            {
+                return Found::of(refuted(JudgedFact::Uncertified(refusal)));
+            }
             // Without dilatancy a joint may slip where the ray needs its friction, so that only a
-            // ray without friction proves that nothing collapses.
+            // ray without friction proves that nothing collapses, or a certificate.
             let smooth = scene.clone().with_friction(|_, _| 0.0);
-            let pushed = if *associative { scene } else { &smooth };
+            let may_need_friction = *associative || certificate.is_some();
+            let pushed = if may_need_friction { scene } else { &smooth };
             let statics = StaticResidual::of_ray(pushed, ray);
             let blocks = BlockResidual::of_ray(pushed, ray);
             let ray = Put::new(Recomputed::Ray { statics }, blocks);

@@ -83,6 +83,7 @@ fn stands_beside_a_verified_state() {
             associative,
             at_rest: Vec::new(),
             ray: Vec::new(),
+            certificate: None,
         };
         let stands = Outcome::with(Status::Stands, evidence);
         let answers = [("one", &stands), ("other", &state)];

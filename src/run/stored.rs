@@ -53,7 +53,10 @@ pub fn certificates(result: &CaseResult) -> Vec<(String, Vec<u8>)> {
 }
 
 fn is_proved(outcome: &Outcome) -> bool {
-    matches!(outcome.status, Status::Verified | Status::Bracketed)
+    matches!(
+        outcome.status,
+        Status::Verified | Status::Bracketed | Status::Stands
+    )
 }
 
 /// Names of the certificates that the repository has of the library.
@@ -132,15 +135,19 @@ fn verdict(
         let states = verified(row, scene.push()).iter();
         states.map(move |state| (row, state.lambda))
     });
-    let margin = 1e-6 * magnitude(proved.lower, scene.multiplier_unit());
-    let mut below = states.filter(|(_, lambda)| *lambda < proved.lower - margin);
+    let margin = |lambda: f64| 1e-6 * magnitude(lambda, scene.multiplier_unit());
+    let mut below = states.filter(|(_, lambda)| *lambda + margin(*lambda) < proved.lower);
     match below.next() {
         None => Ok(proved),
-        Some((row, lambda)) => Err(format!(
-            "it proves that no state is below {}, and {} verifies one at {}",
-            number(proved.lower, 6),
-            row.method,
-            number(lambda, 6)
-        )),
+        Some((row, lambda)) => {
+            let range = match proved.lower.is_finite() {
+                true => format!("below {}", number(proved.lower, 6)),
+                false => "at any λ ≥ 0".to_owned(),
+            };
+            let (method, lambda) = (&row.method, number(lambda, 6));
+            Err(format!(
+                "it proves that no state is {range}, and {method} verifies one at {lambda}"
+            ))
+        }
     }
 }

@@ -40,6 +40,13 @@ pub enum BoundFact {
     },
     #[error("no collapse state is verified that could be bounded")]
     NoState,
+    /// Where joints need friction to carry the push, however large it is.
+    #[error("it is proved that {NO_STATE}")]
+    ExcludesAll,
+    #[error("that it stands is not proved: the scene can lock, so that its forces have no limit")]
+    Locks,
+    #[error("that it stands is not proved: the lifted program does not exclude collapse states")]
+    MayCollapse,
 }
 
 /// What limits a proof.
@@ -61,7 +68,10 @@ impl fmt::Display for Proved {
         if self.lower <= 0.0 {
             return f.write_str("nothing is proved of lower states");
         }
-        let floor = floor_words(&below(self.lower, 6), self.cap);
+        let floor = match self.lower.is_finite() {
+            true => floor_words(&below(self.lower, 6), self.cap),
+            false => NO_STATE.to_owned(),
+        };
         write!(f, "it is proved that {floor}")
     }
 }
@@ -71,6 +81,9 @@ pub(crate) fn floor_words(lower: &str, cap: Option<f64>) -> String {
     let capped = capped(cap, "push");
     format!("no collapse state with 0 ≤ λ < {lower} exists in which the push does work{capped}")
 }
+
+/// What a slice without an upper end proves.
+const NO_STATE: &str = "no collapse state with λ ≥ 0 exists, but for motions against the push";
 
 /// The cap on motions, as the end of a sentence.
 pub(super) fn capped(cap: Option<f64>, of: &str) -> String {

@@ -90,6 +90,7 @@ fn stands(associative: bool, at_rest: Vec<JointForce>, ray: Vec<JointForce>) -> 
         associative,
         at_rest,
         ray,
+        certificate: None,
     };
     Outcome::with(Status::Stands, evidence).because(LimitFact::ForcesWithoutLimit)
 }

@@ -206,8 +206,8 @@ pub(super) fn violated(face: &Face, request: Request, multipliers: &Multipliers)
 
 #[cfg(test)]
 mod tests {
-    use super::super::opening;
     use super::super::parameters::Parameters;
+    use super::super::proving::opening;
     use super::super::slices::{Search, Slices};
     use super::*;
     use crate::answer::Work;

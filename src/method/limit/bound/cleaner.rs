@@ -5,11 +5,10 @@ use nalgebra::{DMatrix, DVector};
 use super::newton::Newton;
 use super::products::Products;
 
-/// The identity (λ − σ · 1) · power = Σ multiplier · product, and how its multipliers may move.
+/// The identity (aim − σ · scale) · power = Σ multiplier · product, and how its multipliers may move.
 pub(super) struct Cleaner<'a> {
     pub(super) products: &'a Products<'a>,
-    /// The row of λ in it.
-    pub(super) lambda: DVector<f64>,
+    pub(super) aim: DVector<f64>,
     /// Whether a product, by its rows, is zero, so that its multiplier has any sign.
     pub(super) is_zero: &'a dyn Fn(usize, usize) -> bool,
     /// Multipliers move in proportion to this power of their size: 2 at an optimum, where they span many
@@ -57,8 +56,7 @@ impl Cleaner<'_> {
     /// What multipliers and σ leave of the identity.
     fn left(&self, (values, sigma): &(DMatrix<f64>, f64)) -> DMatrix<f64> {
         let products = self.products;
-        let wanted = (&self.lambda - &products.one * *sigma) * products.power.transpose();
-        wanted - products.transposed(values)
+        products.left_side(&self.aim, *sigma) - products.transposed(values)
     }
 
     /// How freely each multiplier moves.

@@ -13,7 +13,7 @@ use super::lift::Lift;
 use super::motion::{Motion, Pivot};
 use super::parameters::DEPENDENT;
 use super::pattern::Pattern;
-use crate::certificate::{Assumption, Zeros};
+use crate::certificate::{Assumption, Zeros, left_side};
 
 /// Forces and motions that meet assumptions.
 pub(super) struct Face<'a> {
@@ -115,9 +115,14 @@ impl<'a> Face<'a> {
             }
         }
         let mut left = -motion.of_rates(&conditions.tr_mul(values));
-        let aim = (basis.row(1) - basis.row(0) * sigma).transpose();
+        let ([of_one, of_lambda], of_dead) = left_side(ends[1], sigma);
+        let aim = (basis.row(0) * of_one + basis.row(1) * of_lambda).transpose();
         for &(k, value) in motion.power() {
             left.column_mut(k).axpy(value, &aim, 1.0);
+        }
+        let one = basis.row(0).transpose();
+        for (k, &value) in self.lift.conditions.dead.iter().enumerate() {
+            left.column_mut(k).axpy(of_dead * value, &one, 1.0);
         }
         self.complete_forces(values, (&conditions, &motion), &mut left);
         if !self.pivots.is_empty() {

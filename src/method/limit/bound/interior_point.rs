@@ -7,7 +7,9 @@
 //!
 //! The last condition stands for = 1: with it the program always has an optimum. Where no collapse
 //! state is in the slice that is σ₀, which is chosen above the slice's end, so that the multipliers
-//! are a Farkas proof; else it is the least λ of the lift. Any multipliers on the way give a bound.
+//! are a Farkas proof; else it is the least λ of the lift. Any multipliers on the way give a bound. A slice
+//! without an upper end has 1 for σ₀ and −σ₀ ((1 + 2 λ) f_L·u + f_D·u) + σ₀ to be least, with that bracket ≤ 1: a bound
+//! above 0 excludes all states.
 
 use nalgebra::DMatrix;
 
@@ -71,7 +73,7 @@ pub(super) fn solve(
         if best.as_ref().is_none_or(|(most, _)| merit > *most) {
             best = Some((merit, multipliers()));
         }
-        let is_behind = (best.as_ref()).is_some_and(|(most, _)| *most < request.from);
+        let is_behind = (best.as_ref()).is_some_and(|(most, _)| *most < request.nothing());
         let is_late = is_behind && steps >= own.late;
         let is_stuck = stalled > own.stalled_steps || residual.mean < own.least_mean;
         if is_stuck || is_late || steps == request.steps {

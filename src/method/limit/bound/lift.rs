@@ -73,7 +73,7 @@ impl Lift {
     }
 
     /// The force conditions of a slice a ≤ λ ≤ b in the free numbers of a basis of forces: four a joint,
-    /// 1, λ − a, b − λ.
+    /// 1, λ − a, b − λ, of which the last is zero where b is infinite.
     pub(super) fn force_conditions(
         &self,
         basis: &DMatrix<f64>,
@@ -92,7 +92,9 @@ impl Lift {
         let last = 4 * self.joints();
         rows.set_row(last, &one);
         rows.set_row(last + 1, &(lambda - one * from));
-        rows.set_row(last + 2, &(one * to - lambda));
+        if to.is_finite() {
+            rows.set_row(last + 2, &(one * to - lambda));
+        }
         rows
     }
 

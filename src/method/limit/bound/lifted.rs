@@ -11,7 +11,7 @@ use super::products::Products;
 pub(super) struct Request {
     /// a.
     pub(super) from: f64,
-    /// b.
+    /// b, which may be infinite. Then bounds are no λ: what is above 0 excludes every state.
     pub(super) to: f64,
     /// Bound at which the iteration may stop.
     pub(super) enough: f64,
@@ -24,6 +24,32 @@ pub(super) struct Request {
     pub(super) exact: bool,
     /// What multipliers may leave of the identity at the end.
     pub(super) left: f64,
+}
+
+impl Request {
+    /// A bound that says nothing.
+    pub(super) fn nothing(&self) -> f64 {
+        match self.to.is_finite() {
+            true => self.from,
+            false => 0.0,
+        }
+    }
+
+    /// The share of its width up to this bound of λ; without an upper end all or none.
+    pub(super) fn share(&self, reached: f64) -> f64 {
+        match self.to.is_finite() {
+            true => (reached.min(self.to) - self.from) / (self.to - self.from),
+            false => f64::from(reached == f64::INFINITY),
+        }
+    }
+
+    /// Whether a proof loses no more than a share of the slice's width of what multipliers promise.
+    pub(super) fn keeps(&self, promised: f64, least: f64, lost: f64) -> bool {
+        match self.to.is_finite() {
+            true => promised - least <= lost * (self.to - self.from),
+            false => least == f64::INFINITY || promised <= self.enough,
+        }
+    }
 }
 
 /// The lifted program of one slice.
@@ -65,13 +91,14 @@ impl<'a> Lifted<'a> {
         let products = Products::new(face, [request.from, request.to]);
         let rows = products.conditions.nrows();
         let all = 0..rows * face.motion.rows.len();
-        let is_zero: Vec<bool> = all.map(|at| face.is_zero(at % rows, at / rows)).collect();
-        let of_power = products.power.transpose();
+        let is_none = |force: usize| force == rows - 1 && request.to.is_infinite();
+        let is_zero = |at: usize| is_none(at % rows) || face.is_zero(at % rows, at / rows);
+        let is_zero: Vec<bool> = all.map(is_zero).collect();
         Self {
             count: (is_zero.iter().filter(|is_zero| !**is_zero).count() + 1) as f64,
             is_zero,
-            cost: (&products.lambda - &products.one * request.most) * &of_power,
-            scale_row: &products.one * of_power,
+            cost: products.left_side(&products.aim, request.most),
+            scale_row: products.scale_row(),
             products,
             request,
         }
@@ -111,10 +138,14 @@ impl<'a> Lifted<'a> {
             violated,
             ..
         } = *residual;
-        let Request { from, enough, .. } = self.request;
+        let enough = self.request.enough;
         let excludes = sigma > enough && left < self.request.left;
         // A lifted state well inside the slice: where exactly the bound ends is of no use.
-        let inside = above - sigma < own.rough * (above - from).min(enough - above);
+        let gained = above - self.request.nothing();
+        let inside = match self.request.to.is_finite() {
+            true => above - sigma < own.rough * gained.min(enough - above),
+            false => above < own.rough * enough,
+        };
         let leave = |most: f64| left < most && violated < most;
         let is_optimal = above - sigma < own.gap && leave(self.request.left);
         let is_rough = inside && leave(own.roughly_left);

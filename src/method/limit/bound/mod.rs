@@ -59,8 +59,10 @@ mod parameters;
 mod pattern;
 mod point;
 mod products;
+mod proving;
 mod slice;
 mod slices;
+mod standing;
 mod start;
 mod step;
 #[cfg(test)]
@@ -70,18 +72,15 @@ mod vanishing;
 use std::sync::Arc;
 use std::time::Duration;
 
-use super::ending::Ending;
 use super::interval::{Interval, lowest};
-use super::program::Program;
-use super::scale::Scale;
 use crate::answer::{BoundFact, Evidence, Fact, LimitFact, Outcome, Status, Work, magnitude};
-use crate::certificate::{Certificate, Conditions, LongestWay, Proved, Prover, Unknown};
+use crate::certificate::Certificate;
 use crate::mechanics::CollapseState;
-use crate::method::settings::{BoundSettings, LP_TOLERANCE};
-use crate::method::{Method, Settings, SoFar, Watch};
+use crate::method::settings::LP_TOLERANCE;
+use crate::method::{Method, Settings, Watch};
 use crate::scene::Scene;
-use lift::Lift;
 use parameters::Parameters;
+use proving::{Opened, lift_of, opening};
 use slices::{Search, Slices};
 
 /// `lower` is proved by a certificate; `upper` is the lowest verified state.
@@ -117,28 +116,18 @@ fn solve_with(
     proving.programs.lp_tolerance = LP_TOLERANCE;
     let found = lowest(scene, &proving, f64::NEG_INFINITY);
     let Some(state) = found.evidence.states().first().cloned() else {
-        return without_state(found);
+        return standing::without_state(scene, &proving, parameters, found);
     };
     let mut work = found.work;
     if state.lambda == 0.0 {
         let bounded = Some((0.0, None));
         return answer(state, bounded, work, vec![LimitFact::AtRest.into()]);
     }
-    let conditions = Conditions::of(scene);
-    let most = settings.bound.lift_unknowns;
-    let unknowns = conditions.free_forces() * conditions.velocities();
-    if unknowns > most {
-        let fact = BoundFact::TooLarge { unknowns, most };
-        return answer(state, None, work, vec![fact.into()]);
-    }
-    let conditions = conditions.with_slip_bounds(scene, LongestWay::ThreeJoints);
-    let Some(lift) = Lift::new(conditions.clone(), parameters) else {
-        return answer(state, None, work, vec![BoundFact::NoState.into()]);
+    let lift = match lift_of(scene, settings, parameters) {
+        Ok(lift) => lift,
+        Err(why) => return answer(state, None, work, vec![why.into()]),
     };
-    let opened = opening(scene, &mut work).and_then(|opening| {
-        let prover = Prover::new(scene, conditions, &opening).ok()?;
-        Some(Opened { prover, opening })
-    });
+    let opened = opening(scene, &mut work).and_then(|opening| Opened::of(scene, &lift, opening));
     let mut search = Search {
         lift: &lift,
         prover: opened.as_ref().map(|own| &own.prover),
@@ -185,63 +174,6 @@ fn solve_with(
     answer(state, bounded, work, facts)
 }
 
-/// A scene that does not lock, so that its bounds can be proved.
-struct Opened {
-    prover: Prover,
-    /// A motion that opens every joint.
-    opening: Vec<f64>,
-}
-
-impl Opened {
-    /// The certificate of the slices so far, and what it proves.
-    fn certificate(
-        &self,
-        scene: &Scene,
-        settings: &BoundSettings,
-        slices: &Slices,
-    ) -> (Certificate, Proved) {
-        slices.certificate(scene, &self.prover, settings.lift_cap, self.opening.clone())
-    }
-
-    /// The certificate, and what is claimed of states below this one, which a search has found.
-    fn claim(
-        &self,
-        scene: &Scene,
-        settings: &BoundSettings,
-        slices: &Slices,
-        (found, state): (&Outcome, f64),
-    ) -> (Option<Certificate>, Vec<Fact>) {
-        let (certificate, proved) = self.certificate(scene, settings, slices);
-        // A state that moves farther than the cap may lie below what is proved up to the cap.
-        let lower = proved.lower.min(state);
-        let proved = Fact::from(BoundFact::Proved(Proved { lower, ..proved }));
-        let push_moves = push_moves(found).map(Fact::from);
-        let facts = [proved].into_iter().chain(push_moves);
-        (Some(certificate), facts.collect())
-    }
-
-    /// What the slices prove so far of states below this one.
-    fn so_far(
-        &self,
-        scene: &Scene,
-        settings: &BoundSettings,
-        slices: &Slices,
-        state: f64,
-    ) -> SoFar {
-        let (certificate, proved) = self.certificate(scene, settings, slices);
-        SoFar {
-            push: scene.push(),
-            of_reaction: scene.reaction().is_some(),
-            proved: Proved {
-                lower: proved.lower.min(state),
-                ..proved
-            },
-            state,
-            certificate: Arc::new(certificate),
-        }
-    }
-}
-
 /// The lowest state that the states of a lift lead to, which other starts may miss, and the work: those of the
 /// branch that limits the bound.
 fn lowest_of_lift(
@@ -254,53 +186,6 @@ fn lowest_of_lift(
     let normals = &slices.leaves.0[slices.leaves.lowest()].normals;
     let found = Interval.solve_from(scene, &few, normals);
     (found.evidence.states().first().cloned(), found.work)
-}
-
-/// That nothing falls on which the push does no work, where forces without friction at some λ prove it:
-/// by virtual work f_D·u ≤ −λ f_L·u = 0 for every motion that closes no joint.
-fn push_moves(found: &Outcome) -> Option<BoundFact> {
-    let frictionless = |fact: &Fact| {
-        matches!(
-            fact,
-            Fact::Limit(LimitFact::FoundNoBounds {
-                frictionless: Some(_)
-            })
-        )
-    };
-    let proves = found.facts.iter().any(frictionless);
-    proves.then_some(BoundFact::PushMoves)
-}
-
-/// A motion that opens every joint by 1 beyond μ times its slip (the lengths over the height), so
-/// that all forces together are as small as can be shown; `None` where the scene can lock. One in which the
-/// push does no work bounds forces alike at every λ; where a push can be carried without limit there is none.
-fn opening(scene: &Scene, work: &mut Work) -> Option<Vec<f64>> {
-    // What guides a support stays closed.
-    let mut opens = vec![0.0; scene.joints().len()];
-    opens[..scene.contacts().len()].fill(-1.0);
-    let without_work = Program::new(scene);
-    let with_work = || Program::at_multiplier(scene, 0.0, Scale::of(scene));
-    let programs = [without_work].into_iter().chain(std::iter::once_with(with_work));
-    programs.into_iter().find_map(|mut program| {
-        program.set_cost(0.0, &opens);
-        match program.solve_counted(work) {
-            Ending::Solved(solution) => Some(Unknown::of(scene).velocities(&solution.velocity)),
-            _ => None,
-        }
-    })
-}
-
-/// The answer where the interval has no state: its own where it settles the scene.
-fn without_state(found: Outcome) -> Outcome {
-    if matches!(found.status, Status::Falls | Status::Stands) {
-        return found;
-    }
-    let own = Fact::from(BoundFact::NoState);
-    Outcome {
-        facts: [vec![own], found.facts].concat(),
-        work: found.work,
-        ..Outcome::of(Status::Undecided)
-    }
 }
 
 /// The answer with a lowest state: without a lower end nothing is claimed.

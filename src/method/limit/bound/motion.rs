@@ -1,6 +1,6 @@
 //! How the rates of a lift follow from the unknowns of a motion, and which unknowns meet in a rate.
 
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector};
 
 use super::parameters::{DEPENDENT, ROUNDING};
 use super::pattern::Pattern;
@@ -145,6 +145,17 @@ impl Motion {
     /// The live load's power.
     pub(super) fn power(&self) -> &[Entry] {
         &self.rows[self.power]
+    }
+
+    /// The dead load's power as a column of the unknowns.
+    pub(super) fn dead_power(&self, conditions: &Conditions) -> DVector<f64> {
+        let mut power = DVector::zeros(self.unknowns);
+        for (row, dead) in self.all.iter().zip(&conditions.dead) {
+            for &(k, value) in row {
+                power[k] += dead * value;
+            }
+        }
+        power
     }
 
     /// Columns of all rates, from those of the unknowns.

@@ -30,7 +30,7 @@ impl<'a> Newton<'a> {
         scale: f64,
         held: f64,
     ) -> Self {
-        let one = &products.one;
+        let aside = &products.scale;
         let rates = products.face.motion.rows.iter().enumerate();
         let rates = rates.filter(|(_, row)| !row.is_empty());
         let mut parts: Vec<_> = rates.map(|(rate, row)| (rate, row, None)).collect();
@@ -41,7 +41,7 @@ impl<'a> Newton<'a> {
             }
             let mut sum = &scaled * &products.conditions;
             if *rate == products.face.motion.power {
-                sum.gemm(scale, one, &one.transpose(), 1.0);
+                sum.gemm(scale, aside, &aside.transpose(), 1.0);
             }
             *part = Some(sum);
         });
@@ -53,7 +53,7 @@ impl<'a> Newton<'a> {
         let parts: Vec<_> = (parts.iter())
             .filter_map(|(_, row, part)| Some((row.as_slice(), part.as_ref()?)))
             .collect();
-        let tiles = Tiles::sum(&products.face.pattern, one.len(), &parts);
+        let tiles = Tiles::sum(&products.face.pattern, aside.len(), &parts);
         let regular = products.parameters().regular;
         Self {
             products,
@@ -66,12 +66,10 @@ impl<'a> Newton<'a> {
 
     /// The system times unknowns.
     fn times(&self, x: &DMatrix<f64>) -> DMatrix<f64> {
-        let (one, power) = (&self.products.one, &self.products.power);
         let mut products = self.products.of(x);
         products.component_mul_assign(self.weights);
         let mut out = self.products.transposed(&products);
-        let scale = self.scale * (one.tr_mul(x) * power)[(0, 0)];
-        out += one * power.transpose() * scale;
+        out += self.products.scale_row() * (self.scale * self.products.work(x));
         out += x * self.held;
         out
     }

@@ -50,6 +50,9 @@ tuned! {
     /// What the two parts of a division gain together, of their distances to the state, where no other
     /// is tried. Not measured.
     least_division: f64 = 0.1;
+    /// Bound, of 1 at most, at which a slice without an upper end ends; one above 0 excludes all its states. Not
+    /// measured.
+    excludes: f64 = 0.5;
     /// Share of a slice's width that rounding may cost before the slice is solved to its optimum: on
     /// paper-1 with open head joints no slice that ended early could be proved.
     lost_to_rounding: f64 = 0.2;

@@ -11,26 +11,42 @@ pub(super) struct Products<'a> {
     /// The force conditions in the free numbers of the forces.
     pub(super) conditions: DMatrix<f64>,
     pub(super) transposed: DMatrix<f64>,
-    /// The rows of 1 and of λ, as columns.
-    pub(super) one: DVector<f64>,
-    pub(super) lambda: DVector<f64>,
+    /// The identity's left side is (aim − σ · scale) times the power: of λ and 1, or without an upper end of 0 and
+    /// 1 + 2 λ, as columns.
+    pub(super) aim: DVector<f64>,
+    pub(super) scale: DVector<f64>,
+    /// Without an upper end −σ · 1 times the power of the dead load comes to it: 1, and that power.
+    dead: Option<[DVector<f64>; 2]>,
     /// The live load's power as a column of the motion's unknowns.
     pub(super) power: DVector<f64>,
 }
 
 impl<'a> Products<'a> {
-    /// Of a slice a ≤ λ ≤ b.
+    /// Of a slice a ≤ λ ≤ b, where b may be infinite.
     pub(super) fn new(face: &'a Face, ends: [f64; 2]) -> Self {
         let conditions = face.lift.force_conditions(&face.basis, ends);
         let mut power = DVector::zeros(face.motion.unknowns);
         for &(k, value) in face.motion.power() {
             power[k] = value;
         }
+        let [one, lambda] = [0, 1].map(|row| face.basis.row(row).transpose());
+        let (aim, scale, dead) = match ends[1].is_finite() {
+            true => (lambda, one, None),
+            false => {
+                let dead = face.motion.dead_power(&face.lift.conditions);
+                (
+                    DVector::zeros(face.free()),
+                    &one + 2.0 * lambda,
+                    Some([one, dead]),
+                )
+            }
+        };
         Self {
             transposed: conditions.transpose(),
             conditions,
-            one: face.basis.row(0).transpose(),
-            lambda: face.basis.row(1).transpose(),
+            aim,
+            scale,
+            dead,
             power,
             face,
         }
@@ -51,8 +67,30 @@ impl<'a> Products<'a> {
         self.face.motion.of_rates(&of_rates)
     }
 
-    /// Row of 1 times the power, of lifted unknowns.
+    /// What σ is multiplied with in the identity, of lifted unknowns: the scale times the power.
     pub(super) fn work(&self, unknowns: &DMatrix<f64>) -> f64 {
-        (self.one.transpose() * unknowns * &self.power)[(0, 0)]
+        let live = (self.scale.transpose() * unknowns * &self.power)[(0, 0)];
+        let dead = self.dead.as_ref();
+        live + dead.map_or(0.0, |[one, dead]| {
+            (one.transpose() * unknowns * dead)[(0, 0)]
+        })
+    }
+
+    /// The same as a row: its factors.
+    pub(super) fn scale_row(&self) -> DMatrix<f64> {
+        let live = &self.scale * self.power.transpose();
+        match &self.dead {
+            Some([one, dead]) => live + one * dead.transpose(),
+            None => live,
+        }
+    }
+
+    /// The identity's left side.
+    pub(super) fn left_side(&self, aim: &DVector<f64>, sigma: f64) -> DMatrix<f64> {
+        let live = (aim - &self.scale * sigma) * self.power.transpose();
+        match &self.dead {
+            Some([one, dead]) => live - one * dead.transpose() * sigma,
+            None => live,
+        }
     }
 }

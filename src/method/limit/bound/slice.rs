@@ -10,7 +10,7 @@ use super::lifted::Request;
 use super::motion::Motion;
 use super::parameters::GRAIN;
 use super::products::Products;
-use crate::certificate::{Assumption, Slice, SliceProof};
+use crate::certificate::{Assumption, Slice, SliceProof, left_side};
 
 /// The slice of a certificate with the highest bound that `prove` finds, of up to three: multipliers
 /// cleaned so that they leave as little of the identity as double precision allows, each changed in
@@ -29,7 +29,7 @@ pub(super) fn best_proof(
     let products = Products::new(face, ends);
     let cleaner = Cleaner {
         products: &products,
-        lambda: products.lambda.clone(),
+        aim: products.aim.clone(),
         is_zero: &|force, rate| face.is_zero(force, rate),
         exponent: if exact { 2 } else { 1 },
     };
@@ -43,7 +43,6 @@ pub(super) fn best_proof(
         }
     });
     let [little, freely] = lift.parameters.of_sigma;
-    let lost = lift.parameters.lost * (request.to - request.from);
     let mut best: Option<(Slice, SliceProof)> = None;
     for (values, of_sigma) in [(kept, little), (&dropped, little), (&dropped, freely)] {
         let (mut values, sigma) = cleaner.clean(values.clone(), multipliers.sigma, of_sigma);
@@ -54,11 +53,14 @@ pub(super) fn best_proof(
         {
             best = Some((slice, proof));
         }
-        let promised = multipliers.sigma.min(request.enough);
-        if best
-            .as_ref()
-            .is_some_and(|best| promised - best.1.least < lost)
-        {
+        let promised = match request.to.is_finite() {
+            true => multipliers.sigma.min(request.enough),
+            false => multipliers.sigma,
+        };
+        let kept = |best: &(Slice, SliceProof)| {
+            request.keeps(promised, best.1.least, lift.parameters.lost)
+        };
+        if best.as_ref().is_some_and(kept) {
             break;
         }
     }
@@ -97,13 +99,19 @@ fn balance(lift: &Lift, [from, to]: [f64; 2], sigma: f64, values: &DMatrix<f64>)
             target[4 + 3 * j] = column[4 * j + 2] - column[4 * j + 3];
         }
         let [one, above, below] = [0, 1, 2].map(|k| column[4 * joints.len() + k]);
-        target[0] = one - from * above + to * below;
-        target[1] = above - below;
+        target[0] = one - from * above;
+        target[1] = above;
+        if to.is_finite() {
+            target[0] += to * below;
+            target[1] -= below;
+        }
     }
     let mut missing = -Motion::of_velocities(&lift.conditions).of_rates(&forces);
+    let ([of_one, of_lambda], of_dead) = left_side(to, sigma);
     for (k, &live) in lift.conditions.live.iter().enumerate() {
-        missing[(1, k)] += live;
-        missing[(0, k)] -= sigma * live;
+        missing[(0, k)] += of_one * live;
+        missing[(1, k)] += of_lambda * live;
+        missing[(0, k)] += of_dead * lift.conditions.dead[k];
     }
     let balance = lift.balance(&missing);
     balance.transpose().as_slice().to_vec()

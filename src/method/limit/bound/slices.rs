@@ -135,7 +135,7 @@ impl Search<'_> {
     }
 
     /// How many further steps the settings allow, or which of them allows none.
-    fn steps_left(&self, slices: &Slices, face: &Face) -> Result<usize, Budget> {
+    pub(super) fn steps_left(&self, slices: &Slices, face: &Face) -> Result<usize, Budget> {
         let settings = self.settings;
         if slices.programs >= settings.lifts {
             return Err(Budget::Programs);
@@ -233,10 +233,10 @@ impl Search<'_> {
     }
 
     /// Solves one slice of a leaf, and returns the share of its width by which it raises the leaf's bound.
-    fn solve(&self, found: &mut Slices, leaf: &mut Leaf, request: Request) -> f64 {
+    pub(super) fn solve(&self, found: &mut Slices, leaf: &mut Leaf, request: Request) -> f64 {
         let assumed = leaf.assumed.clone();
         let face = leaf.face(self.lift);
-        let bearable = self.lift.parameters.lost_to_rounding * (request.to - request.from);
+        let bearable = self.lift.parameters.lost_to_rounding;
         let mut best: Option<Best> = None;
         let start = leaf.halfway.as_deref();
         let (steps, halfway) = solve(&face, request, start, &mut |multipliers, exact| {
@@ -254,7 +254,7 @@ impl Search<'_> {
             // What the multipliers promise and the proof does not keep is lost to rounding.
             let promised = multipliers.sigma.min(request.to);
             let least = best.as_ref().and_then(Best::least);
-            least.is_some_and(|least| promised - least <= bearable)
+            least.is_some_and(|least| request.keeps(promised, least, bearable))
         });
         found.programs += 1;
         found.count(steps, &face);
@@ -267,10 +267,9 @@ impl Search<'_> {
         if proof.least <= request.to {
             leaf.normals = best.normals;
         }
-        let reached = proof.least.min(request.to);
-        let gain = (reached - request.from) / (request.to - request.from);
+        let gain = request.share(proof.least);
         if gain > 0.0 {
-            leaf.lower = reached;
+            leaf.lower = proof.least.min(request.to);
             leaf.halfway = halfway.map(Arc::new);
             found.slices.push((slice, proof));
         }

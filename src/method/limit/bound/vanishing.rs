@@ -125,7 +125,7 @@ impl Vanishing {
         // Together they are to be −1.
         let cleaner = Cleaner {
             products: &products,
-            lambda: DVector::zeros(face.free()),
+            aim: DVector::zeros(face.free()),
             is_zero: &vanishes,
             exponent: 2,
         };
@@ -153,8 +153,8 @@ mod tests {
     use super::*;
     use crate::answer::Work;
     use crate::certificate::Prover;
-    use crate::method::limit::bound::opening;
     use crate::method::limit::bound::parameters::Parameters;
+    use crate::method::limit::bound::proving::opening;
     use crate::method::limit::walls::wall;
     use crate::scene::{Push, Scene};
 
