@@ -13,6 +13,7 @@
 
 use std::sync::Arc;
 
+use super::lift::Lift;
 use super::lifted::Request;
 use super::parameters::Parameters;
 use super::proving::{Opened, lift_of, opening};
@@ -72,13 +73,7 @@ fn standing(
     let lift = lift_of(scene, settings, parameters)?;
     let own = opening(scene, work).and_then(|opening| Opened::of(scene, &lift, opening));
     let own = own.ok_or(BoundFact::Locks)?;
-    let search = Search {
-        lift: &lift,
-        prover: Some(&own.prover),
-        settings: &settings.bound,
-    };
-    let mut slices = Slices::default();
-    let excludes_all = search.exclude_all(&mut slices);
+    let (slices, excludes_all) = endless(&lift, &own, settings);
     work.programs += slices.programs;
     work.iterations += slices.steps;
     if !excludes_all {
@@ -91,6 +86,18 @@ fn standing(
         ray,
         certificate: Some(Arc::new(certificate)),
     })
+}
+
+/// One slice without an upper end, and whether it excludes every collapse state.
+fn endless(lift: &Lift, own: &Opened, settings: &Settings) -> (Slices, bool) {
+    let search = Search {
+        lift,
+        prover: Some(&own.prover),
+        settings: &settings.bound,
+    };
+    let mut slices = Slices::default();
+    let excludes_all = search.exclude_all(&mut slices);
+    (slices, excludes_all)
 }
 
 impl Search<'_> {
@@ -133,13 +140,7 @@ mod tests {
         let lift = lift_of(scene, &settings, Parameters::TUNED).unwrap();
         let opening = opening(scene, &mut Work::default()).expect("it does not lock");
         let own = Opened::of(scene, &lift, opening).expect("it hangs on something");
-        let search = Search {
-            lift: &lift,
-            prover: Some(&own.prover),
-            settings: &settings.bound,
-        };
-        let mut slices = Slices::default();
-        let excludes_all = search.exclude_all(&mut slices);
+        let (slices, excludes_all) = endless(&lift, &own, &settings);
         let (_, proved) = own.certificate(scene, &settings.bound, &slices);
         assert_eq!(proved.lower == f64::INFINITY, excludes_all);
         excludes_all
