@@ -169,8 +169,11 @@ impl<'a> Governing<'a> {
             (Basis::Estimate, _) => "Nothing is proved.",
             (Basis::Falls, _) => return None,
             (Basis::Stands, _) => "That is proved.",
-            (Basis::NoneFound, _) => {
+            (Basis::NoneFound, _) if self.conclusion.methods.iter().any(|by| by == "bound") => {
                 "No collapse state was found, which does not prove that none exists."
+            }
+            (Basis::NoneFound, _) => {
+                "No collapse state was found, which does not prove that none exists: the method `bound` may."
             }
             (Basis::Nothing, _) => "No method has an answer.",
         };

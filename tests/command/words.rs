@@ -211,6 +211,69 @@ fn what_the_search_may_have_missed_is_said_beside_a_proof() {
     );
 }
 
+/// Of a wall that no push collapses, although its joints need friction to carry it, that is proved on request and kept
+/// as a certificate; else the answer says that it may be.
+#[test]
+fn that_a_wall_stands_is_proved_and_kept() {
+    let folder = tempfile::tempdir().unwrap();
+    let run = |arguments: &[&str]| {
+        let (out, _) = said(&trilith(folder.path(), arguments));
+        out.split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    let wall = "unit = { length = 4.0, height = 1.5, weight = 1.0 }\ncourses = [\"11\", \"h1h\", \"11\"]\n\
+                friction = 0.83\nlive = { weight = [1, -2] }\n";
+    std::fs::write(folder.path().join("pressed.toml"), wall).unwrap();
+    let out = run(&["run", "pressed.toml", "--method", "interval"]);
+    assert!(
+        out.contains("which does not prove that none exists: the method `bound` may."),
+        "{out}"
+    );
+    let proving = [
+        "run",
+        "pressed.toml",
+        "--method",
+        "bound",
+        "--certificate",
+        ".",
+    ];
+    let out = run(&proving);
+    assert!(
+        out.contains(
+            "It stands, however hard it is pushed (head joints in contact). That is proved."
+        ),
+        "{out}"
+    );
+    let out = run(&[
+        "check",
+        "pressed.toml",
+        "--method",
+        "associative",
+        "--certificates",
+        ".",
+    ]);
+    let proved = "certificate pressed.right.bound: it is proved that no collapse state with λ ≥ 0 exists, but for \
+                  motions against the push";
+    assert!(out.contains(proved), "{out}");
+    // With less friction it slides: the certificate is of another wall.
+    std::fs::write(
+        folder.path().join("pressed.toml"),
+        wall.replace("0.83", "0.3"),
+    )
+    .unwrap();
+    let out = run(&[
+        "check",
+        "pressed.toml",
+        "--method",
+        "associative",
+        "--certificates",
+        ".",
+    ]);
+    assert!(
+        out.contains("pressed.right.bound: REFUSED: it is about another scene"),
+        "{out}"
+    );
+}
+
 /// A joint that a case names is what the case says: friction and head joints follow, `show` and
 /// `convert` too, and one that does not exist is refused.
 #[test]

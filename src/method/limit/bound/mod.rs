@@ -37,7 +37,7 @@
 //!
 //! What is claimed: no collapse state in which the push does work has 0 ≤ λ < lower. States in which
 //! it does none (a stone that drops while the push only holds on) are none of these, and nothing is
-//! said of λ < 0.
+//! said of λ < 0. Where no state is known, `standing.rs` asks whether there can be any.
 //!
 //! What proves it is not the interior point that found the multipliers but the identity that they
 //! satisfy; see [`crate::certificate::Certificate`] and the rounding argument there.
