@@ -243,14 +243,15 @@ fn that_a_wall_stands_is_proved_and_kept() {
         ),
         "{out}"
     );
-    let out = run(&[
+    let check = [
         "check",
         "pressed.toml",
         "--method",
         "associative",
         "--certificates",
         ".",
-    ]);
+    ];
+    let out = run(&check);
     let proved = "certificate pressed.right.bound: it is proved that no collapse state with λ ≥ 0 exists, but for \
                   motions against the push";
     assert!(out.contains(proved), "{out}");
@@ -260,14 +261,7 @@ fn that_a_wall_stands_is_proved_and_kept() {
         wall.replace("0.83", "0.3"),
     )
     .unwrap();
-    let out = run(&[
-        "check",
-        "pressed.toml",
-        "--method",
-        "associative",
-        "--certificates",
-        ".",
-    ]);
+    let out = run(&check);
     assert!(
         out.contains("pressed.right.bound: REFUSED: it is about another scene"),
         "{out}"

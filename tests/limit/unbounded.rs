@@ -200,7 +200,7 @@ fn that_arches_stand_is_proved_unless_they_lock() {
 #[test]
 #[ignore = "hundreds of scenes of both classes"]
 fn hundreds_of_proofs_that_scenes_stand_contradict_nothing() {
-    for seed in 1..=share(3) as u64 {
+    for seed in 1..=share(2) as u64 {
         for scene in [pressed_wall, scene] {
             let [enclosed, stands, locks] = proved_counts(scene, 100 + seed, 200);
             println!("seed {seed}: {enclosed} are enclosed, {stands} stand, {locks} lock");
