@@ -32,12 +32,18 @@ fn solve(scene: &Scene) -> Outcome {
 fn the_stored_certificates_of_walls_enclose_them() {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/cases/certificates");
     // Too large for the crate, which has no `.ci` either.
-    let large = ["openings-3@open", "openings-4@open", "paper-2@open"];
+    let large = [
+        "openings-3@open",
+        "openings-4@open",
+        "paper-2@open",
+        "paper-2",
+    ];
     let in_crate = !std::path::Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.ci")).exists();
     let files = std::fs::read_dir(folder).unwrap().map(Result::unwrap);
     let small = files.filter(|file| {
         let name = file.file_name();
-        !(large.iter()).any(|large| name.to_string_lossy().starts_with(large))
+        let name = name.to_string_lossy();
+        !(large.iter()).any(|large| name.starts_with(&format!("{large}.")))
     });
     let sizes = small.map(|file| file.metadata().unwrap().len());
     assert!(sizes.sum::<u64>() < 5_000_000);
@@ -48,6 +54,8 @@ fn the_stored_certificates_of_walls_enclose_them() {
         (large[0], open, contact, 0.355_817, 1e-3),
         (large[1], open, contact, 0.263_736, 1e-3),
         (large[2], open, contact, 0.562_786, 1e-3),
+        // One slice, after 37 minutes of CPU.
+        (large[3], contact, open, 0.557_416, 0.14),
     ] {
         let name = file.split('@').next().expect("there is a first part");
         let case = &case::find(name).unwrap()[0];
