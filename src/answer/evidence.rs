@@ -6,7 +6,7 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use super::bracket::Bracket;
-use super::recording::Recording;
+use super::observed::Observed;
 use super::self_check::SelfCheck;
 use crate::certificate::Certificate;
 use crate::mechanics::{
@@ -97,23 +97,6 @@ pub enum Evidence {
         #[serde(skip)]
         certificate: Option<Arc<Certificate>>,
     },
-}
-
-/// What a simulation saw.
-#[derive(Clone, Debug, Default, Serialize, Deserialize)]
-pub struct Observed {
-    /// Last load at rest and first that collapsed, where both were seen.
-    pub bracket: Option<Bracket>,
-    /// Error that is stated for the bracket, relative to λ.
-    pub stated_error: Option<f64>,
-    /// Displacements from the onset of the collapse on, at the upper end of the bracket.
-    pub mechanism: Option<Mechanism>,
-    /// Crack of these displacements.
-    pub crack: Option<Crack>,
-    /// On request, the motion that follows the collapse.
-    pub recording: Option<Recording>,
-    /// Self-checks that ran, with their figures.
-    pub checks: Vec<SelfCheck>,
 }
 
 impl From<Observed> for Evidence {

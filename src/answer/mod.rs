@@ -3,6 +3,7 @@
 pub(crate) mod bracket;
 mod evidence;
 pub(crate) mod fact;
+mod observed;
 mod outcome;
 mod recording;
 mod self_check;
@@ -16,7 +17,7 @@ pub use crate::mechanics::{
 };
 pub use bracket::Bracket;
 pub(crate) use bracket::{VERIFIED_WIDTH, is_same_multiplier, magnitude};
-pub use evidence::{Evidence, Observed};
+pub use evidence::Evidence;
 pub use fact::Fact;
 pub(crate) use fact::{
     AutoFact, BoundFact, Budget, Coverage, InapplicableForm, Invalid, JudgedFact, LimitFact,
@@ -24,6 +25,7 @@ pub(crate) use fact::{
     SequentialEnding, SequentialFacts, SideFact, SolverEnding, Uniqueness, floor_words,
     reaction_floor, sentence,
 };
+pub use observed::Observed;
 pub use outcome::Outcome;
 pub use recording::Recording;
 pub use self_check::{Checked, Repetition, SelfCheck, Variation};

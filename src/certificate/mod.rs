@@ -23,19 +23,19 @@
 //! are at least zero, so λ ≥ σ + ⟨R, s kᵀ⟩. With σ above b no state has its λ in the slice at all:
 //! that is a Farkas proof.
 //!
-//! A slice without an upper end begins at 0 and has −σ ((1 + 2 λ) f_L·u + f_D·u) on the left side. As friction takes
-//! the work of all loads, f_D·u + λ f_L·u = Σ μN |slip|, that is −σ ((1 + λ) f_L·u + Σ μN |slip|). With σ > 0 there is
-//! no collapse state at all, but for motions against the push: neither one in which the push does work nor one in
-//! which it does none and the weight does.
+//! A slice without an upper end begins at 0 and has −σ ((1 + 2 λ) f_L·u + f_D·u) on the left side. As friction
+//! takes the work of all loads, f_D·u + λ f_L·u = Σ μN |slip|, that is −σ ((1 + λ) f_L·u + Σ μN |slip|). A
+//! positive σ proves that there is no collapse state but for motions against the push: neither one in which the
+//! push does work nor one in which it does none and the weight does.
 //!
-//! A slice may assume that one factor of a zero product is zero: a corner without
-//! pressure or one that does not open. Then all its products are zero and their multipliers have any
-//! sign; every collapse state meets that assumption or the one about the other factor, so that two
-//! slices, one with each, prove it of all states. The one that assumes a zero slip covers every state without
-//! that slip. The one that assumes its friction force to be zero need only cover the others: they slip in that
-//! direction, so that the slip in the other one is zero too. The products are those of a first-level reformulation-linearisation
-//! (Sherali and Adams, SIAM J. Discrete Math. 3 (1990) 411-430) of a linear program with
-//! complementarity constraints; nothing is ever asked of a solver here.
+//! A slice may assume that one factor of a zero product is zero: a corner without pressure or one that does not
+//! open. Then all its products are zero and their multipliers have any sign; every collapse state meets that
+//! assumption or the one about the other factor, so that two slices, one with each, prove it of all states. The
+//! one that assumes a zero slip covers every state without that slip. The one that assumes its friction force
+//! to be zero need only cover the others: they slip in that direction, so that the slip in the other one is
+//! zero too. The products are those of a first-level reformulation-linearisation (Sherali and Adams, SIAM J.
+//! Discrete Math. 3 (1990) 411-430) of a linear program with complementarity constraints; nothing is ever asked
+//! of a solver here.
 //!
 //! The slips' bounds hold but for the rounding of their shares, which is part of R.
 //!

@@ -13,10 +13,11 @@ use crate::number::below;
 pub enum BoundFact {
     #[error("{0}")]
     Proved(Proved),
-    /// It is computed alone: scenes that can lock have forces without bounds, so that rounding is not
+    /// It is computed alone: scenes that can lock have forces without limit, so that rounding is not
     /// bounded either.
     #[error(
-        "the bound is computed and not certified: the scene can lock, so that its forces have no limit"
+        "the bound is computed and not certified: no motion was found that opens every joint, so that its forces \
+         have no known limit"
     )]
     Uncertified,
     #[error(
@@ -43,8 +44,11 @@ pub enum BoundFact {
     /// Where joints need friction to carry the push, however large it is.
     #[error("it is proved that {NO_STATE}")]
     ExcludesAll,
-    #[error("that it stands is not proved: the scene can lock, so that its forces have no limit")]
-    Locks,
+    #[error(
+        "that it stands is not proved: no motion was found that opens every joint, so that its forces have no known \
+         limit"
+    )]
+    NoOpening,
     #[error("that it stands is not proved: the lifted program does not exclude collapse states")]
     MayCollapse,
 }

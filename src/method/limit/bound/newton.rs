@@ -30,7 +30,8 @@ impl<'a> Newton<'a> {
         scale: f64,
         held: f64,
     ) -> Self {
-        let aside = &products.scale;
+        // Of the scale condition, what belongs to the power; conjugate gradients take its part of the dead load.
+        let of_scale = &products.scale;
         let rates = products.face.motion.rows.iter().enumerate();
         let rates = rates.filter(|(_, row)| !row.is_empty());
         let mut parts: Vec<_> = rates.map(|(rate, row)| (rate, row, None)).collect();
@@ -41,7 +42,7 @@ impl<'a> Newton<'a> {
             }
             let mut sum = &scaled * &products.conditions;
             if *rate == products.face.motion.power {
-                sum.gemm(scale, aside, &aside.transpose(), 1.0);
+                sum.gemm(scale, of_scale, &of_scale.transpose(), 1.0);
             }
             *part = Some(sum);
         });
@@ -53,7 +54,7 @@ impl<'a> Newton<'a> {
         let parts: Vec<_> = (parts.iter())
             .filter_map(|(_, row, part)| Some((row.as_slice(), part.as_ref()?)))
             .collect();
-        let tiles = Tiles::sum(&products.face.pattern, aside.len(), &parts);
+        let tiles = Tiles::sum(&products.face.pattern, of_scale.len(), &parts);
         let regular = products.parameters().regular;
         Self {
             products,

@@ -4,6 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::face::Face;
 use super::parameters::Parameters;
+use crate::certificate::left_side;
 
 /// The products of one slice's force conditions and a face's rates.
 pub(super) struct Products<'a> {
@@ -12,10 +13,10 @@ pub(super) struct Products<'a> {
     pub(super) conditions: DMatrix<f64>,
     pub(super) transposed: DMatrix<f64>,
     /// The identity's left side is (aim − σ · scale) times the power: of λ and 1, or without an upper end of 0 and
-    /// 1 + 2 λ, as columns.
+    /// 1 + 2 λ, as columns ([`left_side`]).
     pub(super) aim: DVector<f64>,
     pub(super) scale: DVector<f64>,
-    /// Without an upper end −σ · 1 times the power of the dead load comes to it: 1, and that power.
+    /// What σ is multiplied with beside it, without an upper end: 1, times the power of the dead load.
     dead: Option<[DVector<f64>; 2]>,
     /// The live load's power as a column of the motion's unknowns.
     pub(super) power: DVector<f64>,
@@ -29,24 +30,18 @@ impl<'a> Products<'a> {
         for &(k, value) in face.motion.power() {
             power[k] = value;
         }
+        // Linear in σ.
+        let [(aim, _), (with_sigma, of_dead)] = [0.0, 1.0].map(|sigma| left_side(ends[1], sigma));
+        let scale = [aim[0] - with_sigma[0], aim[1] - with_sigma[1]];
         let [one, lambda] = [0, 1].map(|row| face.basis.row(row).transpose());
-        let (aim, scale, dead) = match ends[1].is_finite() {
-            true => (lambda, one, None),
-            false => {
-                let dead = face.motion.dead_power(&face.lift.conditions);
-                (
-                    DVector::zeros(face.free()),
-                    &one + 2.0 * lambda,
-                    Some([one, dead]),
-                )
-            }
-        };
+        let of_forces = |[of_one, of_lambda]: [f64; 2]| &one * of_one + &lambda * of_lambda;
+        let dead = || face.motion.dead_power(&face.lift.conditions);
         Self {
             transposed: conditions.transpose(),
             conditions,
-            aim,
-            scale,
-            dead,
+            aim: of_forces(aim),
+            scale: of_forces(scale),
+            dead: (of_dead != 0.0).then(|| [&one * -of_dead, dead()]),
             power,
             face,
         }
@@ -67,7 +62,7 @@ impl<'a> Products<'a> {
         self.face.motion.of_rates(&of_rates)
     }
 
-    /// What σ is multiplied with in the identity, of lifted unknowns: the scale times the power.
+    /// What σ is multiplied with in the identity, of lifted unknowns.
     pub(super) fn work(&self, unknowns: &DMatrix<f64>) -> f64 {
         let live = (self.scale.transpose() * unknowns * &self.power)[(0, 0)];
         let dead = self.dead.as_ref();
@@ -76,7 +71,7 @@ impl<'a> Products<'a> {
         })
     }
 
-    /// The same as a row: its factors.
+    /// The coefficients of the same.
     pub(super) fn scale_row(&self) -> DMatrix<f64> {
         let live = &self.scale * self.power.transpose();
         match &self.dead {

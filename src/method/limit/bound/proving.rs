@@ -30,7 +30,7 @@ pub(super) fn lift_of(
     Lift::new(conditions, parameters).ok_or(BoundFact::NoState)
 }
 
-/// A scene that does not lock, so that its bounds can be proved.
+/// A scene whose joints can all open at once, so that its bounds can be proved.
 pub(super) struct Opened {
     pub(super) prover: Prover,
     /// A motion that opens every joint.
@@ -109,8 +109,9 @@ fn push_moves(found: &Outcome) -> Option<BoundFact> {
 }
 
 /// A motion that opens every joint by 1 beyond μ times its slip (the lengths over the height), so
-/// that all forces together are as small as can be shown; `None` where the scene can lock. One in which the
-/// push does no work bounds forces alike at every λ; where a push can be carried without limit there is none.
+/// that all forces together are as small as can be shown; `None` where none is found, as in scenes that can lock. One
+/// on which the push does no work bounds forces alike at every λ; where a push can be carried without limit there is
+/// no such motion, but one on which it works.
 pub(super) fn opening(scene: &Scene, work: &mut Work) -> Option<Vec<f64>> {
     // What guides a support stays closed.
     let mut opens = vec![0.0; scene.joints().len()];

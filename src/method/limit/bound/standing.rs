@@ -72,7 +72,7 @@ fn standing(
     let ray = ray(scene, work).ok_or(None)?;
     let lift = lift_of(scene, settings, parameters)?;
     let own = opening(scene, work).and_then(|opening| Opened::of(scene, &lift, opening));
-    let own = own.ok_or(BoundFact::Locks)?;
+    let own = own.ok_or(BoundFact::NoOpening)?;
     let (slices, excludes_all) = endless(&lift, &own, settings);
     work.programs += slices.programs;
     work.iterations += slices.steps;
@@ -102,7 +102,7 @@ fn endless(lift: &Lift, own: &Opened, settings: &Settings) -> (Slices, bool) {
 
 impl Search<'_> {
     /// Whether one slice without an upper end excludes every λ ≥ 0, however far the motions go. Slips are bounded
-    /// along long ways too: without these, what rounding leaves of slips was not absorbed on eight of nine walls.
+    /// along long ways too: without these, what rounding leaves of slips was not absorbed on seven of nine walls.
     fn exclude_all(&self, slices: &mut Slices) -> bool {
         let own = &self.lift.parameters;
         let mut leaf = slices.leaves.0[0].clone();
