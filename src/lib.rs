@@ -76,6 +76,7 @@ pub mod inside {
         AutoFact, Fact, JudgedFact, LimitFact, ProgramEnding, ProgramFailure, PushoverFact,
         SearchFailure, Uniqueness,
     };
+    pub use crate::answer::standing::Standing;
     pub use crate::answer::{Checked, Repetition, SelfCheck};
     pub use crate::certificate::{LongestWay, Refusal, prove};
     pub use crate::external::{

@@ -8,6 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::bracket::Bracket;
 use super::observed::Observed;
 use super::self_check::SelfCheck;
+use super::standing::Standing;
 use crate::certificate::Certificate;
 use crate::mechanics::{
     Ceiling, CollapseState, Crack, ForceState, JointForce, Mechanism, VELOCITY_THRESHOLDS,
@@ -85,17 +86,12 @@ pub enum Evidence {
     },
     /// Forces that carry every multiplier λ ≥ 0: those at rest and λ times the ray.
     Stands {
-        /// Whether nothing is proved of friction without dilatancy: the ray needs friction, and nothing else
-        /// excludes collapse states.
-        associative: bool,
+        /// What it says of friction without dilatancy.
+        standing: Standing,
         /// Forces at λ = 0.
         at_rest: Vec<JointForce>,
         /// Forces that balance the live load for λ = 1 and nothing else.
         ray: Vec<JointForce>,
-        /// Where the ray needs friction, what proves that there is no collapse state all the same. It is large, and
-        /// files of results leave it out.
-        #[serde(skip)]
-        certificate: Option<Arc<Certificate>>,
     },
 }
 
@@ -259,7 +255,13 @@ impl Evidence {
 
     /// Whether it is of a scene that stands with associative friction, and nothing is proved without dilatancy.
     pub fn stands_by_friction(&self) -> bool {
-        matches!(self, Evidence::Stands { associative, .. } if *associative)
+        matches!(
+            self,
+            Evidence::Stands {
+                standing: Standing::Associative,
+                ..
+            }
+        )
     }
 
     /// What was seen, where it is that.
@@ -281,9 +283,11 @@ impl Evidence {
     /// What proves a lower bound, or that there is no collapse state, where there is one.
     pub fn certificate(&self) -> Option<&Certificate> {
         match self {
-            Evidence::Bounded { certificate, .. } | Evidence::Stands { certificate, .. } => {
-                certificate.as_deref()
-            }
+            Evidence::Bounded { certificate, .. }
+            | Evidence::Stands {
+                standing: Standing::Certified { certificate },
+                ..
+            } => certificate.as_deref(),
             _ => None,
         }
     }

@@ -7,6 +7,7 @@ mod observed;
 mod outcome;
 mod recording;
 mod self_check;
+pub(crate) mod standing;
 mod status;
 mod work;
 
@@ -29,5 +30,6 @@ pub use observed::Observed;
 pub use outcome::Outcome;
 pub use recording::Recording;
 pub use self_check::{Checked, Repetition, SelfCheck, Variation};
+pub(crate) use standing::Standing;
 pub use status::Status;
 pub use work::Work;

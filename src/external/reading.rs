@@ -2,7 +2,7 @@
 
 use super::answer::{AnswerFile, AnswerKind};
 use super::process::shortened;
-use crate::answer::{Bracket, Evidence, Fact, Outcome, ProgramFailure, Status};
+use crate::answer::{Bracket, Evidence, Fact, Outcome, ProgramFailure, Standing, Status};
 use crate::mechanics::{
     Ceiling, CollapseState, ForceState, JointForce, Mechanism, Motion, kinematic_multiplier,
 };
@@ -105,10 +105,12 @@ fn evidence(scene: &Scene, answer: &AnswerFile) -> Result<Evidence, ProgramFailu
             forces.zip(ray).map_or(Evidence::Nothing, |(at_rest, ray)| {
                 // A ray within friction proves that no multiplier is too large for associative friction.
                 Evidence::Stands {
-                    associative: answer.kind == AnswerKind::Stands,
+                    standing: match answer.kind {
+                        AnswerKind::Stands => Standing::Associative,
+                        _ => Standing::WithoutFriction,
+                    },
                     at_rest,
                     ray,
-                    certificate: None,
                 }
             })
         }

@@ -2,7 +2,7 @@
 //! from forces and velocities, by any program.
 
 use super::answer::{AnswerFile, AnswerKind};
-use crate::answer::{Bracket, Evidence, Outcome, Status};
+use crate::answer::{Bracket, Evidence, Outcome, Standing, Status};
 use crate::mechanics::{CollapseState, JointForce, Mechanism};
 
 /// The judged outcome as answers: none where it answers nothing, several where it rests on several
@@ -59,17 +59,16 @@ fn proofs(evidence: &Evidence) -> Vec<AnswerFile> {
             ..AnswerFile::of(AnswerKind::Falls)
         }],
         Evidence::Stands {
-            associative,
+            standing,
             at_rest,
             ray,
-            certificate,
         } => vec![AnswerFile {
             forces: Some(forces(at_rest)),
             ray: Some(forces(ray)),
             // A certificate, beside a ray that needs friction, has a file of its own.
-            ..AnswerFile::of(match *associative || certificate.is_some() {
-                true => AnswerKind::Stands,
-                false => AnswerKind::StandsWithoutDilatancy,
+            ..AnswerFile::of(match standing {
+                Standing::Associative | Standing::Certified { .. } => AnswerKind::Stands,
+                Standing::WithoutFriction => AnswerKind::StandsWithoutDilatancy,
             })
         }],
     }

@@ -1,7 +1,7 @@
 //! What an answer's own forces and mechanism prove.
 
 use super::judgement::Judgement;
-use crate::answer::{Bracket, Evidence, JudgedFact, Outcome, Status, magnitude};
+use crate::answer::{Bracket, Evidence, JudgedFact, Outcome, Standing, Status, magnitude};
 use crate::certificate::{Certificate, Refusal, prove};
 use crate::mechanics::{
     BlockResidual, Ceiling, CollapseResidual, CollapseState, ForceState, JointForce, Mechanism,
@@ -308,25 +308,26 @@ fn settled(scene: &Scene, status: Status, evidence: &Evidence) -> Found {
         (
             Status::Stands,
             Evidence::Stands {
-                associative,
+                standing,
                 at_rest,
                 ray,
-                certificate,
             },
         ) => {
-            let certificate = certificate.as_deref();
-            if let Some(Err(refusal)) =
-                certificate.map(|own| certified(scene, f64::INFINITY, Some(own)))
-            {
-                return Found::of(refuted(JudgedFact::Uncertified(refusal)));
-            }
-            // Without dilatancy a joint may slip where the ray needs its friction, so that only a
-            // ray without friction proves that nothing collapses, or a certificate.
-            let smooth = scene.clone().with_friction(|_, _| 0.0);
-            let may_need_friction = *associative || certificate.is_some();
-            let pushed = if may_need_friction { scene } else { &smooth };
-            let statics = StaticResidual::of_ray(pushed, ray);
-            let blocks = BlockResidual::of_ray(pushed, ray);
+            let pushed = match standing {
+                Standing::Associative => scene.clone(),
+                // Without dilatancy a joint may slip where the ray needs its friction, so that only a ray without
+                // friction proves that nothing collapses, or a certificate.
+                Standing::WithoutFriction => scene.clone().with_friction(|_, _| 0.0),
+                Standing::Certified { certificate } => {
+                    let proof = certified(scene, f64::INFINITY, certificate.as_deref());
+                    if let Err(refusal) = proof {
+                        return Found::of(refuted(JudgedFact::Uncertified(refusal)));
+                    }
+                    scene.clone()
+                }
+            };
+            let statics = StaticResidual::of_ray(&pushed, ray);
+            let blocks = BlockResidual::of_ray(&pushed, ray);
             let ray = Put::new(Recomputed::Ray { statics }, blocks);
             Put::forces(scene, 0.0, at_rest).beside(ray)
         }

@@ -2,7 +2,7 @@
 //! λ = 1 pushes with their weight.
 
 use super::*;
-use crate::answer::{Bracket, Evidence, Observed, Outcome, Status};
+use crate::answer::{Bracket, Evidence, Observed, Outcome, Standing, Status};
 use crate::mechanics::{Ceiling, CollapseState, ForceState, Mechanism};
 use crate::scene::{HeadJoints, Push, Scene, Wall};
 
@@ -78,12 +78,15 @@ fn worst(answers: &[(&str, &Outcome)], method: &str) -> Option<Verdict> {
 fn stands_beside_a_verified_state() {
     let scene = scene(HeadJoints::Contact);
     let state = states(0.4, 0.4);
-    for (associative, expected) in [(false, Verdict::Violated), (true, Verdict::Holds)] {
+    for (standing, expected) in [
+        (Standing::WithoutFriction, Verdict::Violated),
+        (Standing::Certified { certificate: None }, Verdict::Violated),
+        (Standing::Associative, Verdict::Holds),
+    ] {
         let evidence = Evidence::Stands {
-            associative,
+            standing,
             at_rest: Vec::new(),
             ray: Vec::new(),
-            certificate: None,
         };
         let stands = Outcome::with(Status::Stands, evidence);
         let answers = [("one", &stands), ("other", &state)];

@@ -6,7 +6,7 @@
 
 use crate::share::share;
 use trilith::answer::{Certificate, Evidence, Outcome, Status};
-use trilith::inside::prove;
+use trilith::inside::{Standing, prove};
 use trilith::judge::judge;
 use trilith::method::limit::{Associative, Interval, Sequential};
 use trilith::method::{Auto, Method, Settings, methods};
@@ -255,6 +255,12 @@ fn assert_nothing_collapses(scene: &Scene, stands: &Outcome) {
         prove(scene, &read).map(|proved| (proved.lower, proved.cap)),
         Ok((f64::INFINITY, None))
     );
+    let mut bare = stands.clone();
+    if let Evidence::Stands { standing, .. } = &mut bare.evidence {
+        *standing = Standing::Certified { certificate: None };
+    }
+    judge(scene, &mut bare);
+    assert_eq!(bare.status, Status::Failed);
     let is_refused = |change: &dyn Fn(&mut Certificate)| {
         let mut changed = certificate.clone();
         change(&mut changed);
@@ -278,8 +284,8 @@ fn a_ray_with_friction_is_no_proof_without_dilatancy() {
     let mut refuted = 0;
     for scene in unbounded(0x5EED, 400) {
         let mut outcome = Associative.solve(&scene, &Settings::default());
-        if let Evidence::Stands { associative, .. } = &mut outcome.evidence {
-            *associative = false;
+        if let Evidence::Stands { standing, .. } = &mut outcome.evidence {
+            *standing = Standing::WithoutFriction;
         }
         judge(&scene, &mut outcome);
         let without = judged(&Interval, &scene).status == Status::Stands;

@@ -7,7 +7,7 @@ use super::falling;
 use super::program::{Margins, Program};
 use super::scale::Scale;
 use super::vertical;
-use crate::answer::{Evidence, LimitFact, Outcome, Status, Work};
+use crate::answer::{Evidence, LimitFact, Outcome, Standing, Status, Work};
 use crate::mechanics::{
     BlockResidual, JointForce, Mechanism, StaticResidual, VERIFIED_RESIDUAL, live_unit,
 };
@@ -80,17 +80,16 @@ pub(super) fn without_optimum(
 ) -> Outcome {
     let ray = matches!(ending, Ending::Unbounded).then(|| ray(scene, work));
     match ray.flatten() {
-        Some(ray) => stands(true, at_rest, ray),
+        Some(ray) => stands(Standing::Associative, at_rest, ray),
         None => Outcome::without_number(Status::Undecided, LimitFact::NoOptimum(ending.kind())),
     }
 }
 
-fn stands(associative: bool, at_rest: Vec<JointForce>, ray: Vec<JointForce>) -> Outcome {
+fn stands(standing: Standing, at_rest: Vec<JointForce>, ray: Vec<JointForce>) -> Outcome {
     let evidence = Evidence::Stands {
-        associative,
+        standing,
         at_rest,
         ray,
-        certificate: None,
     };
     Outcome::with(Status::Stands, evidence).because(LimitFact::ForcesWithoutLimit)
 }
@@ -105,7 +104,8 @@ pub(super) fn stands_without_dilatancy(
     work: &mut Work,
 ) -> Option<Outcome> {
     let smooth = scene.clone().with_friction(|_, _| 0.0);
-    Some(stands(false, at_rest.to_vec(), ray(&smooth, work)?))
+    let ray = ray(&smooth, work)?;
+    Some(stands(Standing::WithoutFriction, at_rest.to_vec(), ray))
 }
 
 /// Forces that balance the live load for λ = 1 and nothing else, within friction: they can be added

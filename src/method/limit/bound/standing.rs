@@ -18,7 +18,7 @@ use super::lifted::Request;
 use super::parameters::Parameters;
 use super::proving::{Opened, lift_of, opening};
 use super::slices::{Search, Slices};
-use crate::answer::{BoundFact, Evidence, Fact, Outcome, Status, Work};
+use crate::answer::{BoundFact, Evidence, Fact, Outcome, Standing, Status, Work};
 use crate::method::Settings;
 use crate::method::limit::own_weight::{own_weight, ray};
 use crate::scene::Scene;
@@ -81,10 +81,11 @@ fn standing(
     }
     let (certificate, _) = own.certificate(scene, &settings.bound, &slices);
     Ok(Evidence::Stands {
-        associative: false,
+        standing: Standing::Certified {
+            certificate: Some(Arc::new(certificate)),
+        },
         at_rest,
         ray,
-        certificate: Some(Arc::new(certificate)),
     })
 }
 
