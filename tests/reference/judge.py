@@ -267,13 +267,15 @@ CONFIRM = {
     "enclosed": confirm_enclosed,
     "stands": confirm_stands,
     "stands-without-dilatancy": lambda *claim: confirm_stands(*claim, friction=False),
+    # What proves that nothing collapses is the certificate, a file of its own.
+    "certified": confirm_stands,
     "falls": confirm_falls,
 }
 
 
 def kind_of(method, kind):
-    """What a claim is confirmed as: of a lower bound, the state is at the upper end."""
-    return "bounded" if method in BOUNDED and kind == "collapse-state" else kind
+    """What a claim is confirmed as: of a lower bound, the state is at the upper end, and a ray may need friction."""
+    return {"collapse-state": "bounded", "stands": "certified"}.get(kind, kind) if method in BOUNDED else kind
 
 
 def judge_side(row, side, counts):
@@ -289,7 +291,7 @@ def judge_side(row, side, counts):
     if status in PROOFS:
         demand(kinds & PROOFS[status], f"{status} without a proof, but {sorted(kinds) or 'nothing'}")
     demand(len(kinds) <= 1, f"claims of several kinds: {sorted(kinds)}")
-    if status == "stands" and method in WITHOUT_DILATANCY:
+    if status == "stands" and method in WITHOUT_DILATANCY - BOUNDED:
         demand(kinds == {"stands-without-dilatancy"}, "stands without dilatancy, on a ray that needs friction")
     if status in ("stands", "falls"):
         demand(side["lower"] is None and side["upper"] is None, "a multiplier where there is none")

@@ -132,6 +132,7 @@ FAULTS = {
     "enclosed": [push_a_joint, turn_the_mechanism, close_a_joint, spoil_the_ceiling, raise_the_multiplier,
                  other_row, call_it_standing, call_it_falling],
     "stands": [push_a_joint, spoil_the_ray, call_it_falling, call_it_verified, withhold],
+    "certified": [push_a_joint, spoil_the_ray, call_it_falling, call_it_verified, withhold],
     "stands-without-dilatancy": [push_a_joint, spoil_the_ray, call_it_falling, call_it_verified, withhold],
     "falls": [turn_the_mechanism, close_a_joint, call_it_standing, call_it_verified, withhold],
     "nothing": [call_it_verified, call_it_standing],
