@@ -3,13 +3,15 @@
 
     python3 -m pip install numpy
     trilith run FOLDER --states --format json > results.json
-    tests/reference/judge.py results.json [--cases FOLDER]
+    tests/reference/judge.py results.json [--cases FOLDER] [--certificates FOLDER]
 
 Every bound, collapse state, `falls` and `stands` in the output comes with forces and velocities.
 This program recomputes from them what they are said to prove: equilibrium, Coulomb's law, flow
 rules, complementarity, multipliers, the ends of the brackets; and the scene itself from its
 polygons: centroids, loads, joints. With `--cases` it also lays the scenes again from the case
 files (coursed walls, blocks with corners in the file or its CSV) and compares friction and weights.
+With `--certificates` it proves lower bounds again from the certificates that `bound` kept there, and
+demands that no collapse state of any method lies below them.
 Prints a line for each claim that is refuted and a summary; exit status 1 where there is one, 2 where
 the output cannot be read or says nothing.
 
@@ -25,6 +27,7 @@ from pathlib import Path
 
 import numpy as np
 
+import certificate
 import geometry
 
 WHOLE, OWN, WIDTH = 1e-8, 1e-6, 1e-6
@@ -232,7 +235,7 @@ def confirm_states(scene, side, answers):
 
 
 def confirm_bounded(scene, side, answers):
-    """The lowest state at the upper end. What proves the lower end is the certificate, a file of its own."""
+    """The lowest state at the upper end. The certificate, a file of its own, proves the lower end."""
     (answer,) = answers
     scene.collapse(scene.forces(answer["forces"]), scene.velocities(answer["velocities"]),
                    multiplier(answer, side, "upper"))
@@ -267,7 +270,7 @@ CONFIRM = {
     "enclosed": confirm_enclosed,
     "stands": confirm_stands,
     "stands-without-dilatancy": lambda *claim: confirm_stands(*claim, friction=False),
-    # What proves that nothing collapses is the certificate, a file of its own.
+    # The certificate, a file of its own, proves that nothing collapses without dilatancy.
     "certified": confirm_stands,
     "falls": confirm_falls,
 }
@@ -366,7 +369,43 @@ def judge_relations(rows):
                         yield f"{case} {method} pushed {push}: state at {answer['lambda']} of a scene that falls"
 
 
-def judge(rows, folder=None):
+def claim(row, side):
+    """The bound that a certificate is to prove: infinite where no state is said to exist, 0 where nothing is claimed."""
+    kinds = {answer["kind"] for answer in side["answers"]}
+    if row["method"] not in BOUNDED or side["status"] in ("estimate", "falls") or kinds == {"stands-without-dilatancy"}:
+        return 0.0
+    return np.inf if side["status"] == "stands" else side["lower"] or 0.0
+
+
+def judge_certificates(rows, folder, counts, find=certificate.find):
+    """What the certificates in a folder prove: all that `bound` says, and nothing that a state contradicts."""
+    found = {}
+    for row in rows:
+        for side in row["sides"]:
+            found.setdefault((row["case"], side["push"]), []).append((row, side))
+    for (case, push), of_scene in found.items():
+        where = f"{case} pushed {push}"
+        claimed, proved = max((claim(*of) for of in of_scene), default=0.0), 0.0
+        try:
+            file = find(folder, *of_scene[0])
+            if file is not None:
+                # Of the same scene, which `judge` demands.
+                proved = certificate.lower(Scene, *of_scene[0], file)
+                claimed = max(claimed, file.lower)
+                counts["certificates proved"] += 1
+        except certificate.Unproved as why:
+            yield f"{where}: its certificate proves nothing: {why}"
+            continue
+        if claimed > proved * (1 + 1e-8):
+            yield f"{where}: no state is said to lie below {claimed}, and {proved} is proved"
+        for row, side in of_scene:
+            for answer in side["answers"]:
+                # States below 0 are of the other push.
+                if answer["kind"] in ("collapse-state", "enclosed") and 0 <= answer["lambda"] < proved * (1 - WIDTH):
+                    yield f"{where}: {row['method']} has a state at {answer['lambda']}, and none is below {proved}"
+
+
+def judge(rows, folder=None, certificates=None):
     """Lines about everything that is refuted, and counts of what was looked at."""
     lines, counts, scenes = [], Counter(), {}
     for row in rows:
@@ -374,6 +413,8 @@ def judge(rows, folder=None):
         for side in row["sides"]:
             scenes.setdefault((row["case"], side["push"]), (side["scene"], []))[1].append(side["scene"])
     lines += judge_relations(rows)
+    if certificates:
+        lines += judge_certificates(rows, certificates, counts)
     files = geometry.case_files(folder) if folder else {}
     for (case, push), (scene, all_alike) in scenes.items():
         where = f"{case} pushed {push}"
@@ -394,6 +435,7 @@ def main():
     ask = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     ask.add_argument("results", nargs="+", help="what trilith printed")
     ask.add_argument("--cases", type=Path, help="folder of the case files, to lay the scenes again")
+    ask.add_argument("--certificates", type=Path, help="folder of the certificates that `bound` kept")
     asked = ask.parse_args()
     try:
         rows = [row for path in asked.results for row in json.loads(Path(path).read_text())]
@@ -401,7 +443,7 @@ def main():
     except (OSError, ValueError, LookupError, TypeError) as why:
         print(f"no results with states: {why!r}", file=sys.stderr)
         return 2
-    lines, counts = judge(rows, asked.cases)
+    lines, counts = judge(rows, asked.cases, asked.certificates)
     for line in lines:
         print(f"refuted: {line}")
     print(f"{len(rows)} rows: " + ", ".join(f"{count} {what}" for what, count in sorted(counts.items())))

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """Plants faults in what trilith printed and demands that `judge.py` refutes every one.
 
-    tests/reference/planted.py results.json [--cases FOLDER]
+    tests/reference/planted.py results.json [--cases FOLDER] [--certificates FOLDER]
 
 Of each kind of claim up to 40 are taken; each must be confirmed as it is, and refuted with one force,
-velocity, multiplier, end, status, ray, joint or load changed.
+velocity, multiplier, end, status, ray, joint or load changed; up to 40 certificates with a number changed
+or a slice left out.
 """
 import argparse
 import copy
@@ -15,6 +16,7 @@ from pathlib import Path
 
 import numpy as np
 
+import certificate
 import judge
 
 OF_A_KIND = 40
@@ -139,10 +141,74 @@ FAULTS = {
 }
 
 
+def lower_sigma(file):
+    """The multipliers then leave more than rounding."""
+    file.slices[0].sigma *= 0.999
+
+
+def raise_sigma(file):
+    file.slices[0].sigma = file.slices[0].sigma * 1.001 + 1e-3
+
+
+def negative_multiplier(file):
+    """Of a product of 1 and a rate, which may not be negative."""
+    part = file.slices[0]
+    part.multipliers = part.multipliers.copy()
+    part.multipliers[part.multipliers.argmax()] *= -1
+
+
+def spoil_the_balance(file):
+    part = file.slices[0]
+    part.balance = part.balance.copy()
+    part.balance[np.abs(part.balance).argmax()] *= 1.001
+
+
+def leave_a_slice_out(file):
+    del file.slices[0]
+
+
+def move_a_slice(file):
+    file.slices[0].start += 1e-3
+
+
+def turn_the_opening(file):
+    file.opening = -file.opening
+
+
+def claim_more(file):
+    file.lower = file.lower * 1.001 if np.isfinite(file.lower) else 1e9
+
+
+CERTIFICATE = [lower_sigma, raise_sigma, negative_multiplier, spoil_the_balance, leave_a_slice_out, move_a_slice,
+               turn_the_opening, claim_more]
+
+
+def certificates(rows, folder, planted, missed):
+    """Plants faults in certificates; how many were taken."""
+    taken = 0
+    for row in rows:
+        side = row["sides"][0]
+        file = certificate.find(folder, row, side)
+        if file is None or judge.claim(row, side) == 0.0 or taken >= OF_A_KIND or len(file.opening) > 100:
+            continue
+        if any(judge.judge_certificates([row], folder, Counter())):
+            continue  # refuted as it is; judge.py says so
+        taken += 1
+        for fault in CERTIFICATE:
+            changed = certificate.find(folder, row, side)
+            fault(changed)
+            one = {**row, "sides": [side]}
+            planted[fault.__name__] += 1
+            if not any(judge.judge_certificates([one], folder, Counter(), lambda *_: changed)):
+                missed.append(f"{row['case']} certificate: {fault.__name__}")
+    return taken
+
+
 def main():
     ask = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     ask.add_argument("results", nargs="+")
     ask.add_argument("--cases", type=Path)
+    ask.add_argument("--certificates", type=Path)
     asked = ask.parse_args()
     rows = [row for path in asked.results for row in json.loads(Path(path).read_text())]
     taken, planted, missed = Counter(), Counter(), []
@@ -167,6 +233,8 @@ def main():
             planted[fault.__name__] += 1
             if not judge.judge([changed], asked.cases)[0]:
                 missed.append(f"{row['case']} {row['method']} {kind}: {fault.__name__}")
+    if asked.certificates:
+        taken["certificate"] = certificates(rows, asked.certificates, planted, missed)
     for line in missed:
         print(f"not found: {line}")
     print(f"{sum(planted.values())} faults planted in {dict(taken)}, {len(missed)} not found")
