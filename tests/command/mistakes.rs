@@ -316,6 +316,19 @@ fn a_demand_is_a_positive_number_and_asks_for_a_push() {
     );
 }
 
+/// A list is not told what belongs into another key's list.
+#[test]
+fn a_list_in_place_of_a_table_is_told_what_to_write() {
+    let unit = "{ length = 4.0, height = 1.75, weight = 1.0 }";
+    let case = WALL.replace(unit, "[4.0, 1.75]");
+    let title = "expected a table of the unit's size, found a list".to_owned();
+    assert_eq!(complaints(&case), [(title, 2)]);
+    let folder = tempfile::tempdir().unwrap();
+    let said = fed(folder.path(), &["show", "-"], &case).stderr;
+    let help = format!("help: write `unit = {unit}`");
+    assert!(text(&said).contains(&help), "{}", text(&said));
+}
+
 /// Texts in which a few bytes are others, have gone or come twice: read without a panic, complaints in
 /// the order of their lines, and none of them twice.
 #[test]

@@ -23,9 +23,16 @@ fn explained(document: &Document, error: &toml::de::Error) -> Complaint {
         missing_key(span, key.trim_matches('`'))
     } else if message.starts_with("unknown field ") {
         unknown_key(span, message)
-    } else if message.starts_with("invalid length ") {
-        Complaint::at(span, "not as many as belong here", "here")
-            .help(format!("write two names, as in `{}`", example("between")))
+    } else if let Some(length) = message.strip_prefix("invalid length ") {
+        match length.split_once(", expected ") {
+            Some((_, "an array of length 2")) => {
+                Complaint::at(span, "not as many as belong here", "here")
+                    .help(format!("write two names, as in `{}`", example("between")))
+            }
+            // A list is read as a table whose keys are not named.
+            Some((_, table)) => wrong_type(document, span, &format!("sequence, expected {table}")),
+            None => syntax(document, span, message),
+        }
     } else if message == "duplicate field `joint`" {
         // The reader does not say where.
         let place = document
