@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use crate::answer::{Evidence, Standing};
 use crate::files::{test_folder, write_together, write_whole};
 use crate::method::{Kind, kind};
 use crate::run::{CaseResult, Journal, Keeps, Partial, Task, certificates};
@@ -56,10 +57,17 @@ pub(super) fn write_certificates(folder: &Path, results: &[CaseResult]) -> Resul
             write_certificate(folder, &name, bytes)?;
         }
         for row in &result.rows {
-            if kind(&row.method) == Kind::LowerBound
-                && row.bracket().is_some_and(|bracket| bracket.lower > 0.0)
-                && row.outcome.evidence.certificate().is_none()
-            {
+            let has_bound = kind(&row.method) == Kind::LowerBound
+                && row.bracket().is_some_and(|bracket| bracket.lower > 0.0);
+            let evidence = &row.outcome.evidence;
+            let is_certified = matches!(
+                evidence,
+                Evidence::Stands {
+                    standing: Standing::Certified { .. },
+                    ..
+                }
+            );
+            if (has_bound || is_certified) && evidence.certificate().is_none() {
                 tell!(
                     "there is no certificate for {}: its bound is an estimate, or a journal kept the answer \
                      without the certificate",

@@ -66,9 +66,9 @@ pub(super) struct KeptArguments {
     /// --out].
     #[arg(long, value_name = "DIR", hide_short_help = true)]
     resume: Option<PathBuf>,
-    /// Write the certificates of lower bounds into this folder, one file a scene and direction of the
-    /// push: CASE.right.bound, CASE@open.left.bound. Ending the run early (Ctrl-C) keeps what is proved by
-    /// then.
+    /// Write the certificates of lower bounds, and that scenes stand, into this folder, one file a scene
+    /// and direction of the push: CASE.right.bound, CASE@open.left.bound. Ending the run early (Ctrl-C)
+    /// keeps what is proved by then.
     #[arg(long, value_name = "DIR", hide_short_help = true)]
     certificate: Option<PathBuf>,
 }

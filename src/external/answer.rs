@@ -73,7 +73,8 @@ pub enum AnswerKind {
     /// answer is verified after all.
     #[default]
     Estimate,
-    /// No multiplier is too large for associative friction: `forces` at λ = 0 and a `ray`.
+    /// No multiplier is too large for associative friction: `forces` at λ = 0 and a `ray`. Methods of trilith
+    /// without dilatancy answer so where a certificate, a file of its own, proves that no collapse state exists.
     Stands,
     /// No multiplier is too large for friction without dilatancy: as "stands", and the `ray` holds
     /// without friction, so that every shear in it is 0.

@@ -161,7 +161,8 @@ impl Ladder<'_> {
     /// dilatancy: `found` stands by a proof of its own, or the multiplier is not unique.
     fn without_bound(&self, found: Outcome) -> Outcome {
         if found.status == Status::Stands {
-            return self.settled(found);
+            let work = self.work;
+            return Outcome { work, ..found };
         }
         let lowest = found.bracket().map(|bracket| bracket.lower);
         let lowest = lowest.map(|lambda| AutoFact::CollapsesWithoutBound { lambda });

@@ -4,7 +4,7 @@
 use serde_json::json;
 
 use super::terms::{Terms, terms};
-use crate::answer::{Bracket, is_same_multiplier};
+use crate::answer::{Bracket, Fact, is_same_multiplier};
 use crate::judge::{Basis, Conclusion, governing};
 use crate::mechanics::MovingPart;
 use crate::number::{above, below, number, short};
@@ -21,6 +21,8 @@ pub(crate) struct Governing<'a> {
     pub(super) terms: Option<Terms>,
     /// Whether a search for collapse states ran.
     searched: bool,
+    /// Whether it was asked whether any collapse state can exist, of a scene that has none known.
+    asked: bool,
     /// The λ that the case demands.
     pub(super) demand: Option<f64>,
 }
@@ -48,6 +50,10 @@ impl<'a> Governing<'a> {
             unanswered: unanswered.collect(),
             terms: terms(result, conclusion),
             searched: (result.rows.iter()).any(|row| row.outcome.search().is_some()),
+            asked: (result.rows.iter()).any(|row| {
+                let mut facts = row.sides().flat_map(|(_, outcome)| &outcome.facts);
+                facts.any(|fact| matches!(fact, Fact::Bound(_)))
+            }),
             demand: result.case.demand,
         })
     }
@@ -169,7 +175,7 @@ impl<'a> Governing<'a> {
             (Basis::Estimate, _) => "Nothing is proved.",
             (Basis::Falls, _) => return None,
             (Basis::Stands, _) => "That is proved.",
-            (Basis::NoneFound, _) if self.conclusion.methods.iter().any(|by| by == "bound") => {
+            (Basis::NoneFound, _) if self.asked => {
                 "No collapse state was found, which does not prove that none exists."
             }
             (Basis::NoneFound, _) => {

@@ -195,6 +195,8 @@ class Scene:
 WITHOUT_DILATANCY = {"interval", "sequential", "auto", "bound"}
 # Methods whose lower end is a proved bound, and whose upper end is a collapse state.
 BOUNDED = {"bound"}
+# Methods that may prove by a certificate that a scene stands although its ray needs friction.
+CERTIFYING = {"interval", "auto", "bound"}
 # What proves a status. An `enclosed` answer of `auto` may be undecided: its ends are proved, the multiplier is not unique.
 PROOFS = {"verified": {"associative", "collapse-state", "enclosed"}, "stands": {"stands", "stands-without-dilatancy"},
           "falls": {"falls"}}
@@ -278,7 +280,9 @@ CONFIRM = {
 
 def kind_of(method, kind):
     """What a claim is confirmed as: of a lower bound, the state is at the upper end, and a ray may need friction."""
-    return {"collapse-state": "bounded", "stands": "certified"}.get(kind, kind) if method in BOUNDED else kind
+    if method in BOUNDED and kind == "collapse-state":
+        return "bounded"
+    return "certified" if method in CERTIFYING and kind == "stands" else kind
 
 
 def judge_side(row, side, counts):
@@ -294,7 +298,7 @@ def judge_side(row, side, counts):
     if status in PROOFS:
         demand(kinds & PROOFS[status], f"{status} without a proof, but {sorted(kinds) or 'nothing'}")
     demand(len(kinds) <= 1, f"claims of several kinds: {sorted(kinds)}")
-    if status == "stands" and method in WITHOUT_DILATANCY - BOUNDED:
+    if status == "stands" and method in WITHOUT_DILATANCY - CERTIFYING:
         demand(kinds == {"stands-without-dilatancy"}, "stands without dilatancy, on a ray that needs friction")
     if status in ("stands", "falls"):
         demand(side["lower"] is None and side["upper"] is None, "a multiplier where there is none")
@@ -371,10 +375,10 @@ def judge_relations(rows):
 
 def claim(row, side):
     """The bound that a certificate is to prove: infinite where no state is said to exist, 0 where nothing is claimed."""
-    kinds = {answer["kind"] for answer in side["answers"]}
-    if row["method"] not in BOUNDED or side["status"] in ("estimate", "falls") or kinds == {"stands-without-dilatancy"}:
-        return 0.0
-    return np.inf if side["status"] == "stands" else side["lower"] or 0.0
+    method, status, kinds = row["method"], side["status"], {answer["kind"] for answer in side["answers"]}
+    if status == "stands":
+        return np.inf if method in CERTIFYING and kinds == {"stands"} else 0.0
+    return side["lower"] or 0.0 if method in BOUNDED and status not in ("estimate", "falls") else 0.0
 
 
 def judge_certificates(rows, folder, counts, find=certificate.find):

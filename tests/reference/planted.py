@@ -142,12 +142,13 @@ FAULTS = {
 
 
 def lower_sigma(file):
-    """The multipliers then leave more than rounding."""
-    file.slices[0].sigma *= 0.999
+    """The multipliers then leave more than rounding; without an upper end they may absorb a little."""
+    file.slices[0].sigma *= -1 if file.slices[0].endless else 0.999
 
 
 def raise_sigma(file):
-    file.slices[0].sigma = file.slices[0].sigma * 1.001 + 1e-3
+    part = file.slices[0]
+    part.sigma = 3 * part.sigma if part.endless else 1.001 * part.sigma + 1e-3
 
 
 def negative_multiplier(file):
@@ -176,7 +177,11 @@ def turn_the_opening(file):
 
 
 def claim_more(file):
-    file.lower = file.lower * 1.001 if np.isfinite(file.lower) else 1e9
+    """A larger bound, or an end for a slice without one."""
+    if np.isfinite(file.lower):
+        file.lower *= 1.001
+    else:
+        file.slices[0].end, file.slices[0].endless = 1e9, False
 
 
 CERTIFICATE = [lower_sigma, raise_sigma, negative_multiplier, spoil_the_balance, leave_a_slice_out, move_a_slice,

@@ -62,7 +62,7 @@ mod products;
 mod proving;
 mod slice;
 mod slices;
-mod standing;
+pub(super) mod standing;
 mod start;
 mod step;
 #[cfg(test)]
@@ -116,7 +116,7 @@ fn solve_with(
     proving.programs.lp_tolerance = LP_TOLERANCE;
     let found = lowest(scene, &proving, f64::NEG_INFINITY);
     let Some(state) = found.evidence.states().first().cloned() else {
-        return standing::without_state(scene, &proving, parameters, found);
+        return standing::without_state(scene, &proving, found);
     };
     let mut work = found.work;
     if state.lambda == 0.0 {
@@ -183,6 +183,8 @@ fn lowest_of_lift(
 ) -> (Option<CollapseState>, Work) {
     let mut few = *proving;
     few.interval.starts = 1;
+    // There is a state: it need not be asked whether there can be any.
+    few.bound.lifts = 0;
     let normals = &slices.leaves.0[slices.leaves.lowest()].normals;
     let found = Interval.solve_from(scene, &few, normals);
     (found.evidence.states().first().cloned(), found.work)

@@ -13,42 +13,37 @@
 
 use std::sync::Arc;
 
+use super::branches::Leaf;
 use super::lift::Lift;
 use super::lifted::Request;
 use super::parameters::Parameters;
 use super::proving::{Opened, lift_of, opening};
 use super::slices::{Search, Slices};
 use crate::answer::{BoundFact, Evidence, Fact, Outcome, Standing, Status, Work};
+use crate::mechanics::JointForce;
 use crate::method::Settings;
 use crate::method::limit::own_weight::{own_weight, ray};
 use crate::scene::Scene;
 
 /// The answer where the interval has no state: its own where it settles the scene, `stands` where that is proved
 /// here, else undecided.
-pub(super) fn without_state(
-    scene: &Scene,
-    settings: &Settings,
-    parameters: Parameters,
-    found: Outcome,
-) -> Outcome {
+pub(super) fn without_state(scene: &Scene, settings: &Settings, found: Outcome) -> Outcome {
+    let is_asked = |fact: &Fact| matches!(fact, Fact::Bound(_));
     if matches!(found.status, Status::Falls | Status::Stands) {
         return found;
     }
     let mut work = found.work;
-    match standing(scene, settings, parameters, &mut work) {
-        Ok(evidence) => {
-            let stands = Outcome::with(Status::Stands, evidence).because(BoundFact::ExcludesAll);
-            Outcome { work, ..stands }
-        }
+    let asked = match found.facts.iter().any(is_asked) {
+        true => Err(None),
+        false => asked_at_any_cost(scene, settings, &mut work),
+    };
+    match asked {
+        Ok(stands) => Outcome { work, ..stands },
         Err(why) => {
             let own = [Some(BoundFact::NoState), why];
+            let own = own.into_iter().flatten().map(Fact::from);
             Outcome {
-                facts: own
-                    .into_iter()
-                    .flatten()
-                    .map(Fact::from)
-                    .chain(found.facts)
-                    .collect(),
+                facts: own.chain(found.facts).collect(),
                 work,
                 ..Outcome::of(Status::Undecided)
             }
@@ -56,21 +51,33 @@ pub(super) fn without_state(
     }
 }
 
-/// What proves that no push collapses the scene, or why that is not tried or not proved, where there is something to
-/// say.
-fn standing(
+fn asked_at_any_cost(
     scene: &Scene,
     settings: &Settings,
-    parameters: Parameters,
     work: &mut Work,
-) -> Result<Evidence, Option<BoundFact>> {
+) -> Result<Outcome, Option<BoundFact>> {
+    let at_rest = own_weight(scene, work).map_err(|_| None)?;
+    let ray = ray(scene, work).ok_or(None)?;
+    stands(scene, settings, f64::INFINITY, (&at_rest, ray), work)
+}
+
+/// The answer `stands` where one lifted program proves it, whose steps take no more than `most` products of numbers;
+/// else why not, where there is something to say. Forces at rest and a ray within friction carry every push.
+pub(in crate::method::limit) fn stands(
+    scene: &Scene,
+    settings: &Settings,
+    most: f64,
+    (at_rest, ray): (&[JointForce], Vec<JointForce>),
+    work: &mut Work,
+) -> Result<Outcome, Option<BoundFact>> {
     // The reaction of a support that moves is no push that grows without limit.
     if scene.reaction().is_some() {
         return Err(None);
     }
-    let at_rest = own_weight(scene, work).map_err(|_| None)?;
-    let ray = ray(scene, work).ok_or(None)?;
-    let lift = lift_of(scene, settings, parameters)?;
+    let lift = lift_of(scene, settings, Parameters::TUNED)?;
+    if leaf(&lift).face(&lift).step_work() > most {
+        return Err(None);
+    }
     let own = opening(scene, work).and_then(|opening| Opened::of(scene, &lift, opening));
     let own = own.ok_or(BoundFact::NoOpening)?;
     let (slices, excludes_all) = endless(&lift, &own, settings);
@@ -80,13 +87,14 @@ fn standing(
         return Err(Some(slices.ended().unwrap_or(BoundFact::MayCollapse)));
     }
     let (certificate, _) = own.certificate(scene, &settings.bound, &slices);
-    Ok(Evidence::Stands {
+    let evidence = Evidence::Stands {
         standing: Standing::Certified {
             certificate: Some(Arc::new(certificate)),
         },
-        at_rest,
+        at_rest: at_rest.to_vec(),
         ray,
-    })
+    };
+    Ok(Outcome::with(Status::Stands, evidence).because(BoundFact::ExcludesAll))
 }
 
 /// One slice without an upper end, and whether it excludes every collapse state.
@@ -101,13 +109,19 @@ fn endless(lift: &Lift, own: &Opened, settings: &Settings) -> (Slices, bool) {
     (slices, excludes_all)
 }
 
+/// All collapse states, with slips bounded along long ways too: without these, what rounding leaves of slips was not
+/// absorbed on seven of nine walls.
+fn leaf(lift: &Lift) -> Leaf {
+    let mut leaf = Slices::default().leaves.0[0].clone();
+    leaf.has_long_ways = lift.has_long_ways();
+    leaf
+}
+
 impl Search<'_> {
-    /// Whether one slice without an upper end excludes every λ ≥ 0, however far the motions go. Slips are bounded
-    /// along long ways too: without these, what rounding leaves of slips was not absorbed on seven of nine walls.
+    /// Whether one slice without an upper end excludes every λ ≥ 0, however far the motions go.
     fn exclude_all(&self, slices: &mut Slices) -> bool {
         let own = &self.lift.parameters;
-        let mut leaf = slices.leaves.0[0].clone();
-        leaf.has_long_ways = self.lift.has_long_ways();
+        let mut leaf = leaf(self.lift);
         let steps = match self.steps_left(slices, &leaf.face(self.lift)) {
             Ok(steps) => steps.min(own.steps),
             Err(budget) => {
