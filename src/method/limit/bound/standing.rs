@@ -51,6 +51,7 @@ pub(super) fn without_state(scene: &Scene, settings: &Settings, found: Outcome) 
     }
 }
 
+/// What the lifted program says, however dear it is; `None` where forces do not carry every push.
 fn asked_at_any_cost(
     scene: &Scene,
     settings: &Settings,

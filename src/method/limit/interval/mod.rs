@@ -4,7 +4,8 @@
 //! form an interval, and there are several mechanisms. This method reports the lowest and the
 //! highest λ for which it *found* a collapse state, each with forces and mechanism that the judge
 //! verifies. They are no bounds: λ_A bounds all of them from above, and the method `bound` proves a
-//! lower bound of small scenes.
+//! lower bound of small scenes. Where λ_A has no limit and none is found, a lifted program of that method
+//! is asked whether there can be any, if it is cheap.
 
 mod descent;
 mod explore;
