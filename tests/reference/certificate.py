@@ -257,6 +257,14 @@ class Proof:
 
     def __init__(self, scene, moving, certificate):
         self.file, self.of = certificate, Conditions(scene, moving, certificate.longest_way)
+        conditions, of = (4 * self.of.joints + 3) * len(self.of.rates), self.of
+        sizes = len(certificate.opening) == of.velocities and all(
+            len(part.multipliers) == conditions and len(part.balance) == of.velocities * (of.velocities + of.joints)
+            for part in certificate.slices)
+        if not sizes:
+            raise Unproved("its size is of another scene")
+        if not certificate.cap >= 1:
+            raise Unproved("it speaks of hardly any motion")
         self.forces_bounded()
         self.by_rates = np.abs(self.of.by_rates())
 

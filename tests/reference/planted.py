@@ -176,6 +176,10 @@ def turn_the_opening(file):
     file.opening = -file.opening
 
 
+def cap_motions(file):
+    file.cap = 1e-9
+
+
 def claim_more(file):
     """A larger bound, or an end for a slice without one."""
     if np.isfinite(file.lower):
@@ -185,7 +189,7 @@ def claim_more(file):
 
 
 CERTIFICATE = [lower_sigma, raise_sigma, negative_multiplier, spoil_the_balance, leave_a_slice_out, move_a_slice,
-               turn_the_opening, claim_more]
+               turn_the_opening, cap_motions, claim_more]
 
 
 def certificates(rows, folder, planted, missed):
