@@ -50,10 +50,10 @@ impl<'a> Governing<'a> {
             unanswered: unanswered.collect(),
             terms: terms(result, conclusion),
             searched: (result.rows.iter()).any(|row| row.outcome.search().is_some()),
-            asked: (result.rows.iter()).any(|row| {
-                let mut facts = row.sides().flat_map(|(_, outcome)| &outcome.facts);
-                facts.any(|fact| matches!(fact, Fact::Bound(_)))
-            }),
+            asked: (result.rows.iter())
+                .filter(|row| row.head_joints == conclusion.head_joints)
+                .filter_map(|row| row.side(conclusion.push))
+                .any(|outcome| (outcome.facts.iter()).any(|fact| matches!(fact, Fact::Bound(_)))),
             demand: result.case.demand,
         })
     }

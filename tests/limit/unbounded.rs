@@ -219,9 +219,9 @@ fn hundreds_of_proofs_that_scenes_stand_contradict_nothing() {
     }
 }
 
-/// Of scenes of a class, of so many blocks at most, that stand with associative friction: how many have a lowest state that a proved bound
-/// meets, of how many without a state it is proved that they stand, and of how many nothing is, as no motion opens all
-/// their joints. None contradicts another answer.
+/// Of scenes of a class, of so many blocks at most, that stand with associative friction: how many have a lowest state
+/// that a proved bound meets, of how many without a state it is proved that they stand, and of how many nothing is, as
+/// no motion opens all their joints. None contradicts another answer.
 fn proved_counts(
     scene: fn(&mut Noise) -> Scene,
     seed: u64,
@@ -257,7 +257,7 @@ fn proved_counts(
     [enclosed, stands, never_open]
 }
 
-/// No lifted program is asked of small scenes either.
+/// Settings with which the interval searches and asks no lifted program.
 fn search_alone() -> Settings {
     let mut settings = Settings::default();
     settings.bound.lift_unknowns = 1;

@@ -10,8 +10,8 @@ This program recomputes from them what they are said to prove: equilibrium, Coul
 rules, complementarity, multipliers, the ends of the brackets; and the scene itself from its
 polygons: centroids, loads, joints. With `--cases` it also lays the scenes again from the case
 files (coursed walls, blocks with corners in the file or its CSV) and compares friction and weights.
-With `--certificates` it proves lower bounds again from the certificates that `bound` kept there, and
-demands that no collapse state of any method lies below them.
+With `--certificates` it proves lower bounds, and that scenes stand, again from the certificates that
+`run --certificate` kept there, and demands that no collapse state of any method lies below them.
 Prints a line for each claim that is refuted and a summary; exit status 1 where there is one, 2 where
 the output cannot be read or says nothing.
 
@@ -382,13 +382,18 @@ def claim(row, side):
 
 
 def judge_certificates(rows, folder, counts, find=certificate.find):
-    """What the certificates in a folder prove: all that `bound` says, and nothing that a state contradicts."""
+    """What the certificates in a folder prove: all that is said to be, and nothing that a state contradicts. Without
+    a folder lower bounds are taken as they are, and no scene stands by a certificate."""
     found = {}
     for row in rows:
         for side in row["sides"]:
             found.setdefault((row["case"], side["push"]), []).append((row, side))
     for (case, push), of_scene in found.items():
         where = f"{case} pushed {push}"
+        if folder is None:
+            if any(np.isinf(claim(*of)) for of in of_scene):
+                yield f"{where}: it stands by a certificate, and no folder with certificates is named"
+            continue
         claimed, proved = max((claim(*of) for of in of_scene), default=0.0), 0.0
         try:
             file = find(folder, *of_scene[0])
@@ -400,7 +405,8 @@ def judge_certificates(rows, folder, counts, find=certificate.find):
         except certificate.Unproved as why:
             yield f"{where}: its certificate proves nothing: {why}"
             continue
-        if claimed > proved * (1 + 1e-8):
+        # Written so that a NaN refutes.
+        if not claimed <= proved * (1 + 1e-8):
             yield f"{where}: no state is said to lie below {claimed}, and {proved} is proved"
         for row, side in of_scene:
             for answer in side["answers"]:
@@ -417,8 +423,7 @@ def judge(rows, folder=None, certificates=None):
         for side in row["sides"]:
             scenes.setdefault((row["case"], side["push"]), (side["scene"], []))[1].append(side["scene"])
     lines += judge_relations(rows)
-    if certificates:
-        lines += judge_certificates(rows, certificates, counts)
+    lines += judge_certificates(rows, certificates, counts)
     files = geometry.case_files(folder) if folder else {}
     for (case, push), (scene, all_alike) in scenes.items():
         where = f"{case} pushed {push}"
@@ -439,7 +444,7 @@ def main():
     ask = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     ask.add_argument("results", nargs="+", help="what trilith printed")
     ask.add_argument("--cases", type=Path, help="folder of the case files, to lay the scenes again")
-    ask.add_argument("--certificates", type=Path, help="folder of the certificates that `bound` kept")
+    ask.add_argument("--certificates", type=Path, help="folder of the certificates that `run` kept")
     asked = ask.parse_args()
     try:
         rows = [row for path in asked.results for row in json.loads(Path(path).read_text())]

@@ -28,10 +28,11 @@ use crate::scene::Scene;
 /// The answer where the interval has no state: its own where it settles the scene, `stands` where that is proved
 /// here, else undecided.
 pub(super) fn without_state(scene: &Scene, settings: &Settings, found: Outcome) -> Outcome {
-    let is_asked = |fact: &Fact| matches!(fact, Fact::Bound(_));
     if matches!(found.status, Status::Falls | Status::Stands) {
         return found;
     }
+    // Of a small scene the interval has asked already.
+    let is_asked = |fact: &Fact| matches!(fact, Fact::Bound(_));
     let mut work = found.work;
     let asked = match found.facts.iter().any(is_asked) {
         true => Err(None),
