@@ -179,8 +179,8 @@ fn without_bound(
 }
 
 /// Products of numbers that a step of the lifted program takes at most that is asked, where no state is found,
-/// whether there can be any. Walls of up to some 13 blocks in contact take so many, and the program about a second of
-/// CPU, as the search does (of 13 and 27 blocks it took 0.6 s for 1e9 products a step).
+/// whether there can be any. Walls of up to some 14 blocks in contact take so many, and the program about a second of
+/// CPU, as the search does (of 14 and 27 blocks it took 0.6 s for 1e9 products a step).
 const STANDING_STEP: f64 = 2e9;
 
 fn undecided(explored: Explored) -> Outcome {
