@@ -1,6 +1,7 @@
 //! The iteration: a prediction, a correction and a step towards the optimum.
 
-use super::joint::{Joint, JointStep};
+use super::joint::{JointStep, Joints};
+use super::law::{LANES, Lanes, total};
 use super::measure::Measure;
 use super::point::{InteriorPoint, LEFT};
 use crate::answer::{SolverEnding, magnitude};
@@ -73,31 +74,34 @@ impl InteriorPoint {
 
     /// One iteration, from the sum of slacks times multipliers.
     fn step(&mut self, complementarity: f64) {
-        let rows: usize = self.joints.iter().map(|joint| joint.law.rows()).sum();
-        for joint in &mut self.joints {
-            for k in 0..joint.law.rows() {
-                joint.inverse_weights[k] = joint.slacks[k] / joint.multipliers[k];
-                joint.aim[k] = -joint.slacks[k] * joint.multipliers[k];
+        let rows = self.rows as f64;
+        for joints in &mut self.joints {
+            for k in 0..4 {
+                joints.inverse_weights[k] = joints.slacks[k] / joints.multipliers[k];
+                joints.aim[k] = -joints.slacks[k] * joints.multipliers[k];
             }
         }
         self.newton.factorise(&mut self.joints);
         self.set_direction(f64::INFINITY);
         let lengths = self.lengths().map(|length| length.min(1.0));
-        let predicted: f64 = self.joints.iter().map(|joint| joint.after(lengths)).sum();
+        let after = self.joints.iter().map(|joints| joints.after(lengths));
+        let predicted = total(after.fold(Lanes::ZERO, |sum, lanes| sum + lanes));
         let centred = (predicted / complementarity).powi(3).clamp(1e-8, 1.0);
-        let aim = centred * complementarity / rows as f64;
-        for joint in &mut self.joints {
+        let aim = centred * complementarity / rows;
+        for joints in &mut self.joints {
             let JointStep {
                 slacks,
                 multipliers,
                 ..
-            } = joint.step;
-            joint.aim = std::array::from_fn(|k| joint.aim[k] + aim - slacks[k] * multipliers[k]);
+            } = joints.step;
+            joints.aim = std::array::from_fn(|k| {
+                joints.aim[k] + Lanes::splat(aim) - slacks[k] * multipliers[k]
+            });
         }
         let exact = self.exact.iter().copied().fold(LEFT[1], f64::min);
         let small = (0.1 * exact).max(LEFT[0]).max(1e-3 * self.left.size());
         self.set_direction(small);
-        let share = (1.0 - complementarity / rows as f64).clamp(SHARES[0], SHARES[1]);
+        let share = (1.0 - complementarity / rows).clamp(SHARES[0], SHARES[1]);
         let [forces, velocities] = self.lengths().map(|length| (share * length).min(1.0));
         self.go(forces, velocities);
     }
@@ -107,37 +111,38 @@ impl InteriorPoint {
         let joints = &mut self.joints;
         (self.newton).solve(
             joints,
-            Joint::held_change,
+            Joints::held_change,
             &self.left,
             small,
             &mut self.change,
         );
-        for joint in joints {
-            joint.complete_step(joint.bodies.pull(&self.change.velocities));
+        for joints in joints {
+            joints.complete_step(joints.bodies.pull(&self.change.velocities));
         }
     }
 
     /// How far forces and velocities can go until one of their limits is met.
     fn lengths(&self) -> [f64; 2] {
-        let mut fastest = [0.0f64; 2];
-        for joint in &self.joints {
-            for k in 0..joint.law.rows() {
-                fastest[0] = fastest[0].max(-joint.step.slacks[k] / joint.slacks[k]);
-                fastest[1] = fastest[1].max(-joint.step.multipliers[k] / joint.multipliers[k]);
+        let mut fastest = [Lanes::ZERO; 2];
+        for joints in &self.joints {
+            for k in 0..4 {
+                fastest[0] = fastest[0].max(-joints.step.slacks[k] / joints.slacks[k]);
+                fastest[1] = fastest[1].max(-joints.step.multipliers[k] / joints.multipliers[k]);
             }
         }
-        fastest.map(|fastest| 1.0 / fastest)
+        fastest.map(|lanes| 1.0 / lanes.as_array().iter().copied().fold(0.0, f64::max))
     }
 
     fn go(&mut self, forces: f64, velocities: f64) {
-        for joint in &mut self.joints {
-            let step = &joint.step;
+        let [of_forces, of_velocities] = [forces, velocities].map(Lanes::splat);
+        for joints in &mut self.joints {
+            let step = &joints.step;
             for k in 0..3 {
-                joint.forces[k] += forces * step.forces[k];
+                joints.forces[k] += of_forces * step.forces[k];
             }
             for k in 0..4 {
-                joint.slacks[k] += forces * step.slacks[k];
-                joint.multipliers[k] += velocities * step.multipliers[k];
+                joints.slacks[k] += of_forces * step.slacks[k];
+                joints.multipliers[k] += of_velocities * step.multipliers[k];
             }
         }
         self.lambda += forces * self.change.lambda;
@@ -147,7 +152,11 @@ impl InteriorPoint {
     }
 
     fn answer(&self, iterations: usize) -> Solved {
-        let mut variables: Vec<f64> = self.joints.iter().flat_map(|joint| joint.forces).collect();
+        let forces = self.joints.iter().flat_map(|joints| {
+            let [n1, n2, t] = joints.forces.map(Lanes::to_array);
+            (0..LANES).flat_map(move |lane| [n1[lane], n2[lane], t[lane]])
+        });
+        let mut variables: Vec<f64> = forces.take(3 * self.count).collect();
         if !self.newton.live().is_empty() {
             variables.push(self.lambda);
         }

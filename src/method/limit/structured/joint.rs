@@ -1,17 +1,19 @@
-//! One joint in the iteration: where it is, how far its inequalities are from their limits, and its
-//! part of a step.
+//! Joints in the iteration, side by side: where they are, how far their inequalities are from their limits,
+//! and their part of a step.
 
-use super::law::{Forces, Inverse, Law, Rows};
+use super::law::{Forces, Inverse, LANES, Lanes, Law, Rows, sum};
 
+/// [`LANES`] joints. Where a scene has no multiple of that, the last lanes hold none: nothing of them counts, and
+/// their forces act nowhere.
 #[derive(Clone, Debug)]
-pub(super) struct Joint {
+pub(super) struct Joints {
     pub(super) bodies: Bodies,
     pub(super) law: Law,
     pub(super) cost: Forces,
     pub(super) forces: Forces,
-    /// How far its inequalities are from their limits.
+    /// How far the inequalities are from their limits; 1 for those that do not count.
     pub(super) slacks: Rows,
-    /// Their multipliers.
+    /// Their multipliers; 1 for those that do not count.
     pub(super) multipliers: Rows,
     /// What is left of the condition on velocities.
     pub(super) left_flow: Forces,
@@ -34,50 +36,49 @@ pub(super) struct JointStep {
     pub(super) multipliers: Rows,
 }
 
-impl Joint {
+impl Joints {
     pub(super) fn new(bodies: Bodies) -> Self {
         Self {
             bodies,
             law: Law::default(),
-            cost: [0.0; 3],
-            forces: [0.0; 3],
-            slacks: [1.0; 4],
-            multipliers: [0.0; 4],
-            left_flow: [0.0; 3],
-            left_slacks: [0.0; 4],
-            inverse_weights: [1.0; 4],
+            cost: Forces::default(),
+            forces: Forces::default(),
+            slacks: [Lanes::ONE; 4],
+            multipliers: [Lanes::ONE; 4],
+            left_flow: Forces::default(),
+            left_slacks: Rows::default(),
+            inverse_weights: [Lanes::ONE; 4],
             inverse: Inverse::default(),
-            aim: [0.0; 4],
+            aim: Rows::default(),
             step: JointStep::default(),
-            unrefined: [0.0; 3],
+            unrefined: Forces::default(),
         }
     }
 
-    /// Values of the inequalities that count; nothing for the others.
-    pub(super) fn counted(&self, mut values: Rows) -> Rows {
-        values[self.law.rows()..].fill(0.0);
-        values
+    /// Sum of slacks times multipliers.
+    pub(super) fn complementarity(&self) -> Lanes {
+        let products = std::array::from_fn(|k| self.slacks[k] * self.multipliers[k]);
+        sum(self.law.counted(products))
     }
 
-    /// Measures what the joint leaves of its conditions, velocities being this at its forces.
+    /// Measures what the joints leave of their conditions, velocities being this at their forces.
     pub(super) fn measure(&mut self, velocities: Forces) {
         let rates = self.law.rates(self.forces);
         let left = std::array::from_fn(|k| self.law.limits[k] - rates[k] - self.slacks[k]);
-        self.left_slacks = self.counted(left);
+        self.left_slacks = self.law.counted(left);
         let flow = self.law.flow(self.multipliers);
-        self.left_flow = std::array::from_fn(|k| -self.cost[k] - velocities[k] - flow[k]);
-        if self.law.is_smooth {
-            self.left_flow[2] = 0.0;
-        }
+        let left = std::array::from_fn(|k| -self.cost[k] - velocities[k] - flow[k]);
+        self.left_flow = self.law.of_variables(left);
     }
 
     /// Sum of slacks times multipliers after a step of these lengths.
-    pub(super) fn after(&self, [forces, velocities]: [f64; 2]) -> f64 {
-        let after = |k: usize| {
+    pub(super) fn after(&self, [forces, velocities]: [f64; 2]) -> Lanes {
+        let [forces, velocities] = [Lanes::splat(forces), Lanes::splat(velocities)];
+        let after = std::array::from_fn(|k| {
             let slack = self.slacks[k] + forces * self.step.slacks[k];
             slack * (self.multipliers[k] + velocities * self.step.multipliers[k])
-        };
-        (0..self.law.rows()).map(after).sum()
+        });
+        sum(self.law.counted(after))
     }
 
     /// Change of the multipliers that would reach the aim if the slacks stayed within their limits.
@@ -104,47 +105,51 @@ impl Joint {
         let rates = self.law.rates(self.step.forces);
         let flow = std::array::from_fn(|k| self.left_flow[k] - velocities[k]);
         let slacks = std::array::from_fn(|k| self.left_slacks[k] - rates[k]);
-        self.step.slacks = self.counted(slacks);
+        self.step.slacks = self.law.counted(slacks);
         self.step.multipliers =
             (self.law).multipliers(flow, self.reference(), self.inverse_weights);
     }
 }
 
-/// Where a joint's forces act.
+/// Where the forces of joints act.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bodies {
-    pub(super) to: usize,
-    pub(super) from: Option<usize>,
-    /// Equilibrium of either body by the forces, row by row.
-    pub(super) wrench: [[f64; 9]; 2],
+    pub(super) to: [usize; LANES],
+    /// The same block as `to` at a support.
+    pub(super) from: [usize; LANES],
+    /// Equilibrium of either body by the forces, row by row; zero at a support and in lanes without a joint.
+    pub(super) wrench: [[Lanes; 9]; 2],
 }
 
 impl Bodies {
     /// Adds forces to the equilibrium rows of the bodies.
     pub(super) fn push(&self, forces: Forces, rows: &mut [f64]) {
-        push(&self.wrench[0], forces, &mut rows[3 * self.to..][..3]);
-        if let Some(from) = self.from {
-            push(&self.wrench[1], forces, &mut rows[3 * from..][..3]);
-        }
+        push(&self.wrench[0], forces, &self.to, rows);
+        push(&self.wrench[1], forces, &self.from, rows);
     }
 
     /// What velocities of the bodies are at the forces.
     pub(super) fn pull(&self, velocities: &[f64]) -> Forces {
-        let mut out = pull(&self.wrench[0], &velocities[3 * self.to..][..3]);
-        if let Some(from) = self.from {
-            let other = pull(&self.wrench[1], &velocities[3 * from..][..3]);
-            out = std::array::from_fn(|k| out[k] + other[k]);
+        let to = pull(&self.wrench[0], &self.to, velocities);
+        let from = pull(&self.wrench[1], &self.from, velocities);
+        std::array::from_fn(|k| to[k] + from[k])
+    }
+}
+
+fn push(wrench: &[Lanes; 9], [a, b, c]: Forces, blocks: &[usize; LANES], rows: &mut [f64]) {
+    let pushed: [[f64; LANES]; 3] = std::array::from_fn(|row| {
+        let w = &wrench[3 * row..3 * row + 3];
+        (w[0] * a + w[1] * b + w[2] * c).to_array()
+    });
+    for (lane, &block) in blocks.iter().enumerate() {
+        for (row, pushed) in rows[3 * block..][..3].iter_mut().zip(&pushed) {
+            *row += pushed[lane];
         }
-        out
     }
 }
 
-fn push(wrench: &[f64; 9], [a, b, c]: Forces, rows: &mut [f64]) {
-    for (row, w) in rows.iter_mut().zip(wrench.chunks_exact(3)) {
-        *row += w[0] * a + w[1] * b + w[2] * c;
-    }
-}
-
-fn pull(wrench: &[f64; 9], u: &[f64]) -> Forces {
+fn pull(wrench: &[Lanes; 9], blocks: &[usize; LANES], velocities: &[f64]) -> Forces {
+    let of_blocks = blocks.map(|block| &velocities[3 * block..][..3]);
+    let u: [Lanes; 3] = std::array::from_fn(|k| Lanes::new(of_blocks.map(|u| u[k])));
     std::array::from_fn(|k| wrench[k] * u[0] + wrench[3 + k] * u[1] + wrench[6 + k] * u[2])
 }

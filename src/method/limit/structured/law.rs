@@ -1,44 +1,78 @@
-//! The equations of one joint: two corner forces and a shear against four inequalities.
+//! The equations of joints: two corner forces and a shear against four inequalities.
 //!
 //! ```text
 //! s = limits − G x ≥ 0:   n1, n2, slope (n1 + n2) − t, slope (n1 + n2) + t, and their limits
 //! ```
 //!
 //! Every inequality has a multiplier z ≥ 0. In closed form nothing cancels, however far the weights
-//! z/s of the four are apart.
+//! z/s of the four are apart. Four joints are taken side by side, as processors add and multiply several numbers at
+//! once: the arithmetic of every joint is the same whatever stands beside it.
+
+/// A number of every joint side by side.
+pub(super) type Lanes = wide::f64x4;
+
+/// How many joints stand side by side.
+pub(super) const LANES: usize = 4;
 
 /// Forces of a joint: two corners and the shear.
-pub(super) type Forces = [f64; 3];
+pub(super) type Forces = [Lanes; 3];
 
 /// A value for each of the inequalities.
-pub(super) type Rows = [f64; 4];
+pub(super) type Rows = [Lanes; 4];
 
-/// What a joint admits.
+/// What joints admit.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Law {
-    pub(super) slope: f64,
+    slope: Lanes,
+    /// Zero for inequalities that do not count.
     pub(super) limits: Rows,
-    /// Whether the joint carries no shear at all, so that its last two inequalities leave no room
-    /// for a point inside: the shear is then no variable.
-    pub(super) is_smooth: bool,
+    /// Mask of the forces that are variables. A joint that carries no shear at all leaves no room for a point inside
+    /// its last two inequalities: the shear is then no variable, and these do not count.
+    are_variables: Forces,
+    /// Mask of the inequalities that count.
+    count: Rows,
 }
 
 /// Shear capacity, in the scene's weights, that counts as none.
 const SMOOTH: f64 = 1e-13;
 
 impl Law {
-    pub(super) fn new(slope: f64, limits: Rows) -> Self {
-        let capacity = limits[2] + limits[3];
+    /// The law of the lanes in which there `are` joints.
+    pub(super) fn new(slope: Lanes, limits: Rows, are: [bool; LANES]) -> Self {
+        let (slopes, capacity) = (slope.to_array(), (limits[2] + limits[3]).to_array());
+        let is_smooth =
+            |lane: usize| slopes[lane] == 0.0 && (0.0..=SMOOTH).contains(&capacity[lane]);
+        let rough = mask(std::array::from_fn(|lane| are[lane] && !is_smooth(lane)));
+        let joints = mask(are);
+        let count = [joints, joints, rough, rough];
         Self {
-            slope,
-            limits,
-            is_smooth: slope == 0.0 && (0.0..=SMOOTH).contains(&capacity),
+            slope: slope & joints,
+            limits: masked(limits, count),
+            are_variables: [joints, joints, rough],
+            count,
         }
+    }
+
+    /// Values of the inequalities that count; zero for the others.
+    pub(super) fn counted(&self, values: Rows) -> Rows {
+        masked(values, self.count)
+    }
+
+    /// Values of the inequalities that count; `other` for the others.
+    pub(super) fn counted_or(&self, values: Rows, other: f64) -> Rows {
+        let other = Lanes::splat(other);
+        std::array::from_fn(|k| self.count[k].select(values[k], other))
+    }
+
+    /// Values of the forces that are variables; zero for the others.
+    pub(super) fn of_variables(&self, values: Forces) -> Forces {
+        masked(values, self.are_variables)
     }
 
     /// How many of the inequalities count.
     pub(super) fn rows(&self) -> usize {
-        if self.is_smooth { 2 } else { 4 }
+        let count = self.count.iter().map(|mask| mask.to_bitmask().count_ones());
+        count.sum::<u32>() as usize
     }
 
     /// G x.
@@ -55,12 +89,9 @@ impl Law {
 
     /// x with G x nearest to `rates`, each row counted by its weight.
     pub(super) fn forces_of_rates(&self, rates: Rows, inverse_weights: Rows) -> Forces {
-        if self.is_smooth {
-            return [-rates[0], -rates[1], 0.0];
-        }
         // What no forces reach.
         let free = self.free();
-        let (mut missed, mut size) = (0.0, 0.0);
+        let (mut missed, mut size) = (Lanes::ZERO, Lanes::ZERO);
         for k in 0..4 {
             missed += free[k] * rates[k];
             size += free[k] * free[k] * inverse_weights[k];
@@ -68,97 +99,108 @@ impl Law {
         let share = missed / size;
         let [n1, n2, plus, minus] =
             std::array::from_fn(|k| rates[k] - share * free[k] * inverse_weights[k]);
-        [-n1, -n2, 0.5 * (plus - minus)]
+        self.of_variables([-n1, -n2, Lanes::HALF * (plus - minus)])
     }
 
     /// The multipliers on which no forces do work: Gᵀ z = 0.
     fn free(&self) -> Rows {
-        [-2.0 * self.slope, -2.0 * self.slope, 1.0, 1.0]
+        let (slope, one) = (Lanes::splat(-2.0) * self.slope, Lanes::ONE);
+        [slope, slope, one, one]
     }
 
     /// z with Gᵀ z = `flow` that is nearest to a `reference`, each row counted by 1/weight. The flow
     /// is met to the last digit, whatever the weights: what is lost, complementarity loses.
     pub(super) fn multipliers(&self, flow: Forces, reference: Rows, inverse_weights: Rows) -> Rows {
-        if self.is_smooth {
-            return [-flow[0], -flow[1], 0.0, 0.0];
-        }
-        let half = 0.5 * flow[2];
+        let half = Lanes::HALF * flow[2];
         let some = [-flow[0], -flow[1], half, -half];
         let free = self.free();
-        let (mut moment, mut size) = (0.0, 0.0);
+        let (mut moment, mut size) = (Lanes::ZERO, Lanes::ZERO);
         for k in 0..4 {
             moment += free[k] * (reference[k] - some[k]) * inverse_weights[k];
             size += free[k] * free[k] * inverse_weights[k];
         }
         let share = moment / size;
-        std::array::from_fn(|k| some[k] + share * free[k])
+        self.counted(std::array::from_fn(|k| some[k] + share * free[k]))
+    }
+
+    /// The inverse of H = Gᵀ W G, from one over the weights.
+    pub(super) fn inverse(&self, inverse_weights: Rows) -> Inverse {
+        let [first, second, plus, minus] = inverse_weights;
+        let one = Lanes::ONE;
+        let sum = one / (plus + minus);
+        // Friction couples the corners, once the shear is eliminated.
+        let coupling = Lanes::splat(4.0) * self.slope * self.slope * sum;
+        let after_second = one + coupling * second;
+        let share = one / (one + coupling * (first + second));
+        let left = second / after_second;
+        let [corner, left, shear] =
+            self.of_variables([first * after_second * share, left, plus * minus * sum]);
+        Inverse {
+            diagonal: [corner, left, shear],
+            second: -coupling * left,
+            along: self.slope * (minus - plus) * sum,
+        }
     }
 }
 
-/// The inverse of H = Gᵀ W G.
+/// All bits of the lanes that are meant.
+fn mask(are: [bool; LANES]) -> Lanes {
+    let bits = |is: bool| if is { f64::from_bits(u64::MAX) } else { 0.0 };
+    Lanes::new(are.map(bits))
+}
+
+/// Values under a mask, zero elsewhere.
+fn masked<const N: usize>(values: [Lanes; N], mask: [Lanes; N]) -> [Lanes; N] {
+    std::array::from_fn(|k| values[k] & mask[k])
+}
+
+/// The sum of lanes, joint by joint.
+pub(super) fn sum<const N: usize>(values: [Lanes; N]) -> Lanes {
+    values
+        .into_iter()
+        .fold(Lanes::ZERO, |sum, value| sum + value)
+}
+
+/// The sum over all lanes, one after the other.
+pub(super) fn total(lanes: Lanes) -> f64 {
+    lanes.as_array().iter().sum()
+}
+
+/// The inverse of H = Gᵀ W G as L D Lᵀ, L with ones on the diagonal.
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Inverse {
-    /// Corner forces by corner forces: 11, 12, 22.
-    corners: [f64; 3],
+    /// D.
+    diagonal: Forces,
+    /// Force of the second corner that goes with that of the first.
+    second: Lanes,
     /// Shear that goes with either corner force.
-    along: f64,
-    /// The shear's own part.
-    shear: f64,
-    /// What is left of 22 once the first corner is eliminated.
-    second: f64,
+    along: Lanes,
 }
 
 impl Inverse {
-    /// From one over the weights.
-    pub(super) fn new(law: &Law, inverse_weights: Rows) -> Self {
-        let [first, second, plus, minus] = inverse_weights;
-        if law.is_smooth {
-            return Self {
-                corners: [first, 0.0, second],
-                second,
-                ..Self::default()
-            };
-        }
-        let sum = 1.0 / (plus + minus);
-        // Friction couples the corners, once the shear is eliminated.
-        let coupling = 4.0 * law.slope * law.slope * sum;
-        let share = 1.0 / (1.0 + coupling * (first + second));
-        let after_second = 1.0 + coupling * second;
-        Self {
-            corners: [
-                first * after_second * share,
-                -coupling * first * second * share,
-                second * (1.0 + coupling * first) * share,
-            ],
-            along: law.slope * (minus - plus) * sum,
-            shear: plus * minus * sum,
-            second: second / after_second,
-        }
-    }
-
     /// H⁻¹ times a vector.
     pub(super) fn apply(&self, [a, b, t]: Forces) -> Forces {
+        let [first, left, shear] = self.diagonal;
         let (a, b) = (a + self.along * t, b + self.along * t);
-        let [c11, c12, c22] = self.corners;
-        let (n1, n2) = (c11 * a + c12 * b, c12 * a + c22 * b);
-        [n1, n2, self.shear * t + self.along * (n1 + n2)]
+        let n1 = first * (a + self.second * b);
+        let n2 = left * b + self.second * n1;
+        [n1, n2, shear * t + self.along * (n1 + n2)]
     }
 
-    /// `wrench` R with R Rᵀ = H⁻¹.
-    pub(super) fn root(&self, wrench: &[f64; 9]) -> [f64; 9] {
-        let [c11, c12, _] = self.corners;
-        let r11 = c11.sqrt();
-        let r21 = c12 / r11;
-        let r22 = self.second.sqrt();
-        let (r31, r32) = (self.along * (r11 + r21), self.along * r22);
-        let r33 = self.shear.sqrt();
-        let mut out = [0.0; 9];
-        for (out, w) in out.chunks_exact_mut(3).zip(wrench.chunks_exact(3)) {
-            out[0] = w[0] * r11 + w[1] * r21 + w[2] * r31;
-            out[1] = w[1] * r22 + w[2] * r32;
-            out[2] = w[2] * r33;
+    /// `wrench` L, row by row.
+    pub(super) fn lower(&self, wrench: &[Lanes; 9]) -> [Lanes; 9] {
+        let mut out = *wrench;
+        for row in 0..3 {
+            let [n1, n2, t] = [0, 1, 2].map(|k| wrench[3 * row + k]);
+            out[3 * row + 1] = n2 + self.along * t;
+            out[3 * row] = n1 + self.second * n2 + self.along * (t + self.second * t);
         }
         out
+    }
+
+    /// Such a product times D.
+    pub(super) fn scaled(&self, lower: &[Lanes; 9]) -> [Lanes; 9] {
+        std::array::from_fn(|k| lower[k] * self.diagonal[k % 3])
     }
 }
 
@@ -168,45 +210,58 @@ mod tests {
 
     /// Laws and weights apart by up to 24 decades, without a pattern.
     fn samples() -> impl Iterator<Item = (Law, Rows, Forces)> {
-        (0..200u32).map(|k| {
+        (0..50u32).map(|k| {
             let number = |row: u32| {
-                let mixed = (k * 7 + row).wrapping_mul(2_654_435_761) >> 8;
-                f64::from(mixed) / f64::from(1 << 24)
+                Lanes::new([0, 1, 2, 3].map(|lane| {
+                    let mixed = ((4 * k + lane) * 7 + row).wrapping_mul(2_654_435_761) >> 8;
+                    f64::from(mixed) / f64::from(1 << 24)
+                }))
             };
-            let law = Law::new(2.0 * number(0) - 0.5, [0.0, 0.0, 0.1, 0.1]);
-            let weights = [1, 2, 3, 4].map(|row| 10f64.powf(24.0 * number(row) - 12.0));
-            (law, weights, [5, 6, 7].map(|row| number(row) - 0.5))
+            let slope = number(0) + number(0) - Lanes::HALF;
+            let limits = [0.0, 0.0, 0.1, 0.1].map(Lanes::splat);
+            let law = Law::new(slope, limits, [true; LANES]);
+            let weight = |number: f64| 10f64.powf(24.0 * number - 12.0);
+            let weights = [1, 2, 3, 4].map(|row| Lanes::new(number(row).to_array().map(weight)));
+            (law, weights, [5, 6, 7].map(|row| number(row) - Lanes::HALF))
         })
     }
 
-    fn close(a: Forces, b: Forces, size: f64) {
+    fn close(a: Forces, b: Forces, size: Lanes) {
         for (a, b) in a.iter().zip(b) {
-            assert!((a - b).abs() <= 1e-13 * size, "{a} {b} {size}");
+            let far = (*a - b).abs() - Lanes::splat(1e-13) * size;
+            let is_close = far.to_array().iter().all(|far| *far <= 0.0);
+            assert!(is_close, "{a:?} {b:?} {size:?}");
         }
     }
 
     #[test]
-    fn the_inverse_is_its_root_squared() {
-        let identity = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0];
+    fn the_inverse_is_what_the_matrix_gets() {
+        let identity = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0].map(Lanes::splat);
         for (law, weights, forces) in samples() {
-            let inverse = Inverse::new(&law, weights);
-            let root = inverse.root(&identity);
-            let column = |c: usize| [root[c], root[3 + c], root[6 + c]];
-            let mut squared = [0.0; 3];
+            let inverse = law.inverse(weights);
+            let lower = inverse.lower(&identity);
+            let scaled = inverse.scaled(&lower);
+            let column = |of: &[Lanes; 9], c: usize| [of[c], of[3 + c], of[6 + c]];
+            let mut product = Forces::default();
             for c in 0..3 {
-                let share: f64 = column(c).iter().zip(forces).map(|(r, f)| r * f).sum();
-                squared = std::array::from_fn(|k| squared[k] + share * column(c)[k]);
+                let lower = column(&lower, c);
+                let share = sum(std::array::from_fn::<_, 3, _>(|k| lower[k] * forces[k]));
+                let scaled = column(&scaled, c);
+                product = std::array::from_fn(|k| product[k] + share * scaled[k]);
             }
-            let largest = weights.into_iter().fold(0.0, f64::max);
-            close(inverse.apply(forces), squared, largest);
+            let largest = weights.into_iter().fold(Lanes::ZERO, Lanes::max);
+            close(inverse.apply(forces), product, largest);
         }
     }
 
     #[test]
     fn multipliers_meet_the_flow_whatever_the_weights() {
         for (law, weights, flow) in samples() {
-            let multipliers = law.multipliers(flow, [0.3, -0.2, 0.1, 0.9], weights);
-            let size = multipliers.iter().fold(1.0f64, |most, z| most.max(z.abs()));
+            let reference = [0.3, -0.2, 0.1, 0.9].map(Lanes::splat);
+            let multipliers = law.multipliers(flow, reference, weights);
+            let size = multipliers
+                .iter()
+                .fold(Lanes::ONE, |most, z| most.max(z.abs()));
             close(law.flow(multipliers), flow, size);
         }
     }
@@ -216,20 +271,39 @@ mod tests {
         for (law, weights, forces) in samples() {
             let found = law.forces_of_rates(law.rates(forces), weights);
             // What no forces reach is rounding, and shared out among the heaviest.
-            close(found, forces, 10.0);
+            close(found, forces, Lanes::splat(10.0));
         }
     }
 
     #[test]
     fn a_joint_without_capacity_has_no_shear() {
-        let law = Law::new(0.0, [0.0; 4]);
+        let splat = |values: [f64; 4]| values.map(Lanes::splat);
+        let one = |slope: f64| {
+            let joints = [true, false, false, false];
+            Law::new(Lanes::splat(slope), Rows::default(), joints)
+        };
+        let of_joint = |forces: Forces| forces.map(|lanes| lanes.to_array()[0]);
+        let law = one(0.0);
         assert_eq!(law.rows(), 2);
-        assert_eq!(
-            law.forces_of_rates([-1.0, -2.0, 5.0, 6.0], [1.0; 4]),
-            [1.0, 2.0, 0.0]
-        );
-        let inverse = Inverse::new(&law, [2.0, 3.0, 1.0, 1.0]);
-        assert_eq!(inverse.apply([1.0, 1.0, 7.0]), [2.0, 3.0, 0.0]);
-        assert_eq!(Law::new(0.5, [0.0; 4]).rows(), 4);
+        let weights = splat([2.0, 3.0, 1.0, 1.0]);
+        let found = law.forces_of_rates(splat([-1.0, -2.0, 5.0, 6.0]), weights);
+        assert_eq!(of_joint(found), [1.0, 2.0, 0.0]);
+        let forces = law
+            .inverse(weights)
+            .apply([1.0, 1.0, 7.0].map(Lanes::splat));
+        assert_eq!(of_joint(forces), [2.0, 3.0, 0.0]);
+        assert_eq!(one(0.5).rows(), 4);
+    }
+
+    #[test]
+    fn lanes_without_a_joint_stay_out() {
+        for (law, weights, forces) in samples() {
+            let law = Law::new(law.slope, law.limits, [true, true, false, true]);
+            assert_eq!(law.rows(), 12);
+            let of_lane = |values: &[Lanes]| values.iter().all(|v| v.to_array()[2] == 0.0);
+            assert!(of_lane(&law.limits));
+            assert!(of_lane(&law.multipliers(forces, Rows::default(), weights)));
+            assert!(of_lane(&law.forces_of_rates(weights, weights)));
+        }
     }
 }

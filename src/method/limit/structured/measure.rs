@@ -1,5 +1,6 @@
 //! How far a point is from an optimum.
 
+use super::law::{Lanes, sum, total};
 use super::newton::dot;
 use super::point::InteriorPoint;
 
@@ -45,40 +46,59 @@ impl InteriorPoint {
             *left -= live * self.lambda;
         }
         left.push = -self.multiplier_cost - dot(live, &self.velocities);
-        let mut costs = [
-            self.multiplier_cost * self.lambda,
-            -dot(&self.right, &self.velocities),
-        ];
-        let mut complementarity = 0.0;
-        let mut violated = [0.0, left.push.abs()];
-        let mut sizes = [self.lambda.abs(), largest(&self.velocities)];
-        let mut sum = self.lambda.abs();
-        for joint in &mut self.joints {
-            let against = joint.forces.map(|force| -force);
-            joint.bodies.push(against, &mut left.blocks);
-            joint.measure(joint.bodies.pull(&self.velocities));
-            let rows = joint.law.rows();
-            complementarity += dot(&joint.slacks[..rows], &joint.multipliers[..rows]);
-            costs[0] += dot(&joint.cost, &joint.forces);
-            costs[1] -= dot(&joint.law.limits[..rows], &joint.multipliers[..rows]);
-            violated[0] = largest(&joint.left_slacks).max(violated[0]);
-            violated[1] = largest(&joint.left_flow).max(violated[1]);
-            sum += joint.forces.iter().map(|force| force.abs()).sum::<f64>();
-            sizes[0] = largest(&joint.forces).max(sizes[0]);
-            sizes[1] = largest(&joint.multipliers).max(sizes[1]);
+        let zero = Lanes::ZERO;
+        let (mut complementarity, mut costs, mut sums) = (zero, [zero; 2], zero);
+        let (mut violated, mut sizes) = ([zero; 2], [zero; 2]);
+        for joints in &mut self.joints {
+            let against = joints.forces.map(|force| -force);
+            joints.bodies.push(against, &mut left.blocks);
+            joints.measure(joints.bodies.pull(&self.velocities));
+            complementarity += joints.complementarity();
+            costs[0] += products(&joints.cost, &joints.forces);
+            costs[1] -= products(&joints.law.limits, &joints.multipliers);
+            violated[0] = largest_of(violated[0], &joints.left_slacks);
+            violated[1] = largest_of(violated[1], &joints.left_flow);
+            sums += sum(joints.forces.map(Lanes::abs));
+            sizes[0] = largest_of(sizes[0], &joints.forces);
+            sizes[1] = largest_of(sizes[1], &joints.multipliers);
         }
+        let costs = [
+            self.multiplier_cost * self.lambda + total(costs[0]),
+            total(costs[1]) - dot(&self.right, &self.velocities),
+        ];
+        let [of_slacks, of_flow] = violated.map(|lanes| largest(lanes.as_array()));
+        let violated = [of_slacks, of_flow.max(left.push.abs())];
+        let [of_forces, of_multipliers] = sizes.map(|lanes| largest(lanes.as_array()));
+        let sizes = [
+            of_forces.max(self.lambda.abs()),
+            of_multipliers.max(largest(&self.velocities)),
+        ];
+        let forces = self.lambda.abs() + total(sums);
+        let complementarity = total(complementarity);
         let mut blocks = left.blocks.iter().zip(&self.exact);
         let size = costs[0].abs().min(costs[1].abs()).max(1.0);
         Measure {
             complementarity,
             size,
-            least_cost: costs[1] - violated[1] * sum,
+            least_cost: costs[1] - violated[1] * forces,
             gap: (costs[0] - costs[1]).abs() / size,
             forces: largest(&left.blocks).max(violated[0]) / sizes[0].max(1.0),
             velocities: violated[1] / sizes[1].max(self.multiplier_cost.abs()).max(1.0),
             is_balanced: blocks.all(|(left, exact)| left.abs() <= *exact),
         }
     }
+}
+
+/// The sum of products, joint by joint.
+fn products<const N: usize>(a: &[Lanes; N], b: &[Lanes; N]) -> Lanes {
+    sum(std::array::from_fn::<_, N, _>(|k| a[k] * b[k]))
+}
+
+/// The largest size, joint by joint.
+fn largest_of(most: Lanes, numbers: &[Lanes]) -> Lanes {
+    numbers
+        .iter()
+        .fold(most, |most, number| most.max(number.abs()))
 }
 
 /// The largest size of a number.

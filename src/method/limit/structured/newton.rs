@@ -2,8 +2,8 @@
 //! blocks H eliminated in closed form. What is left has three unknowns a block and λ as a border.
 
 use super::factor::Factor;
-use super::joint::Joint;
-use super::law::{Forces, Inverse};
+use super::joint::Joints;
+use super::law::{Forces, LANES, Lanes};
 use super::symbolic::Slot;
 
 /// A system that is solved for many weights.
@@ -11,7 +11,7 @@ pub(super) struct Newton {
     /// The column of λ; empty where there is none.
     live: Vec<f64>,
     /// Where a joint's blocks of the matrix stand: of either body, and between them.
-    slots: Vec<[Slot; 3]>,
+    slots: Vec<[[Slot; 3]; LANES]>,
     factor: Factor,
     /// The factor's solution for the column of λ, on which the push has unit power, and the power
     /// that it had before it was scaled.
@@ -47,14 +47,16 @@ pub(super) struct Change {
 }
 
 impl Newton {
-    pub(super) fn new(blocks: usize, joints: &[Joint], live: Vec<f64>) -> Self {
-        let bodies = || joints.iter().map(|joint| &joint.bodies);
-        let pairs = bodies().filter_map(|j| Some((j.to, j.from?)));
-        let factor = Factor::new(blocks, &pairs.collect::<Vec<_>>());
-        let slots = bodies().map(|joint| {
-            let from = joint.from.unwrap_or(joint.to);
-            [(joint.to, joint.to), (from, from), (joint.to, from)]
-                .map(|(row, column)| factor.slot(row, column))
+    pub(super) fn new(blocks: usize, joints: &[Joints], live: Vec<f64>) -> Self {
+        let bodies = || joints.iter().map(|joints| &joints.bodies);
+        let both = bodies().flat_map(|joints| joints.to.into_iter().zip(joints.from));
+        let pairs: Vec<_> = both.filter(|(to, from)| to != from).collect();
+        let factor = Factor::new(blocks, &pairs);
+        let slots = bodies().map(|joints| {
+            std::array::from_fn(|lane| {
+                let (to, from) = (joints.to[lane], joints.from[lane]);
+                [(to, to), (from, from), (to, from)].map(|(row, column)| factor.slot(row, column))
+            })
         });
         Self {
             slots: slots.collect(),
@@ -74,20 +76,23 @@ impl Newton {
     }
 
     /// Takes the weights of all inequalities from the joints.
-    pub(super) fn factorise(&mut self, joints: &mut [Joint]) {
+    pub(super) fn factorise(&mut self, joints: &mut [Joints]) {
         let matrix = self.factor.cleared();
-        for (joint, slots) in joints.iter_mut().zip(&self.slots) {
-            joint.inverse = Inverse::new(&joint.law, joint.inverse_weights);
-            let [wrench_to, wrench_from] = &joint.bodies.wrench;
-            let to = joint.inverse.root(wrench_to);
-            add_square(matrix, slots[0], &to);
-            if joint.bodies.from.is_some() {
-                let from = joint.inverse.root(wrench_from);
-                add_square(matrix, slots[1], &from);
-                if slots[2].transposed {
-                    add_product(matrix, slots[2], &from, &to);
-                } else {
-                    add_product(matrix, slots[2], &to, &from);
+        for (joints, slots) in joints.iter_mut().zip(&self.slots) {
+            joints.inverse = joints.law.inverse(joints.inverse_weights);
+            let [to, from] = joints
+                .bodies
+                .wrench
+                .map(|wrench| joints.inverse.lower(&wrench));
+            let [scaled_to, scaled_from] = [&to, &from].map(|lower| joints.inverse.scaled(lower));
+            let of_to = product(&scaled_to, &to);
+            let of_from = product(&scaled_from, &from);
+            let between = product(&scaled_to, &from);
+            for (lane, slots) in slots.iter().enumerate() {
+                add_lower_half(matrix, slots[0], &of_to, lane);
+                if joints.bodies.from[lane] != joints.bodies.to[lane] {
+                    add_lower_half(matrix, slots[1], &of_from, lane);
+                    add_product(matrix, slots[2], &between, lane);
                 }
             }
         }
@@ -104,8 +109,8 @@ impl Newton {
     /// until that is below `small` or does not shrink; without that where `small` is infinite.
     pub(super) fn solve(
         &mut self,
-        joints: &mut [Joint],
-        forces: impl Fn(&Joint) -> Forces,
+        joints: &mut [Joints],
+        forces: impl Fn(&Joints) -> Forces,
         balance: &Balance,
         small: f64,
         out: &mut Change,
@@ -116,10 +121,10 @@ impl Newton {
         for (side, value) in self.side.iter_mut().zip(&balance.blocks) {
             *side = -value;
         }
-        for joint in joints.iter_mut() {
-            let forces = forces(joint);
-            joint.step.forces = forces;
-            joint.bodies.push(forces, &mut self.side);
+        for joints in joints.iter_mut() {
+            let forces = forces(joints);
+            joints.step.forces = forces;
+            joints.bodies.push(forces, &mut self.side);
         }
         self.add_solution(joints, balance.push, out);
         if small == f64::INFINITY {
@@ -131,8 +136,8 @@ impl Newton {
             let now = self.left.size();
             if now >= size {
                 out.clone_from(&self.unrefined);
-                for joint in joints.iter_mut() {
-                    joint.step.forces = joint.unrefined;
+                for joints in joints.iter_mut() {
+                    joints.step.forces = joints.unrefined;
                 }
             }
             if now <= small || now > 0.5 * size {
@@ -140,8 +145,8 @@ impl Newton {
             }
             size = now;
             self.unrefined.clone_from(out);
-            for joint in joints.iter_mut() {
-                joint.unrefined = joint.step.forces;
+            for joints in joints.iter_mut() {
+                joints.unrefined = joints.step.forces;
             }
             for (side, value) in self.side.iter_mut().zip(&self.left.blocks) {
                 *side = -value;
@@ -154,7 +159,7 @@ impl Newton {
     ///
     /// The border is nearly the collapse mechanism, which the matrix hardly resists. So λ is found
     /// first, and the factor sees a right side that does no work on that mechanism.
-    fn add_solution(&mut self, joints: &mut [Joint], push: f64, out: &mut Change) {
+    fn add_solution(&mut self, joints: &mut [Joints], push: f64, out: &mut Change) {
         if self.live.is_empty() {
             self.factor.solve(&mut self.side);
         } else {
@@ -165,9 +170,9 @@ impl Newton {
             let missing = push - dot(&self.live, &self.side);
             add(&mut self.side, missing, &self.border);
         }
-        for joint in joints.iter_mut() {
-            let less = joint.inverse.apply(joint.bodies.pull(&self.side));
-            for (force, less) in joint.step.forces.iter_mut().zip(less) {
+        for joints in joints.iter_mut() {
+            let less = joints.inverse.apply(joints.bodies.pull(&self.side));
+            for (force, less) in joints.step.forces.iter_mut().zip(less) {
                 *force -= less;
             }
         }
@@ -175,13 +180,13 @@ impl Newton {
     }
 
     /// What a solution leaves of the balance.
-    fn measure_left(&mut self, joints: &[Joint], balance: &Balance, change: &Change) {
+    fn measure_left(&mut self, joints: &[Joints], balance: &Balance, change: &Change) {
         let left = &mut self.left;
         left.blocks.clone_from(&balance.blocks);
         add(&mut left.blocks, -change.lambda, &self.live);
-        for joint in joints {
-            let against = joint.step.forces.map(|force| -force);
-            joint.bodies.push(against, &mut left.blocks);
+        for joints in joints {
+            let against = joints.step.forces.map(|force| -force);
+            joints.bodies.push(against, &mut left.blocks);
         }
         left.push = balance.push - dot(&self.live, &change.velocities);
     }
@@ -202,27 +207,31 @@ pub(super) fn add(a: &mut [f64], times: f64, b: &[f64]) {
     }
 }
 
-/// Adds the lower half of a aᵀ.
-fn add_square(matrix: &mut [f64], slot: Slot, a: &[f64; 9]) {
+/// a bᵀ, row by row.
+fn product(a: &[Lanes; 9], b: &[Lanes; 9]) -> [[f64; LANES]; 9] {
+    std::array::from_fn(|k| {
+        let (a, b) = (&a[3 * (k / 3)..][..3], &b[3 * (k % 3)..][..3]);
+        (a[0] * b[0] + a[1] * b[1] + a[2] * b[2]).to_array()
+    })
+}
+
+/// Adds the lower half of a symmetric product, of one lane.
+fn add_lower_half(matrix: &mut [f64], slot: Slot, product: &[[f64; LANES]; 9], lane: usize) {
     for column in 0..3 {
         let target = &mut matrix[slot.at + column * slot.stride..][..3];
         for (row, target) in target.iter_mut().enumerate().skip(column) {
-            *target += row_product(a, row, a, column);
+            *target += product[3 * row + column][lane];
         }
     }
 }
 
-/// Adds a bᵀ.
-fn add_product(matrix: &mut [f64], slot: Slot, a: &[f64; 9], b: &[f64; 9]) {
+/// Adds a product, of one lane.
+fn add_product(matrix: &mut [f64], slot: Slot, product: &[[f64; LANES]; 9], lane: usize) {
+    let (along, across) = if slot.transposed { (1, 3) } else { (3, 1) };
     for column in 0..3 {
         let target = &mut matrix[slot.at + column * slot.stride..][..3];
         for (row, target) in target.iter_mut().enumerate() {
-            *target += row_product(a, row, b, column);
+            *target += product[along * row + across * column][lane];
         }
     }
-}
-
-fn row_product(a: &[f64; 9], row: usize, b: &[f64; 9], column: usize) -> f64 {
-    let (a, b) = (&a[3 * row..3 * row + 3], &b[3 * column..3 * column + 3]);
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
