@@ -13,6 +13,7 @@
 //! time stays much the same, on 4,656 in contact it falls by 8 to 19 %.
 
 mod factor;
+mod front;
 mod interior_point;
 mod joint;
 mod law;

@@ -3,6 +3,7 @@
 use super::symbolic::Front;
 
 /// L y = x over one front, in place.
+#[inline(always)]
 pub(super) fn forward(front: &Front, entries: &[f64], x: &mut [f64], part: &mut [f64]) {
     let (width, height) = (front.width(), front.height());
     let columns = &entries[front.start..front.start + width * height];
@@ -28,6 +29,7 @@ pub(super) fn forward(front: &Front, entries: &[f64], x: &mut [f64], part: &mut 
 }
 
 /// Lᵀ y = x over one front, in place.
+#[inline(always)]
 pub(super) fn backward(front: &Front, entries: &[f64], x: &mut [f64], part: &mut [f64]) {
     let (width, height) = (front.width(), front.height());
     let columns = &entries[front.start..front.start + width * height];
@@ -39,16 +41,41 @@ pub(super) fn backward(front: &Front, entries: &[f64], x: &mut [f64], part: &mut
     for (j, triple) in columns.chunks_exact(3 * height).enumerate().rev() {
         let Triple { a, b, c } = Triple::new(triple, height, 3 * j);
         let (own, rest) = part[3 * j..].split_at_mut(3);
-        let mut sums = [0.0; 3];
-        let below = a[3..].iter().zip(&b[3..]).zip(&c[3..]);
-        for (x, ((a, b), c)) in rest.iter().zip(below) {
-            sums = [sums[0] + x * a, sums[1] + x * b, sums[2] + x * c];
-        }
+        let sums = sums([&a[3..], &b[3..], &c[3..]], rest);
         own[2] -= sums[2];
         own[1] -= sums[1] + b[2] * own[2];
         own[0] -= sums[0] + a[1] * own[1] + a[2] * own[2];
     }
     x[3 * front.first..][..width].copy_from_slice(&part[..width]);
+}
+
+/// Sums that are taken side by side.
+const SUMS: usize = 4;
+
+/// The products of three columns with a vector.
+#[inline(always)]
+fn sums(columns: [&[f64]; 3], x: &[f64]) -> [f64; 3] {
+    let [a, b, c] = columns;
+    let mut sums = [[0.0; SUMS]; 3];
+    let (x, last) = x.as_chunks::<SUMS>();
+    let ((a, last_a), (b, last_b), (c, last_c)) = (
+        a.as_chunks::<SUMS>(),
+        b.as_chunks::<SUMS>(),
+        c.as_chunks::<SUMS>(),
+    );
+    for (x, ((a, b), c)) in x.iter().zip(a.iter().zip(b).zip(c)) {
+        for k in 0..SUMS {
+            sums[0][k] += x[k] * a[k];
+            sums[1][k] += x[k] * b[k];
+            sums[2][k] += x[k] * c[k];
+        }
+    }
+    for (k, x) in last.iter().enumerate() {
+        sums[0][k] += x * last_a[k];
+        sums[1][k] += x * last_b[k];
+        sums[2][k] += x * last_c[k];
+    }
+    sums.map(|sums| (sums[0] + sums[1]) + (sums[2] + sums[3]))
 }
 
 /// Three columns from the diagonal of the first one on.

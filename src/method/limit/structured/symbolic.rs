@@ -10,8 +10,8 @@ pub(super) struct Pattern {
     pub(super) fronts: Vec<Front>,
     /// Entries of all fronts' columns.
     pub(super) entries: usize,
-    /// Entries of the updates that wait for their parents at most.
-    pub(super) waiting: usize,
+    /// Entries of the updates that wait for their parents at most, in either store.
+    pub(super) waiting: [usize; 2],
 }
 
 /// Some block columns of the factor and the block rows that they share.
@@ -24,7 +24,8 @@ pub(super) struct Front {
     pub(super) rows: Vec<usize>,
     /// Where its columns begin among the entries of the factor.
     pub(super) start: usize,
-    /// Where its update waits for the parent.
+    /// In which of two stores its update waits for the parent, and where.
+    pub(super) store: usize,
     pub(super) waits_at: usize,
     pub(super) children: Vec<Child>,
 }
@@ -249,6 +250,7 @@ fn fronts(parents: &[Option<usize>], rows: &[Vec<usize>]) -> Vec<Front> {
                     columns: 1,
                     rows: rows[column].clone(),
                     start: 0,
+                    store: 0,
                     waits_at: 0,
                     children: Vec::new(),
                 });
@@ -268,25 +270,31 @@ fn store(fronts: &mut [Front]) -> usize {
     entries
 }
 
-/// Links every front to its parent and gives its update a place to wait at, above those of the fronts
-/// that wait for the same parent or a later one. Returns the most entries that wait.
-fn link(fronts: &mut [Front], blocks: usize) -> usize {
+/// Links every front to its parent and gives its update a place to wait at: fronts of even depth in one store,
+/// those of odd depth in the other, so that none overwrites what it is made of. In either store an update
+/// waits above those of fronts that wait for the same parent or a later one. Returns the most entries that wait.
+fn link(fronts: &mut [Front], blocks: usize) -> [usize; 2] {
     let mut front_of = vec![0; blocks];
     for (f, front) in fronts.iter().enumerate() {
         front_of[front.first..front.first + front.columns].fill(f);
     }
-    let (mut top, mut most) = (0, 0);
+    let parents: Vec<Option<usize>> = fronts
+        .iter()
+        .map(|front| Some(front_of[*front.rows.first()?]))
+        .collect();
+    for f in (0..fronts.len()).rev() {
+        fronts[f].store = parents[f].map_or(0, |parent| 1 - fronts[parent].store);
+    }
+    let (mut top, mut most) = ([0; 2], [0; 2]);
     for f in 0..fronts.len() {
-        let size = fronts[f].below().pow(2);
-        // The update is made above those of the children, which it then replaces.
-        most = most.max(top + size);
+        let store = fronts[f].store;
         if let Some(first) = fronts[f].children.first() {
-            top = fronts[first.front].waits_at;
+            top[1 - store] = fronts[first.front].waits_at;
         }
-        fronts[f].waits_at = top;
-        top += size;
-        if let Some(&row) = fronts[f].rows.first() {
-            let parent = front_of[row];
+        fronts[f].waits_at = top[store];
+        top[store] += fronts[f].below().pow(2);
+        most[store] = most[store].max(top[store]);
+        if let Some(parent) = parents[f] {
             let into = fronts[f].rows.iter().map(|&row| fronts[parent].row(row));
             let into = into.collect();
             fronts[parent].children.push(Child { front: f, into });
