@@ -80,7 +80,7 @@ settings! {
         lifts: usize = 64, Allowed::Whole(1..=10_000), "";
         /// How many interior-point steps all these programs may take.
         lift_steps: usize = 1_000, Allowed::Whole(1..=1_000_000), "";
-        /// How much arithmetic all these programs may take, beyond that of 150 steps.
+        /// How much arithmetic all these programs may take, beyond that of 120 steps.
         lift_work: f64 = 600.0, Allowed::Number(0.0..=1e9), "1e9 products of numbers";
         /// How many unknowns a lifted program may have; its time and memory grow with their square.
         lift_unknowns: usize = 16_000, Allowed::Whole(1..=100_000), "";

@@ -233,3 +233,17 @@ pub(super) const UNEVEN: f64 = 0.3;
 
 /// Products of a matrix and a column that one thread does together: less is not worth another's attention.
 pub(super) const PIECE: usize = 4;
+
+#[cfg(test)]
+mod tests {
+    use super::Parameters;
+    use crate::method::Setting;
+
+    #[test]
+    fn the_help_says_how_many_steps_are_always_allowed() {
+        let mut settings = Setting::all().iter();
+        let work = settings.find(|setting| setting.name == "lift-work");
+        let steps = format!("that of {} steps", Parameters::TUNED.least_steps);
+        assert!(work.is_some_and(|work| work.meaning.contains(&steps)));
+    }
+}
