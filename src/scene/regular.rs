@@ -69,9 +69,9 @@ pub enum Irregularity {
     /// The course (from 1, bottom to top) is higher or lower than a unit.
     #[error("course {0} is not as high as a unit: the closed form knows one height of courses")]
     Height(usize),
-    /// Weights act upwards too as they push.
-    #[error("the push acts upwards as well, and the closed form knows it sideways alone")]
-    PushedUpwards,
+    /// Weights act upwards or downwards too as they push.
+    #[error("the push acts up or down as well, and the closed form knows it sideways alone")]
+    PushedVertically,
     #[error("some blocks have weights or loads of their own, which the closed form does not know")]
     OwnLoads,
     #[error("course {0} is not as wide as the first")]

@@ -390,7 +390,7 @@ impl Wall {
             return Err(Irregularity::Height(course + 1));
         }
         if own.forces.of_weight.y != 0.0 {
-            return Err(Irregularity::PushedUpwards);
+            return Err(Irregularity::PushedVertically);
         }
         let sideways = own.forces.of_weight.x == 1.0;
         if !(own.weights.is_empty() && own.forces.extra.is_empty() && sideways) {

@@ -190,7 +190,14 @@ fn the_closed_form_says_what_it_does_not_know() {
     assert!(regular("open_head_joints = [2]").is_ok());
     for (keys, why) in [
         ("heights = [1.0, 1.2, 1.0]", Irregularity::Height(2)),
-        ("live = { weight = [1, 0.1] }", Irregularity::PushedUpwards),
+        (
+            "live = { weight = [1, 0.1] }",
+            Irregularity::PushedVertically,
+        ),
+        (
+            "live = { weight = [1, -0.1] }",
+            Irregularity::PushedVertically,
+        ),
         ("live = { weight = [2, 0] }", Irregularity::OwnLoads),
         (
             "joints = [{ course = 2, friction = 0.3 }]",
