@@ -30,7 +30,7 @@ pub(super) struct Law {
     /// its last two inequalities: the shear is then no variable, and these do not count.
     are_variables: Forces,
     /// Mask of the inequalities that count.
-    count: Rows,
+    counting: Rows,
 }
 
 /// Shear capacity, in the scene's weights, that counts as none.
@@ -44,24 +44,24 @@ impl Law {
             |lane: usize| slopes[lane] == 0.0 && (0.0..=SMOOTH).contains(&capacity[lane]);
         let rough = mask(std::array::from_fn(|lane| are[lane] && !is_smooth(lane)));
         let joints = mask(are);
-        let count = [joints, joints, rough, rough];
+        let counting = [joints, joints, rough, rough];
         Self {
             slope: slope & joints,
-            limits: masked(limits, count),
+            limits: masked(limits, counting),
             are_variables: [joints, joints, rough],
-            count,
+            counting,
         }
     }
 
     /// Values of the inequalities that count; zero for the others.
     pub(super) fn counted(&self, values: Rows) -> Rows {
-        masked(values, self.count)
+        masked(values, self.counting)
     }
 
     /// Values of the inequalities that count; `other` for the others.
     pub(super) fn counted_or(&self, values: Rows, other: f64) -> Rows {
         let other = Lanes::splat(other);
-        std::array::from_fn(|k| self.count[k].select(values[k], other))
+        std::array::from_fn(|k| self.counting[k].select(values[k], other))
     }
 
     /// Values of the forces that are variables; zero for the others.
@@ -71,8 +71,11 @@ impl Law {
 
     /// How many of the inequalities count.
     pub(super) fn rows(&self) -> usize {
-        let count = self.count.iter().map(|mask| mask.to_bitmask().count_ones());
-        count.sum::<u32>() as usize
+        let rows = self
+            .counting
+            .iter()
+            .map(|mask| mask.to_bitmask().count_ones());
+        rows.sum::<u32>() as usize
     }
 
     /// G x.

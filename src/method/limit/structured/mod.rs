@@ -6,9 +6,9 @@
 //! here as Clarabel tests its own answers, and by blocks. Like Clarabel it ends in the middle of the
 //! optimal face.
 //!
-//! Joints stand four side by side, and the factor is compiled for AVX2 as well; together that takes a quarter of
-//! the time from paper-3. Fewer passes over the joints, reciprocals for divisions, rows in multiples of four and
-//! fronts of other sizes took nothing more (measured).
+//! Joints stand four side by side, and the factor is compiled for AVX2 as well: the search on paper-3 takes a quarter
+//! less time so. Fewer passes over the joints, reciprocals for divisions, rows in multiples of four and fronts of
+//! other sizes were no faster (measured).
 //!
 //! Two ways to need fewer iterations were measured and left out. Warm starts from the last program of
 //! a search, shifted back to the central path, save 7 to 20 % of the iterations. Up to three more
