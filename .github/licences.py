@@ -4,8 +4,8 @@ each text once, with the crates that it is of.
 
     .github/licences.py x86_64-unknown-linux-gnu > THIRD-PARTY.txt
 
-Where a crate's package holds no text, it is one under the Apache License, whose text is the same for
-all; anything else ends in an error."""
+Where a crate's package holds no text, it is the text of a crate of the same repository and under the
+same licence, or that of the Apache License, which is the same for all; anything else ends in an error."""
 
 import json
 import pathlib
@@ -41,19 +41,24 @@ def texts_of(package):
 
 def main():
     packages = linked(sys.argv[1])
-    crates_of, without = {}, []
+    crates_of, without, of_repository = {}, [], {}
     for package in packages:
         name = f"{package['name']} {package['version']}"
         texts = texts_of(package)
+        source = (package["repository"], package["license"])
         if not texts:
-            without.append((name, package["license"]))
+            without.append((name, source))
+        elif package["repository"]:
+            of_repository.setdefault(source, texts)
         for text in texts:
             crates_of.setdefault(text, []).append(name)
     apache = [t for t in crates_of if t.startswith("Apache License") and "APPENDIX" in t]
-    for name, licence in without:
-        if "Apache-2.0" not in licence or not apache:
-            sys.exit(f"error: {name} ({licence}) comes without the text of its licence")
-        crates_of[apache[0]].append(name)
+    for name, source in without:
+        texts = of_repository.get(source, apache[:1] if "Apache-2.0" in source[1] else [])
+        if not texts:
+            sys.exit(f"error: {name} ({source[1]}) comes without the text of its licence")
+        for text in texts:
+            crates_of[text].append(name)
 
     out = ["The program is linked with the standard library of Rust (MIT OR Apache-2.0) and these:", ""]
     for package in packages:
