@@ -41,6 +41,25 @@ fn a_gap_that_closes_slowly_is_closed() {
     assert!((0.3864..0.387_98).contains(&lower), "{lower}");
 }
 
+/// 34 courses of 18 units of 1.5 x 1: the gap of the first start falls by less than half at a time, down to 4e-9, and
+/// was open after 150 programs, as those of 13 starts more were. States are known from 0.36999 to 0.37296; λ_A is
+/// 0.37327.
+#[test]
+fn a_gap_that_falls_by_less_than_half_is_closed() {
+    let wall = Wall {
+        unit_length: 1.5,
+        ..running_bond(34, 18, 0.7)
+    };
+    let scene = laid(&wall, HeadJoints::Open);
+    let mut settings = Settings::default();
+    settings.interval.starts = 1;
+    let mut outcome = Interval.solve(&scene, &settings);
+    judge(&scene, &mut outcome);
+    assert_eq!(outcome.status, Status::Verified, "{}", outcome.reason());
+    let lower = outcome.bracket().expect("a state is found").lower;
+    assert!((0.3699..0.373_27).contains(&lower), "{lower}");
+}
+
 /// 36 courses of 18 units of 2 x 1: in the part that the crack can reach no start closed its gap, and the search
 /// ended there. 36 courses of 16 and of 20 units have their lowest states at 0.421344 and 0.421345.
 #[test]

@@ -72,8 +72,10 @@ tuned! {
     /// most joints move and the fewest states remain; with it, on one mechanism: 8 of 14 hard scenes
     /// reached the lowest known state, none without.
     change: f64 = 1e-3;
-    /// Part of the last gap up to which the quick way goes on from the Coulomb state.
-    gap_left: f64 = 0.5;
+    /// Part of the last gap up to which the quick way goes on from the Coulomb state. On 34 courses of 18 units, with
+    /// friction changed by up to 1e-8, one start closes its gap in 12 of 12 runs with 0.7 to 0.8, in 11 with 0.9 and
+    /// in none with 0.5: half the way to other forces spoils a gap that falls slowly.
+    gap_left: f64 = 0.8;
     /// Part of the way to other normal forces that a step without chance goes.
     part_way: f64 = 0.5;
     /// Largest gap of a collapse state. The judge allows 1e-8; a state must keep away from that.
