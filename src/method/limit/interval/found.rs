@@ -177,15 +177,15 @@ mod tests {
     #[test]
     fn which_starts_are_dear_does_not_depend_on_the_budget() {
         let scene = wall(50, Push::Right);
-        // 150 blocks, whose 0.6th power is 20.2.
+        // 150 blocks, whose 0.8th power is 55.1.
         for engine in [Engine::Structured, Engine::Clarabel] {
             let dear = |first| {
                 let mut budget = Budget::of(&scene, engine, &Tuned::TUNED);
                 budget.learn(first);
                 budget.is_dear()
             };
-            assert!(!dear(69));
-            assert!(dear(70));
+            assert!(!dear(92));
+            assert!(dear(93));
         }
     }
 }

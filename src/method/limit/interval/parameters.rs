@@ -96,10 +96,12 @@ tuned! {
     above_bound: f64 = 1e-8;
     /// First states kept: on a part of a wall the highest ones need not be states of the whole wall.
     firsts: usize = 4;
-    /// Programs of a search times blocks^`growth`: about half a second for 15 to 60 blocks (measured).
-    programs: f64 = 16_000.0;
-    /// A program's time grows with the blocks by a power of about 1.5, a search's by 0.9 (measured).
-    growth: f64 = 0.6;
+    /// Programs of a search times blocks^`growth`: about 0.8 s for 24 to 40 blocks. With half as many, 5 of 118
+    /// walls of that size in contact end more than 0.1 % above the lowest state that 1,500 starts meet, up to 6 %;
+    /// with these 3 do (measured).
+    programs: f64 = 58_000.0;
+    /// A program's time grows with the blocks by a power of about 1.5, a search's by 0.7 (measured).
+    growth: f64 = 0.8;
     /// Programs of a search for each joint at most: a scene of few joints has few states.
     of_joint: usize = 60;
     /// What a program costs with Clarabel, in programs of the structured engine: 3 to 7 times as much
@@ -108,7 +110,7 @@ tuned! {
     /// Starts are dear where the first one takes more programs than this over blocks^`growth`, whatever
     /// the budget: on walls of 150 blocks and more small steps from the lowest state found more than
     /// further starts did (measured).
-    dear: f64 = 1_400.0;
+    dear: f64 = 5_100.0;
     /// Part of the budget after which dear starts end where two of them ended alike.
     dear_part: f64 = 0.5;
     /// Times the budget that a search gets whose lowest state was met once: others may be missed. With 1.0 and
