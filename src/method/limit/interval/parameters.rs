@@ -96,9 +96,9 @@ tuned! {
     above_bound: f64 = 1e-8;
     /// First states kept: on a part of a wall the highest ones need not be states of the whole wall.
     firsts: usize = 4;
-    /// Programs of a search times blocks^`growth`: about 0.8 s for 24 to 40 blocks. With half as many, 5 of 118
+    /// Programs of a search times blocks^`growth`: about 0.8 s for 24 to 40 blocks. With half as many, 5 of 122
     /// walls of that size in contact end more than 0.1 % above the lowest state that 1,500 starts meet, up to 6 %;
-    /// with these 3 do (measured).
+    /// with these 2 do (measured).
     programs: f64 = 58_000.0;
     /// A program's time grows with the blocks by a power of about 1.5, a search's by 0.7 (measured).
     growth: f64 = 0.8;
