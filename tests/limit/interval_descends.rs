@@ -11,6 +11,17 @@ use trilith::scene::{HeadJoints, Own, Piece, Push, Wall};
 /// Lowest collapse states with head joints in contact: HiGHS, `tests/reference/recompute.py`.
 const LOWEST: [(&str, f64); 2] = [("paper-1", 0.638982), ("paper-2", 0.557416)];
 
+/// The lowest state of a wall that so many starts reach, which is verified.
+fn lowest(wall: &Wall, head_joints: HeadJoints, starts: usize) -> f64 {
+    let scene = laid(wall, head_joints);
+    let mut settings = Settings::default();
+    settings.interval.starts = starts;
+    let mut outcome = Interval.solve(&scene, &settings);
+    judge(&scene, &mut outcome);
+    assert_eq!(outcome.status, Status::Verified, "{}", outcome.reason());
+    outcome.bracket().expect("a state is found").lower
+}
+
 /// 24 courses of 16 units, whose crack by the macro-block model (0.7513) is about as flat as the stagger
 /// (0.75): the gap of the first start fell to 1.6e-7 in 40 programs, none of 11 starts closed it, and nothing was
 /// found. A pushover collapses between 0.38640 and 0.38670 with 0.5 % stated; λ_A is 0.38798.
@@ -31,13 +42,7 @@ fn a_gap_that_closes_slowly_is_closed() {
         push: Push::Right,
         own: Own::default(),
     };
-    let scene = laid(&wall, HeadJoints::Open);
-    let mut settings = Settings::default();
-    settings.interval.starts = 1;
-    let mut outcome = Interval.solve(&scene, &settings);
-    judge(&scene, &mut outcome);
-    assert_eq!(outcome.status, Status::Verified, "{}", outcome.reason());
-    let lower = outcome.bracket().expect("a state is found").lower;
+    let lower = lowest(&wall, HeadJoints::Open, 1);
     assert!((0.3864..0.387_98).contains(&lower), "{lower}");
 }
 
@@ -50,13 +55,7 @@ fn a_gap_that_falls_by_less_than_half_is_closed() {
         unit_length: 1.5,
         ..running_bond(34, 18, 0.7)
     };
-    let scene = laid(&wall, HeadJoints::Open);
-    let mut settings = Settings::default();
-    settings.interval.starts = 1;
-    let mut outcome = Interval.solve(&scene, &settings);
-    judge(&scene, &mut outcome);
-    assert_eq!(outcome.status, Status::Verified, "{}", outcome.reason());
-    let lower = outcome.bracket().expect("a state is found").lower;
+    let lower = lowest(&wall, HeadJoints::Open, 1);
     assert!((0.3699..0.373_27).contains(&lower), "{lower}");
 }
 
@@ -68,13 +67,7 @@ fn a_larger_part_is_searched_where_a_part_closes_no_gap() {
         unit_length: 2.0,
         ..running_bond(36, 18, 0.65)
     };
-    let scene = laid(&wall, HeadJoints::Open);
-    let mut settings = Settings::default();
-    settings.interval.starts = 4;
-    let mut outcome = Interval.solve(&scene, &settings);
-    judge(&scene, &mut outcome);
-    assert_eq!(outcome.status, Status::Verified, "{}", outcome.reason());
-    let lower = outcome.bracket().expect("a state is found").lower;
+    let lower = lowest(&wall, HeadJoints::Open, 4);
     assert!((lower - 0.421_344_5).abs() < 1e-5, "{lower}");
 }
 
@@ -86,12 +79,7 @@ fn eight_starts_reach_the_lowest_known_states() {
             .iter()
             .find(|(of, _)| *of == name)
             .expect("it is small");
-        let scene = laid(wall, HeadJoints::Contact);
-        let mut settings = Settings::default();
-        settings.interval.starts = 8;
-        let mut outcome = Interval.solve(&scene, &settings);
-        judge(&scene, &mut outcome);
-        let lower = outcome.bracket().expect("states are found").lower;
+        let lower = lowest(wall, HeadJoints::Contact, 8);
         let error = (lower - known).abs() / known;
         assert!(error <= 1e-5, "{name}: {lower} for {known}");
     }
