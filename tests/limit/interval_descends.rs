@@ -47,7 +47,7 @@ fn a_gap_that_closes_slowly_is_closed() {
 }
 
 /// 34 courses of 18 units of 1.5 x 1: the gap of the first start falls by less than half at a time, down to 4e-9, and
-/// was open after 150 programs, as those of 13 starts more were. States are known from 0.36999 to 0.37296; λ_A is
+/// was open after 150 frozen programs, as those of 15 more starts were. States are known from 0.36999 to 0.37296; λ_A is
 /// 0.37327.
 #[test]
 fn a_gap_that_falls_by_less_than_half_is_closed() {

@@ -73,8 +73,8 @@ tuned! {
     /// reached the lowest known state, none without.
     change: f64 = 1e-3;
     /// Part of the last gap up to which the quick way goes on from the Coulomb state. On 34 courses of 18 units, with
-    /// friction changed by up to 1e-8, one start closes its gap in 12 of 12 runs with 0.7 to 0.8, in 11 with 0.9 and
-    /// in none with 0.5: half the way to other forces spoils a gap that falls slowly.
+    /// friction changed by up to 1e-8, one start closes its gap in 12 of 12 runs with 0.8, in 11 with 0.9 and in none
+    /// with 0.5: half the way to other forces spoils a gap that falls slowly.
     gap_left: f64 = 0.8;
     /// Part of the way to other normal forces that a step without chance goes.
     part_way: f64 = 0.5;
@@ -96,11 +96,11 @@ tuned! {
     above_bound: f64 = 1e-8;
     /// First states kept: on a part of a wall the highest ones need not be states of the whole wall.
     firsts: usize = 4;
-    /// Programs of a search times blocks^`growth`: about 0.8 s for 24 to 40 blocks. With half as many, 5 of 122
-    /// walls of that size in contact end more than 0.1 % above the lowest state that 1,500 starts meet, up to 6 %;
-    /// with these 2 do (measured).
+    /// Programs of a search times blocks^`growth`: about 0.8 s for 24 to 40 blocks. Of 122 walls of that size in
+    /// contact, 2 end more than 0.1 % above the lowest state that 1,500 starts meet, up to 6 %; 5 did with 16,000 and
+    /// a growth of 0.6, some 0.55 as many programs (measured).
     programs: f64 = 58_000.0;
-    /// A program's time grows with the blocks by a power of about 1.5, a search's by 0.7 (measured).
+    /// A program's time grows with the blocks by a power of about 1.5 (measured), so that a search's does by 0.7.
     growth: f64 = 0.8;
     /// Programs of a search for each joint at most: a scene of few joints has few states.
     of_joint: usize = 60;
