@@ -60,10 +60,10 @@ pub enum Budget {
     #[error("as many as `lifts` allows")]
     Programs,
     /// Interior-point steps of all of them.
-    #[error("whose steps are as many as `lift-steps` allows")]
+    #[error("and `lift-steps` allows too few for another one")]
     Steps,
     /// Arithmetic of all of them.
-    #[error("whose work is as much as `lift-work` allows")]
+    #[error("and `lift-work` allows too little for another one")]
     Work,
 }
 

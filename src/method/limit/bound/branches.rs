@@ -36,6 +36,8 @@ pub(super) struct Leaf {
     pub(super) vanishing: Option<Vanishings>,
     /// Normal forces of the states of its last lift that had some, over the total weight.
     pub(super) normals: Vec<Vec<f64>>,
+    /// Steps of its last slice.
+    pub(super) steps: usize,
     /// Where the next slice begins: a point of the last one that gained something.
     pub(super) halfway: Option<Arc<Halfway>>,
 }
@@ -121,6 +123,7 @@ impl Leaf {
                 has_long_ways: self.has_long_ways,
                 violated: Vec::new(),
                 normals: self.normals.clone(),
+                steps: self.steps,
                 halfway: self.halfway.clone(),
                 // What assumes no more forces has the same.
                 vanishing: self.vanishing.clone().filter(|_| zero == Factor::Rate),
@@ -143,6 +146,7 @@ impl Default for Leaves {
             violated: Vec::new(),
             vanishing: None,
             normals: Vec::new(),
+            steps: 0,
             halfway: None,
         }])
     }

@@ -19,8 +19,8 @@ struct Tried {
 }
 
 impl Search<'_> {
-    /// The parts of a leaf after their first slices: of the first division that gains enough, or of the
-    /// one that gains most. None where the leaf violates no product.
+    /// The parts of a leaf after their first slices: of the first division that gains enough, or of the one that
+    /// gains most of those that the settings allow. None where the leaf violates no product.
     pub(super) fn divide(
         &self,
         found: &mut Slices,
@@ -33,10 +33,15 @@ impl Search<'_> {
         let order = found.gains.in_order(&leaf.violated);
         for pair in order.into_iter().take(own.divisions) {
             let mut parts = leaf.parts(pair);
-            for part in &mut parts {
-                if let Err(budget) = self.advance(found, part, goal) {
-                    found.slices.truncate(before);
-                    return Err(budget);
+            // A part takes about as many steps as its leaf did, and one part alone raises no bound.
+            let left = self.steps_left(found, &leaf.face(self.lift), leaf.steps);
+            let advance = |part| self.advance(found, part, goal);
+            let advanced = left.and_then(|_| parts.iter_mut().try_for_each(advance));
+            if let Err(budget) = advanced {
+                found.slices.truncate(before);
+                match best {
+                    Some(_) => break,
+                    None => return Err(budget),
                 }
             }
             let gain =
@@ -60,5 +65,63 @@ impl Search<'_> {
         };
         found.slices.extend(best.slices);
         Ok(best.parts.into())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::branches::Leaves;
+    use super::super::lift::Lift;
+    use super::super::parameters::Parameters;
+    use super::*;
+    use crate::certificate::{Conditions, LongestWay};
+    use crate::method::Settings;
+    use crate::method::limit::walls::{LOWEST_OF_SMALL_WALL as LOWEST, small_wall};
+    use crate::scene::HeadJoints;
+
+    /// A leaf whose last slice took 8 steps, divided by these corners, of which none gains enough, with so many
+    /// steps allowed: its parts, and what that took.
+    fn divided(by: &[usize], steps: usize) -> (Result<Vec<Leaf>, Budget>, Slices) {
+        let scene = small_wall(HeadJoints::Contact);
+        let conditions = Conditions::of(&scene).with_slip_bounds(&scene, LongestWay::ThreeJoints);
+        let parameters = Parameters {
+            least_division: 3.0,
+            ..Parameters::TUNED
+        };
+        let lift = Lift::new(conditions, parameters).unwrap();
+        let mut settings = Settings::default().bound;
+        settings.lift_steps = steps;
+        let search = Search {
+            lift: &lift,
+            prover: None,
+            settings: &settings,
+        };
+        let goal = Goal {
+            state: LOWEST,
+            tolerance: 1e-4 * LOWEST,
+        };
+        let mut leaf = Leaves::default().0.remove(0);
+        leaf.steps = 8;
+        leaf.violated = by.to_vec();
+        let mut found = Slices::default();
+        let parts = search.divide(&mut found, &leaf, goal);
+        (parts, found)
+    }
+
+    /// With fewer steps than a part takes no division is begun, and of those before it the best one counts.
+    #[test]
+    fn a_division_is_tried_where_its_steps_are_allowed() {
+        let (parts, found) = divided(&[9], 7);
+        assert!(parts.is_err_and(|budget| budget == Budget::Steps));
+        assert_eq!((found.programs, found.steps), (0, 0));
+        let (_, first) = divided(&[9], 1000);
+        let (_, both) = divided(&[9, 13], 1000);
+        assert_eq!([first.programs, both.programs], [2, 4]);
+        for (allowed, programs) in [(first.steps + 7, 2), (both.steps - 1, 4)] {
+            let (parts, found) = divided(&[9, 13], allowed);
+            assert_eq!(found.programs, programs);
+            let parts = parts.expect("the first product divides it");
+            assert!(parts.iter().all(|part| part.lower > 0.9 * LOWEST));
+        }
     }
 }

@@ -120,7 +120,7 @@ impl Search<'_> {
         goal: Goal,
     ) -> Result<(), Budget> {
         let own = &self.lift.parameters;
-        let steps_left = self.steps_left(slices, &leaf.face(self.lift))?;
+        let steps_left = self.steps_left(slices, &leaf.face(self.lift), 1)?;
         if self.exclude(slices, leaf, goal.state) {
             return Ok(());
         }
@@ -134,8 +134,13 @@ impl Search<'_> {
         Ok(())
     }
 
-    /// How many further steps the settings allow, or which of them allows none.
-    pub(super) fn steps_left(&self, slices: &Slices, face: &Face) -> Result<usize, Budget> {
+    /// How many further steps the settings allow, or which of them allows fewer than these.
+    pub(super) fn steps_left(
+        &self,
+        slices: &Slices,
+        face: &Face,
+        needed: usize,
+    ) -> Result<usize, Budget> {
         let settings = self.settings;
         if slices.programs >= settings.lifts {
             return Err(Budget::Programs);
@@ -145,10 +150,12 @@ impl Search<'_> {
         let least = self.lift.parameters.least_steps as f64 * step;
         let by_work = (1e9 * settings.lift_work).max(least) - slices.work;
         let by_work = (by_work / step).max(0.0) as usize;
-        match (by_steps, by_work) {
-            (0, _) => Err(Budget::Steps),
-            (_, 0) => Err(Budget::Work),
-            _ => Ok(by_steps.min(by_work)),
+        if by_steps < needed {
+            Err(Budget::Steps)
+        } else if by_work < needed {
+            Err(Budget::Work)
+        } else {
+            Ok(by_steps.min(by_work))
         }
     }
 
@@ -258,6 +265,7 @@ impl Search<'_> {
         });
         found.programs += 1;
         found.count(steps, &face);
+        leaf.steps = steps;
         let best = best.expect("the iteration ends with multipliers");
         found.exact |= best.exact;
         leaf.violated = best.violated;

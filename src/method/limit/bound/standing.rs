@@ -124,7 +124,7 @@ impl Search<'_> {
     fn exclude_all(&self, slices: &mut Slices) -> bool {
         let own = &self.lift.parameters;
         let mut leaf = leaf(self.lift);
-        let steps = match self.steps_left(slices, &leaf.face(self.lift)) {
+        let steps = match self.steps_left(slices, &leaf.face(self.lift), 1) {
             Ok(steps) => steps.min(own.steps),
             Err(budget) => {
                 slices.ended_by = Some(budget);
