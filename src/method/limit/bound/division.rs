@@ -28,6 +28,9 @@ impl Search<'_> {
         goal: Goal,
     ) -> Result<Vec<Leaf>, Budget> {
         let own = &self.lift.parameters;
+        if found.undivided.is_empty() {
+            found.undivided.clone_from(&leaf.normals);
+        }
         let before = found.slices.len();
         let mut best: Option<Tried> = None;
         let order = found.gains.in_order(&leaf.violated);
@@ -103,8 +106,10 @@ mod tests {
         let mut leaf = Leaves::default().0.remove(0);
         leaf.steps = 8;
         leaf.violated = by.to_vec();
+        leaf.normals = vec![vec![0.5, 0.5]];
         let mut found = Slices::default();
         let parts = search.divide(&mut found, &leaf, goal);
+        assert_eq!(found.undivided, leaf.normals);
         (parts, found)
     }
 

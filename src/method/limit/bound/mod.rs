@@ -174,8 +174,8 @@ fn solve_with(
     answer(state, bounded, work, facts)
 }
 
-/// The lowest state that the states of a lift lead to, which other starts may miss, and the work: those of the
-/// branch that limits the bound.
+/// The lowest state that the states of lifts lead to, which other starts may miss, and the work: those of the
+/// branch that limits the bound, and those before the first division.
 fn lowest_of_lift(
     scene: &Scene,
     proving: &Settings,
@@ -185,8 +185,9 @@ fn lowest_of_lift(
     few.interval.starts = 1;
     // There is a state: it need not be asked whether there can be any.
     few.bound.lifts = 0;
-    let normals = &slices.leaves.0[slices.leaves.lowest()].normals;
-    let found = Interval.solve_from(scene, &few, normals);
+    let lowest = &slices.leaves.0[slices.leaves.lowest()].normals;
+    let normals = [&lowest[..], &slices.undivided].concat();
+    let found = Interval.solve_from(scene, &few, &normals);
     (found.evidence.states().first().cloned(), found.work)
 }
 

@@ -42,6 +42,8 @@ pub(super) struct Slices {
     pub(super) lower: f64,
     /// The branches that leave no state out.
     pub(super) leaves: Leaves,
+    /// Normal forces of the states of the last lift before the first division.
+    pub(super) undivided: Vec<Vec<f64>>,
     /// What divisions gained so far.
     pub(super) gains: Gains,
     /// Slices that raised a leaf.
