@@ -60,10 +60,10 @@ pub enum Budget {
     #[error("as many as `lifts` allows")]
     Programs,
     /// Interior-point steps of all of them.
-    #[error("and `lift-steps` allows too few for another one")]
+    #[error("and `lift-steps` allows too few steps for another one")]
     Steps,
     /// Arithmetic of all of them.
-    #[error("and `lift-work` allows too little for another one")]
+    #[error("and `lift-work` allows too little work for another one")]
     Work,
 }
 

@@ -8,6 +8,8 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use nalgebra::DMatrix;
+
 use super::face::Face;
 use super::interior_point::Multipliers;
 use super::lift::Lift;
@@ -206,6 +208,27 @@ pub(super) fn violated(face: &Face, request: Request, multipliers: &Multipliers)
     let mut violated: Vec<usize> = pairs.filter(|&pair| both(pair) > 0.0).collect();
     violated.sort_by(|&a, &b| both(b).total_cmp(&both(a)));
     violated
+}
+
+/// Normal forces of the states that the lift is made of: the columns of the power and of the rates
+/// that weigh most.
+pub(super) fn normals(face: &Face, multipliers: &Multipliers) -> Vec<Vec<f64>> {
+    let lift = face.lift;
+    let rates = face.motion.rates(&multipliers.unknowns);
+    let weights = face.basis.row(0) * &rates;
+    let power = lift.conditions.power();
+    let mut order: Vec<usize> = (0..power).collect();
+    order.sort_by(|&a, &b| weights[b].total_cmp(&weights[a]));
+    let own = &lift.parameters;
+    let chosen = [power].into_iter().chain(order).take(own.states);
+    let least = own.state_weight * weights[power].abs();
+    let usable = chosen.filter(|&rate| weights[rate] > least);
+    let normal = |rate: usize| {
+        let forces: DMatrix<f64> = &face.basis * rates.columns(rate, 1) / weights[rate];
+        let joints = (0..lift.joints()).map(|j| (forces[2 + 3 * j] + forces[3 + 3 * j]).max(0.0));
+        joints.collect()
+    };
+    usable.map(normal).collect()
 }
 
 #[cfg(test)]

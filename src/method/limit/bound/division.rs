@@ -28,7 +28,7 @@ impl Search<'_> {
         goal: Goal,
     ) -> Result<Vec<Leaf>, Budget> {
         let own = &self.lift.parameters;
-        if found.undivided.is_empty() {
+        if found.leaves.0.len() == 1 {
             found.undivided.clone_from(&leaf.normals);
         }
         let before = found.slices.len();

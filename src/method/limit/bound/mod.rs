@@ -185,8 +185,12 @@ fn lowest_of_lift(
     few.interval.starts = 1;
     // There is a state: it need not be asked whether there can be any.
     few.bound.lifts = 0;
-    let lowest = &slices.leaves.0[slices.leaves.lowest()].normals;
-    let normals = [&lowest[..], &slices.undivided].concat();
+    let mut normals = slices.leaves.0[slices.leaves.lowest()].normals.clone();
+    for undivided in &slices.undivided {
+        if !normals.contains(undivided) {
+            normals.push(undivided.clone());
+        }
+    }
     let found = Interval.solve_from(scene, &few, &normals);
     (found.evidence.states().first().cloned(), found.work)
 }

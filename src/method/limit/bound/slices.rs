@@ -2,11 +2,9 @@
 
 use std::sync::Arc;
 
-use nalgebra::DMatrix;
-
-use super::branches::{Gains, Leaf, Leaves, violated};
+use super::branches::{Gains, Leaf, Leaves, normals, violated};
 use super::face::Face;
-use super::interior_point::{Multipliers, solve};
+use super::interior_point::solve;
 use super::lift::Lift;
 use super::lifted::Request;
 use super::parameters::OTHER_MACHINE;
@@ -332,25 +330,4 @@ impl Slices {
         };
         (certificate, proved)
     }
-}
-
-/// Normal forces of the states that the lift is made of: the columns of the power and of the rates
-/// that weigh most.
-fn normals(face: &Face, multipliers: &Multipliers) -> Vec<Vec<f64>> {
-    let lift = face.lift;
-    let rates = face.motion.rates(&multipliers.unknowns);
-    let weights = face.basis.row(0) * &rates;
-    let power = lift.conditions.power();
-    let mut order: Vec<usize> = (0..power).collect();
-    order.sort_by(|&a, &b| weights[b].total_cmp(&weights[a]));
-    let own = &lift.parameters;
-    let chosen = [power].into_iter().chain(order).take(own.states);
-    let least = own.state_weight * weights[power].abs();
-    let usable = chosen.filter(|&rate| weights[rate] > least);
-    let normal = |rate: usize| {
-        let forces: DMatrix<f64> = &face.basis * rates.columns(rate, 1) / weights[rate];
-        let joints = (0..lift.joints()).map(|j| (forces[2 + 3 * j] + forces[3 + 3 * j]).max(0.0));
-        joints.collect()
-    };
-    usable.map(normal).collect()
 }
